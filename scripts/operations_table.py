@@ -122,7 +122,7 @@ REASONS = {
     "b": "changes the type of the number, which lanes do when they load",
     "c": "goes along a sequence in memory, each element by the one before",
     "d": "a part, or a name for numbers; there is nothing to compute",
-    "e": "no trait over these types: what they have in common is compared by the tables of geometry and in `tests/lanes/`",
+    "e": "no trait over these types: what they have in common is compared in `tests/lanes/`",
     "f": "returns an error in the reference and a mask on lanes; the trait has the form without",
     "g": "a column or a row of `left_jacobian` for each unit twist; the trait has that",
     "h": "by the parts: the other operations of the trait are made of it",

@@ -1,18 +1,15 @@
 //! Lanes against the scalar reference of the same precision, and every implementation against the
-//! scalar path in `f64`: every operation of the tables.
+//! scalar path in `f64`: every operation of the table. What the types have beside it is in
+//! `agree_inherent.rs`.
 
 use dq8::{DualQuat, Motion};
 use dq8_contract::bound::distance;
 use dq8_contract::case::{Case, NUMBERS};
-use dq8_contract::conformance::worst_errors;
-use dq8_contract::geometry;
 use dq8_contract::implementation::{On, implementations};
 use dq8_contract::inputs;
 use dq8_contract::ledger::{Ledger, Line};
 use dq8_contract::operation::{Held, Inputs, Operation};
 use dq8_contract::operations::{OPERATIONS, operation};
-use dq8_contract::random::Random;
-use dq8_contract::vectors::Vector;
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestRunner};
 use std::cell::RefCell;
@@ -138,36 +135,6 @@ fn every_implementation_answers_as_the_scalar_path_in_double_does() {
             }
         }
     });
-}
-
-/// The bounds are those of some tens of vectors with 60 digits; any numbers may be as much worse.
-const BEYOND: f64 = 3.0;
-
-#[test]
-fn every_operation_of_geometry_answers_any_numbers_as_the_scalar_path_in_double_does() {
-    let (mut random, mut wrong) = (Random(12), Vec::new());
-    let (single, double): (Vec<On>, Vec<On>) =
-        implementations().into_iter().partition(|on| on.single);
-    for (place, _) in geometry::operations() {
-        let drawn: Vec<_> = (0..256).map(|_| place.drawn(&mut random)).collect();
-        for all in [&single, &double] {
-            let round = |numbers: &Vec<f64>| numbers.iter().map(|&n| all[0].round(n)).collect();
-            let rounded: Vec<Vec<f64>> = drawn.iter().map(round).collect();
-            let asked: Vec<_> =
-                rounded.iter().filter_map(|numbers| Vector::asked(place, numbers)).collect();
-            assert!(asked.len() > 60, "{} has {} answers", place.name(), asked.len());
-            for &on in all {
-                for worst in worst_errors(on, &asked).expect("every operation has a bound") {
-                    let units =
-                        [worst.error, BEYOND * worst.allowed].map(|error| error / on.roundoff());
-                    if units[0].is_nan() || units[0] > units[1] {
-                        wrong.push(format!("{on:?}: {} is off by {units:?}", worst.op));
-                    }
-                }
-            }
-        }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

@@ -5,27 +5,38 @@ use crate::report::{Section, Table, paragraph};
 use core::hint::black_box;
 use dq8::{Backend, DualQuat, Quat};
 use dq8_fixtures::random::Random;
-use dq8_fixtures::turns::{Job, least};
 use std::error::Error;
+use std::time::Instant;
 
 /// Operands that stay in the first cache.
 const PRODUCTS: usize = 256;
 /// Runs of all operands; the quickest counts.
 const RUNS: usize = if cfg!(debug_assertions) { 40 } else { 4000 };
 
-/// All products of pairs, one after the other.
-fn products<'a, M: Copy + 'a>(
-    name: &'static str,
-    [a, b]: [Vec<M>; 2],
-    work: impl Fn(M, M) -> M + 'a,
-) -> Job<'a> {
-    let mut products = a.clone();
-    Job::new(name, move || {
-        for ((product, a), b) in products.iter_mut().zip(black_box(&a)).zip(black_box(&b)) {
-            *product = work(*a, *b);
+/// Nanoseconds per product, the quickest of all runs over all operands.
+fn time<A: Copy, B: Copy, C: Copy>(
+    a: &[A],
+    b: &[B],
+    out: &mut [C],
+    work: impl Fn(A, B) -> C,
+) -> f64 {
+    best(a.len(), || {
+        let (a, b) = (black_box(a), black_box(b));
+        for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
+            *out = work(*a, *b);
         }
-        black_box(&products);
+        black_box(&*out);
     })
+}
+
+fn best(count: usize, mut work: impl FnMut()) -> f64 {
+    let mut best = f64::INFINITY;
+    for _ in 0..RUNS {
+        let start = Instant::now();
+        work();
+        best = best.min(start.elapsed().as_nanos() as f64 / count as f64);
+    }
+    best
 }
 
 /// AB, element by element.
@@ -81,32 +92,44 @@ pub fn times() -> Vec<Timed> {
         })
         .collect();
     let (left, right) = motions.split_at(PRODUCTS);
-    fn both<M>(of: impl Fn(&DualQuat<f32>) -> M, sides: [&[DualQuat<f32>]; 2]) -> [Vec<M>; 2] {
-        sides.map(|side| side.iter().map(&of).collect())
-    }
-    let four_parts = |zeros: bool| {
-        move |motion: &DualQuat<f32>| {
+    let four = |motions: &[DualQuat<f32>]| -> Vec<Matrix<f32, 4, 4>> {
+        motions.iter().map(|motion| motion.to_matrix4()).collect()
+    };
+    let three = |motions: &[DualQuat<f32>]| -> Vec<Matrix<f32, 3, 4>> {
+        motions.iter().map(|motion| motion.to_matrix3x4()).collect()
+    };
+    let parts = |motions: &[DualQuat<f32>]| -> Vec<[Quat<f32>; 2]> {
+        motions.iter().map(|motion| [motion.real(), motion.dual()]).collect()
+    };
+    let four_parts = |motions: &[DualQuat<f32>], zeros: bool| -> Vec<[Quat<f32>; 4]> {
+        let make = |motion: &DualQuat<f32>| {
             let (p, q) = (motion.real(), motion.dual());
             let between = if zeros { Quat::ZERO } else { q };
             [p, between, between, q]
-        }
+        };
+        motions.iter().map(make).collect()
     };
-    let sides = [left, right];
-    let mut on_lanes = vec![DualQuat::IDENTITY; PRODUCTS];
-    let jobs = vec![
-        products(FOUR, both(|motion| motion.to_matrix4(), sides), four_by_four),
-        products(THREE, both(|motion| motion.to_matrix3x4(), sides), three_by_four),
-        products(DUAL, both(|motion| [motion.real(), motion.dual()], sides), dual),
-        Job::new(LANES, || {
+    let (wide, narrow, whole) = (four(left), three(left), parts(left));
+    let mut products = vec![DualQuat::IDENTITY; PRODUCTS];
+    let mut lanes = |backend: Backend| {
+        best(PRODUCTS, || {
+            let (left, right) = (black_box(left), black_box(right));
             // Of slices of one length, which these are.
-            if Backend::best().mul(black_box(left), black_box(right), &mut on_lanes).is_ok() {
-                black_box(&on_lanes);
+            if backend.mul(left, right, &mut products).is_ok() {
+                black_box(&products);
             }
-        }),
-        products(HYPER, both(four_parts(false), sides), hyper),
-        products(ZEROS, both(four_parts(true), sides), hyper),
-    ];
-    least(jobs, PRODUCTS, RUNS)
+        })
+    };
+    let on_lanes = lanes(Backend::best());
+    let (full, zeros) = (four_parts(left, false), four_parts(left, true));
+    vec![
+        (FOUR, time(&wide, &four(right), &mut wide.clone(), four_by_four)),
+        (THREE, time(&narrow, &three(right), &mut narrow.clone(), three_by_four)),
+        (DUAL, time(&whole, &parts(right), &mut whole.clone(), dual)),
+        (LANES, on_lanes),
+        (HYPER, time(&full, &four_parts(right, false), &mut full.clone(), hyper)),
+        (ZEROS, time(&zeros, &four_parts(right, true), &mut zeros.clone(), hyper)),
+    ]
 }
 
 const FOUR: &str = "matrix 4×4, plain";

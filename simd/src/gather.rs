@@ -53,7 +53,8 @@ impl<'f> Gather<'f> {
             frames = &padded;
         }
         let mut starts = [0; MAX_LANES];
-        // So many, known to the compiler: of a number that is not it makes masked stores, whose reader waits for memory.
+        // `LANES` of them, a constant: for a count that it does not know the compiler makes masked stores, and the loads after
+        // them wait for memory.
         for (start, &frame) in starts.iter_mut().zip(frames.get(..L::LANES)?) {
             // What wraps lies beyond every table, and so does the greatest.
             *start = (frame as usize).wrapping_mul(self.pitch.wrapping_mul(C));

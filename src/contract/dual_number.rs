@@ -74,7 +74,7 @@ shared_trait! {
 }
 
 /// xⁿ for whole n, by squaring.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn power<D: DualNumber>(x: D, one: D, n: i32) -> D {
     let (mut power, mut square, mut left) = (one, x, n.unsigned_abs());
     while left > 0 {

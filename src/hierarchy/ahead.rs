@@ -53,7 +53,7 @@ impl<E: Element<8>, V: Level> Ahead<E, V> {
         let rows = self.0.as_mut()?.get_mut(..joints)?;
         locals.ahead(level, slot, rows)?;
         for (number, rows) in rows.iter().enumerate() {
-            E::copy::<V>(rows, models, slot.after(number, 1).own_tile());
+            E::copy(level, rows, models, slot.after(number, 1).own_tile());
         }
         Some(())
     }

@@ -3,7 +3,7 @@
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers};
-use super::rows::{Rows, numbers, pose};
+use super::rows::{GROUPS, Rows, padded, unpadded};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::storage::shape::ShapeError;
@@ -13,7 +13,7 @@ use dq8_simd::Level;
 
 /// Rotations and translations of one of two forms, which only the running program knows: a plain clip or a
 /// [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest. A kernel is compiled once for all of
-/// them, and so is each source of poses.
+/// them, and so is each source of poses; but in firmware both are part of it.
 ///
 /// ```
 /// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};
@@ -59,6 +59,8 @@ where
     A: PoseSource<M, C>,
     B: PoseSource<M, C>,
 {
+    const MADE: bool = true;
+
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
         of!(self, locals => locals.shape(joints))
     }

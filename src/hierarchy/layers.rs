@@ -1,8 +1,8 @@
-//! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
+//! [`PoseSource`]: poses, stored ones or computed ones. Sources nest: a layer loads from other sources.
 
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, Poses, RotationsTranslations, Tracks, part_of};
-use super::rows::{GROUP, Rows, each, load, numbers, pose, store};
+use super::rows::{GROUP, GROUPS, Rows, each, load, padded, store, unpadded};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
@@ -28,7 +28,7 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     }
     /// Whether they are computed, not loaded.
     #[doc(hidden)]
-    const MADE: bool = true;
+    const MADE: bool;
     /// The poses of a slot.
     #[doc(hidden)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
@@ -66,15 +66,14 @@ macro_rules! locals_by_law {
         where
             $($bounds)*
         {
-            // Firmware counts bytes of code and stack.
-            const MADE: bool = super::transposed::MANY && <Self as PoseSource<E::Layout, $C>>::MADE;
+            const MADE: bool = GROUPS && <Self as PoseSource<E::Layout, $C>>::MADE;
 
             fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
                 PoseSource::<E::Layout, $C>::shape(self, joints)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
-                Some(numbers(PoseSource::<E::Layout, $C>::pose(self, level, slot)?))
+                Some(padded(PoseSource::<E::Layout, $C>::pose(self, level, slot)?))
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn ahead<V: Level>(
@@ -88,12 +87,12 @@ macro_rules! locals_by_law {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
                 let $poses = self;
-                $law.motion(pose(local))
+                $law.motion(unpadded(local))
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
                 let $poses = self;
-                $law.onto(parent, pose(local))
+                $law.onto(parent, unpadded(local))
             }
             fn part(self, joints: usize, instances: Range<usize>) -> Self {
                 PoseSource::<E::Layout, $C>::some(self, joints, instances)
@@ -239,6 +238,8 @@ where
     A: PoseSource<M, C>,
     B: PoseSource<M, C>,
 {
+    const MADE: bool = true;
+
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
         let (what, length) = self.base.shape(joints)?;
         same_length("layer", self.layer.shape(joints)?.1, length)?;

@@ -14,11 +14,11 @@ use dq8_simd::Level;
 pub(super) type Numbers<E, V> = [Register<E, V, 8>; 8];
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`], [`Tracks`],
-/// [`Bones`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
+/// [`Bones`], [`Sampled`](super::Sampled), [`Layered`](super::Layered) or [`Either`](super::Either). Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no locals for models of `{E}`",
     note = "see the list of implementors: `Poses(&motions)`, `RotationsTranslations(&seven_numbers)`, \
-            `Tracks {{ rotations, translations }}`, `Bones {{ rotations, offsets }}`, `Sampled`, `Layered`; all in \
+            `Tracks {{ rotations, translations }}`, `Bones {{ rotations, offsets }}`, `Sampled`, `Layered`, `Either`; all in \
             the layout of the models",
     note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
 )]
@@ -42,8 +42,18 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     /// The locals of a slot and of those after it, no more than a group.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn ahead<V: Level>(&self, _: V, _: JointSlot, _: &mut [Rows<Register<E, V, 8>>]) -> Option<()> {
-        None
+    fn ahead<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<Register<E, V, 8>>],
+    ) -> Option<()> {
+        rows::each(
+            slot,
+            to,
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |slot| self.load(level, &[], slot),
+        )
     }
 
     /// A local as a motion.
@@ -167,15 +177,15 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
         let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let [a, b, c] = slot.of_joint(level, self.offsets)?;
-        Some(rows::numbers([x, y, z, w, a, b, c]))
+        Some(rows::padded([x, y, z, w, a, b, c]))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
-        NlerpLerp.motion(rows::pose(local))
+        NlerpLerp.motion(rows::unpadded(local))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
-        NlerpLerp.onto(parent, rows::pose(local))
+        NlerpLerp.onto(parent, rows::unpadded(local))
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self { rotations: part_of(self.rotations, joints, instances), ..self }

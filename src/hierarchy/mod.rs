@@ -6,7 +6,7 @@
 //! | [`Skeleton`] | one that owns its parents, of any order and type, and its plan (feature `alloc`) |
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
-//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
+//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked in the pass that uses them |
 //! | [`Either`] | locals of one of two forms, which the running program chooses |
 //! | [`OwnedClip`] | a clip with memory of its own (feature `alloc`) |
 //! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes for each track that moves, and frame: owned, borrowed |

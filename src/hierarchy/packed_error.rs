@@ -35,7 +35,7 @@ errors! {
             value: f32 = "The number."
         }
             => "joint {joint} in frame {frame} of clip {clip} is at {value}, which no range of translations holds";
-        /// More keys than 32 bits count, or more tracks than 15.
+        /// More keys than 32 bits count, or more tracks than 15 bits.
         TooLarge => "the clips have more keys than 32 bits count, or more tracks than 15 bits";
         /// Bytes that are no packed clips of this version.
         Bytes { offset: usize = "Where the first of them is that is wrong.", what: &'static str = "What is wrong." }

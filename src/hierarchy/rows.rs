@@ -10,6 +10,9 @@ pub(super) type Rows<L> = [<L as Lanes>::Array; 8];
 /// first cache.
 pub(super) const GROUP: usize = 16;
 
+/// Whether what is computed is made a group at a time. Firmware counts the bytes of its code and stack.
+pub(super) const GROUPS: bool = cfg!(not(target_os = "none"));
+
 /// What is made of a slot and of those after it, into rows one after the other.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn each<L: Lanes, const C: usize>(
@@ -41,14 +44,23 @@ pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Rows<L
     }
 }
 
-/// The numbers of a pose, and its first one where it has none.
+/// A pose of `C` numbers as eight, of which the last are not read.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn numbers<L: Lanes, const C: usize>(pose: [L; C]) -> [L; 8] {
-    core::array::from_fn(|i| *pose.get(i).unwrap_or(&pose[0]))
+pub(super) fn padded<L: Lanes, const C: usize>(pose: [L; C]) -> [L; 8] {
+    // No closures: in an inlined kernel they would be compiled without its instructions.
+    let mut numbers = [pose[0]; 8];
+    for (number, &of_pose) in numbers.iter_mut().zip(&pose) {
+        *number = of_pose;
+    }
+    numbers
 }
 
-/// The pose of [`numbers`].
+/// The pose of [`padded`] numbers.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn pose<L: Lanes, const C: usize>(numbers: [L; 8]) -> [L; C] {
-    core::array::from_fn(|i| *numbers.get(i).unwrap_or(&numbers[0]))
+pub(super) fn unpadded<L: Lanes, const C: usize>(numbers: [L; 8]) -> [L; C] {
+    let mut pose = [numbers[0]; C];
+    for (of_pose, &number) in pose.iter_mut().zip(&numbers) {
+        *of_pose = number;
+    }
+    pose
 }

@@ -1,10 +1,10 @@
-//! [`Sampled`]: animation that is sampled on its way into a register.
+//! [`Sampled`]: animation that is sampled in the pass that uses it.
 
 use super::keys::{Keys, PlacedKeys};
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, part_of};
-use super::rows::{Rows, numbers, pose};
+use super::rows::{GROUPS, Rows, padded, unpadded};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::number::Scalar;
@@ -14,8 +14,8 @@ use core::ops::Range;
 use dq8_simd::Level;
 
 /// Many instances, each at its own place in the same clip: instance i lies `t[i]` of the way from frame
-/// `frames[i]` to the next one, with all of its joints. [Locals](super::Locals) like any other: the keys go
-/// from the clip into registers, are interpolated there, and multiplied on, all in one pass.
+/// `frames[i]` to the next one, with all of its joints. [Locals](super::Locals) like any other, in one
+/// pass: keys are loaded and interpolated for sixteen joints of as many instances as there are lanes, then multiplied on.
 ///
 /// Instances that play different clips share one call if they are [`PackedClips`](super::PackedClips), or if the keys of
 /// all clips lie in one array, one clip after the other: add the number of frames before a clip to the frame that
@@ -69,6 +69,8 @@ where
     W: Law<C>,
     P: PlacedKeys<M::Real, C>,
 {
+    const MADE: bool = true;
+
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("each frame of the clip", self.keys.joints(), joints)?;
         Ok(("frames", joints.saturating_mul(self.t.len().div_ceil(M::THINGS))))

@@ -287,9 +287,10 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, 
     fn run<V: Level>(self, level: V) {
         let Self { run, locals, models, epilogue, done } = self;
         let joints = run.parents.len().max(1);
+        let mut ahead = Ahead::of(&locals);
         let instances = models.get_mut(done..).unwrap_or_default().chunks_exact_mut(joints);
         for (instance, models) in (done / joints..).zip(instances) {
-            walk(level, run, locals, models, epilogue, instance);
+            walk(level, run, locals, models, epilogue, (instance, &mut ahead));
         }
     }
 }
@@ -303,7 +304,7 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     locals: L,
     models: &mut [E],
     epilogue: &mut X,
-    instance: usize,
+    (instance, ahead): (usize, &mut Ahead<E, V>),
 ) {
     let joints = run.parents.len();
     let first = instance * joints;
@@ -314,7 +315,6 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     // joint per lane again. Motions that lie in memory skip the first stage and are multiplied from where they are.
     let in_memory = locals.motions();
     let mut made = [identity(); MAX_LANES];
-    let mut ahead = Ahead::of(&locals);
     for start in run.joints.clone().step_by(lanes) {
         let slot = JointSlot::of_joints(start, instance, joints, run.joints.end);
         if in_memory.is_none() {

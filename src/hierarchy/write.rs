@@ -1,3 +1,4 @@
+use super::ahead::Ahead;
 use super::locals::Locals;
 use super::run::Run;
 use super::slot::JointSlot;
@@ -23,15 +24,16 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
         let joints = run.parents.len();
         let lanes = Register::<E, V, 8>::LANES;
         for instance in 0..poses.len().checked_div(joints).unwrap_or(0) {
-            for joint in run.joints.clone().step_by(E::Layout::records::<V>()) {
-                for register in 0..E::Layout::registers::<V>() {
+            for register in 0..E::Layout::registers::<V>() {
+                let mut ahead = Ahead::of(&locals);
+                for joint in run.joints.clone().step_by(E::Layout::records::<V>()) {
                     let slot = if E::Layout::THINGS > 1 {
                         let first = instance * E::Layout::THINGS + register * lanes;
                         JointSlot::in_block(joint, instance * joints, register, first)
                     } else {
                         JointSlot::of_joints(joint, instance, joints, run.joints.end)
                     };
-                    let Some(local) = locals.load(level, &[], slot) else { return };
+                    let Some(local) = ahead.local(level, run, &locals, &[], slot) else { return };
                     E::store(locals.motion(local).to_array(), slot.within(poses), slot.tile());
                 }
             }

@@ -44,7 +44,7 @@ impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> 
         }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn copy<V: Level>(rows: &[<Native<A, V> as Lanes>::Array], to: &mut [Self], tile: Tile) {
+    fn copy<V: Level>(_: V, rows: &[<Native<A, V> as Lanes>::Array], to: &mut [Self], tile: Tile) {
         if let Some(block) = to.get_mut(tile.element) {
             block.copy_part::<V>(rows, tile.register);
         }

@@ -70,10 +70,22 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// The things of a tile from each component; what lies beyond the end of `to` is dropped.
     fn store<V: Level>(components: [Register<Self, V, C>; C], to: &mut [Self], tile: Tile);
 
-    /// [`store`](Self::store) of components that lie in memory, a row each. Blocks alone have rows: of others nothing is
-    /// copied.
+    /// [`store`](Self::store) of components that lie in memory as registers hold them.
     #[doc(hidden)]
-    fn copy<V: Level>(_: &[<Register<Self, V, C> as Lanes>::Array], _: &mut [Self], _: Tile) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn copy<V: Level>(
+        level: V,
+        rows: &[<Register<Self, V, C> as Lanes>::Array],
+        to: &mut [Self],
+        tile: Tile,
+    ) {
+        let zero = Number::<Self, C>::default();
+        let mut components = [Register::<Self, V, C>::splat(level, zero); C];
+        for (component, row) in components.iter_mut().zip(rows) {
+            *component = Lanes::load(level, row);
+        }
+        Self::store(components, to, tile);
+    }
 
     /// Thing number `index`.
     #[must_use]

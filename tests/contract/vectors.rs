@@ -42,23 +42,6 @@ impl fmt::Display for RowError {
 impl std::error::Error for RowError {}
 
 impl Vector {
-    /// A question of a table of [`geometry`] with the answer of the scalar path in `f64`; none where that has no finite one.
-    pub fn asked(place: geometry::Place, numbers: &[f64]) -> Option<Self> {
-        let known = known().find(|known| known.name == place.name())?;
-        let scalar = crate::implementation::scalar_f64();
-        let out = place.answers_given(scalar, &[numbers.to_vec()]).remove(0);
-        let mut rest = numbers;
-        let field = |(name, length): (&str, usize)| {
-            let (own, others) = rest.split_at(length);
-            rest = others;
-            (name.to_owned(), own.to_vec())
-        };
-        let inputs = place.fields().map(field).collect();
-        let (op, kind) = (place.name().to_owned(), String::new());
-        let has_answer = !out.is_empty() && out.iter().all(|number| number.is_finite());
-        has_answer.then_some(Self { row: 0, op, kind, inputs, known, out })
-    }
-
     /// An input, or nothing where the operation has none of that name.
     pub fn input(&self, name: &str) -> &[f64] {
         self.inputs.iter().find(|(n, _)| n == name).map_or(&[], |(_, values)| values)

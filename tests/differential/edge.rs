@@ -3,7 +3,7 @@
 use dq8::Twist;
 use dq8_contract::case::{Arguments, Case, NUMBERS};
 use dq8_contract::implementation::{On, implementations, scalar_f64};
-use dq8_contract::inputs::twist_case as case;
+use dq8_contract::inputs::{twist_case as case, twist_cases as cases};
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::operation::{Inputs, Operation, Sign};
 use dq8_contract::operations::{OPERATIONS, operation};
@@ -184,6 +184,31 @@ fn subnormal_numbers_are_numbers() {
             }
         }
     });
+}
+
+/// The value of a lane does not depend on its neighbours, be they far, infinite or NaN.
+#[test]
+fn lanes_do_not_see_their_neighbours() {
+    let cases = cases();
+    let mut strangers = vec![case(&mut Random(7), 50.0, 1e3), case(&mut Random(8), 0.0, 0.0)];
+    for bad in [f64::NAN, f64::INFINITY] {
+        strangers.push(Case::of_numbers(&[bad; NUMBERS]));
+    }
+    for on in implementations() {
+        for (i, &case) in cases.iter().enumerate() {
+            let mut crowd: Vec<_> = strangers.iter().cycle().take(on.lanes).copied().collect();
+            // Every lane has its turn.
+            let lane = i.checked_rem(crowd.len()).unwrap_or(0);
+            crowd[lane] = case;
+            for operation in twists() {
+                let wanted = numbers(on, operation, &case);
+                let got = operation.answer(on, &crowd).lane(lane).0;
+                let got: Vec<_> = got.iter().map(|(_, number)| number.to_bits()).collect();
+                let wanted: Vec<_> = wanted.iter().map(|number| number.to_bits()).collect();
+                assert_eq!(got, wanted, "{on:?}, {}, lane {lane}, {case:?}", operation.name);
+            }
+        }
+    }
 }
 
 #[test]

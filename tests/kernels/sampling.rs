@@ -3,7 +3,7 @@
 use crate::laws::Reference;
 use crate::memory::{Memory, lay, read, round};
 use crate::records::assert_same_bits;
-use crate::scene::{SMALL, motions, walk};
+use crate::scene::{motions, walk};
 use dq8::hierarchy::{Clip, Layered, Sampled};
 use dq8::storage::{AoSoA, Aos};
 use dq8::{
@@ -15,7 +15,18 @@ use dq8::{
 use dq8_contract::bound::{unit_roundoff, within};
 use dq8_contract::random::Random;
 
-const JOINTS: usize = SMALL.len();
+/// More joints than are made ahead at a time, in lanes too that are joints; three deep, with a second root in the second group.
+const PARENTS: [u32; JOINTS] = {
+    let (mut parents, mut joint) = ([Hierarchy::ROOT; JOINTS], 1);
+    while joint < JOINTS {
+        if joint != 20 {
+            parents[joint] = (joint as u32 - 1) / 8;
+        }
+        joint += 1;
+    }
+    parents
+};
+const JOINTS: usize = 70;
 const FRAMES: usize = 5;
 
 /// Two clips, where each of so many instances is in them, and how they are layered.
@@ -78,7 +89,7 @@ impl<const C: usize> Animation<C> {
 /// The models of both layers, sampled, blended and added, against the scalar reference.
 fn check<L: Memory, W: Reference<C>, const C: usize>(backend: Backend, instances: usize) {
     let animation = Animation::<C>::new::<W, L::Real>(instances);
-    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");
     let keys = animation
         .keys
         .each_ref()
@@ -102,7 +113,7 @@ fn check<L: Memory, W: Reference<C>, const C: usize>(backend: Backend, instances
         let got = read::<L, 8>(JOINTS, models);
         let locals: Vec<_> = locals.iter().map(|pose| W::as_motion(*pose)).collect();
         for (instance, wanted) in locals.chunks(JOINTS).enumerate() {
-            for (joint, wanted) in walk(&SMALL, wanted).into_iter().enumerate() {
+            for (joint, wanted) in walk(&PARENTS, wanted).into_iter().enumerate() {
                 let got = got[instance * JOINTS + joint];
                 let dot: f64 = got.iter().zip(wanted).take(4).map(|(a, b)| a * b).sum();
                 for (a, b) in got.iter().zip(wanted) {
@@ -124,6 +135,16 @@ fn check<L: Memory, W: Reference<C>, const C: usize>(backend: Backend, instances
     let both = Layered::blend(W::LAW, one, other, &weights).mask(&mask);
     job.locals_to_model(both, &mut models).expect("they fit");
     holds("blended", &models, &animation.layered([&first, &second], W::between_by_the_book));
+
+    // Some of the joints, onto models that are there already.
+    let mut again: Vec<_> = models.clone();
+    let blank_models = blank();
+    for (i, model) in again.iter_mut().enumerate().filter(|(i, _)| i % JOINTS >= 3) {
+        *model = blank_models[i];
+    }
+    job.clone().joints(3..JOINTS).locals_to_model(both, &mut again).expect("they fit");
+    let [all, some] = [&models, &again].map(|models| read::<L, 8>(JOINTS, models));
+    assert_same_bits(&some, &all, "joints from the third on");
 
     // The locals themselves are the models of joints that are all roots, on every backend and from any register.
     let flat = [Hierarchy::ROOT; JOINTS];
@@ -182,7 +203,7 @@ fn blocks_are_sampled_and_layered_as_the_scalar_reference_does() {
 /// Instances after those of the first part have places, weights and poses of their own.
 #[test]
 fn a_sampled_palette_through_scratch_is_that_of_every_instance() {
-    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");
     let animation = Animation::<7>::new::<NlerpLerp, f32>(35);
     let keys = animation
         .keys
@@ -207,7 +228,7 @@ fn a_sampled_palette_through_scratch_is_that_of_every_instance() {
 
 #[test]
 fn what_does_not_fit_is_named_and_nothing_is_written() {
-    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");
     let keys = [[0.0_f32; 8]; JOINTS * FRAMES];
     assert_eq!(
         Clip::new(JOINTS, &keys[1..]).unwrap_err(),
@@ -239,17 +260,20 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
         assert_eq!(answer, wanted);
     };
     let job = hierarchy.job();
-    refused(job.locals_to_model(sampled, &mut models[1..]), length("models", 13, 14));
-    refused(job.locals(sampled, &mut models[1..]), length("models", 13, 14));
-    let beyond = Err(ShapeError::Joints { range: 3..9, joints: JOINTS });
-    refused(job.clone().joints(3..9).locals(sampled, &mut models), beyond);
+    refused(
+        job.locals_to_model(sampled, &mut models[1..]),
+        length("models", 2 * JOINTS - 1, 2 * JOINTS),
+    );
+    refused(job.locals(sampled, &mut models[1..]), length("models", 2 * JOINTS - 1, 2 * JOINTS));
+    let beyond = Err(ShapeError::Joints { range: 3..JOINTS + 2, joints: JOINTS });
+    refused(job.clone().joints(3..JOINTS + 2).locals(sampled, &mut models), beyond);
     let layer = |weights| Layered::blend(Nlerp, sampled, sampled, weights);
     refused(job.locals_to_model(layer(&[0.5]), &mut models), length("weights", 1, 2));
     let masked = layer(&[0.5; 2]).mask(&[1.0; 3]);
     refused(job.locals_to_model(masked, &mut models), length("mask", 3, JOINTS));
     let short = Sampled::new(Nlerp, clip, &[0], &[0.0]).expect("it fits");
     let uneven = Layered::blend(Nlerp, sampled, short, &[0.5; 2]);
-    refused(job.locals_to_model(uneven, &mut models), length("layer", 7, 14));
+    refused(job.locals_to_model(uneven, &mut models), length("layer", JOINTS, 2 * JOINTS));
     let one = [Hierarchy::ROOT];
     let one = Hierarchy::new(&one).expect("a hierarchy");
     refused(
@@ -275,7 +299,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
 /// Nine instances and ten weights fill as many blocks of eight.
 #[test]
 fn weights_of_other_instances_are_refused_though_they_fill_as_many_blocks() {
-    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");
     let keys = [[0.0_f32; 8]; JOINTS * FRAMES];
     let clip = Clip::new(JOINTS, &keys).expect("whole frames");
     let sampled = Sampled::new(Nlerp, clip, &[0; 9], &[0.5; 9]).expect("it fits");
@@ -299,7 +323,7 @@ fn the_sign_of_a_key_changes_no_pose() {
         let sign = |i: usize| if i >= JOINTS { sign } else { 1.0 };
         keys.iter().enumerate().map(|(i, key)| key.map(|c| c * sign(i))).collect::<Vec<_>>()
     };
-    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");
     let models = |keys: &[[f64; 8]]| {
         let clip = Clip::new(JOINTS, keys).expect("whole frames");
         let mut models = [DualQuat::<f64>::IDENTITY; 9 * JOINTS];

@@ -2,10 +2,8 @@
 //! `f64`, lane by lane: functions of dual numbers, other representations.
 
 mod dual;
-mod exact;
 mod jacobians;
 mod matrices;
-mod records;
 mod rotations;
 mod scene;
 

@@ -1,5 +1,5 @@
-//! Dual vectors, lines and planes: laws, edges, and vector geometry in plain `f64`. How precise each operation is, the
-//! tables of geometry say.
+//! Dual vectors, lines and planes. The second opinion is vector geometry in plain `f64`: closest
+//! points by solving for them, angles by Kahan's formula, planes by solving for their normals.
 
 mod algebra;
 mod edge;

@@ -22,6 +22,59 @@ fn line<R: Real>((point, direction): Ray) -> Line<R> {
     Line::from_point_direction(rounded(point), rounded(direction))
 }
 
+/// s and t for which p + su and q + tv are nearest: the derivatives of their squared distance by s
+/// and t are zero.
+fn nearest((p, u): Ray, (q, v): Ray) -> [[f64; 3]; 2] {
+    let (w, uu, uv, vv) = (sub(q, p), dot(u, u), dot(u, v), dot(v, v));
+    let determinant = uu * vv - uv * uv;
+    let (uw, vw) = (dot(u, w), dot(v, w));
+    let s = (uw * vv - vw * uv) / determinant;
+    let t = (uw * uv - vw * uu) / determinant;
+    [add(p, scale(u, s)), add(q, scale(v, t))]
+}
+
+fn skew_lines_are_measured_as_vectors_do<R: Real>(allowed: [f64; 4]) {
+    let why = [
+        ("angle", "an arctangent of two lengths, made of directions that were rounded to unit"),
+        ("distance", "places along a unit vector that is a quotient by the sine"),
+        ("feet", "three products, over the square of the sine; in f64 the solution rounds as much"),
+        ("axis", "a cross product of directions that were rounded to unit, over its length"),
+    ];
+    let worst: [_; 4] = std::array::from_fn(|i| Worst::of(why[i].0, within(allowed[i], why[i].1)));
+    for_all(512, &(point(), direction(), point(), direction()), |(p, u, q, v)| {
+        let (a, b) = (as_stored::<R>((p, u)), as_stored::<R>((q, v)));
+        let normal = cross(unit(a.1), unit(b.1));
+        let sine = length(normal);
+        if sine < 0.05 {
+            return;
+        }
+        let found = line::<R>(a).common_perpendicular(line(b)).expect("skew lines have one");
+        let CommonPerpendicular { axis, feet, angle: Dual { real, dual }, parallel } = found;
+        assert!(!parallel);
+        let size = (length(a.0) + length(b.0) + 1.0) / sine;
+        let u = roundoff::<R>();
+        worst[0].see(real.into() - angle(a.1, b.1), u, &found);
+        let far = length(a.0) + length(b.0) + length(exact(feet[0])) + 1.0;
+        worst[1].see(dual.into() - dot(sub(b.0, a.0), normal) / sine, u * far, &found);
+        for (foot, wanted) in feet.into_iter().zip(nearest(a, b)) {
+            worst[2].see(length(sub(exact(foot), wanted)), u * size / sine, &found);
+        }
+        worst[3].see(length(sub(exact(axis.direction), unit(normal))), u / sine, &found);
+        assert!(axis.is_line(R::from_f64(8.0 * u)));
+    });
+}
+
+#[test]
+fn skew_lines_are_measured_as_vectors_do_in_f32() {
+    skew_lines_are_measured_as_vectors_do::<f32>([6.0, 5.0, 7.0, 4.0]);
+}
+
+#[test]
+fn skew_lines_are_measured_as_vectors_do_in_f64() {
+    // Here the feet are also wrong by what their solution rounds away.
+    skew_lines_are_measured_as_vectors_do::<f64>([6.0, 6.0, 30.0, 4.0]);
+}
+
 /// Two unit lines with these feet, at this angle.
 fn pair_with(feet: [[f64; 3]; 2], l: [f64; 3], n: [f64; 3], angle: f64) -> [Ray; 2] {
     let turned = add(scale(l, angle.cos()), scale(cross(n, l), angle.sin()));
@@ -147,6 +200,27 @@ fn identical_and_opposite_lines_are_no_distance_apart() {
         assert_eq!((found.angle, found.feet), (Dual::ZERO, [[0.0; 3]; 2]));
         assert_eq!(dot(found.axis.direction, direction), 0.0);
     }
+}
+
+fn lines_through_a_point_meet_in_it<R: Real>(allowed: f64) {
+    let why = "the middle of two feet, three products each, over the sine";
+    let worst = Worst::of("intersection", within(allowed, why));
+    for_all(256, &(point(), direction(), direction()), |(p, u, v)| {
+        let (a, b) = (as_stored::<R>((p, u)), as_stored::<R>((p, v)));
+        let sine = length(cross(unit(a.1), unit(b.1)));
+        if sine < 0.05 {
+            return;
+        }
+        let size = roundoff::<R>() * (length(p) + 1.0) / sine;
+        let near = line::<R>(a).intersection(line(b), R::from_f64(8.0 * size));
+        worst.see(length(sub(exact(near.unwrap()), a.0)), size, &(a, b));
+    });
+}
+
+#[test]
+fn lines_through_a_point_meet_in_it_in_both() {
+    lines_through_a_point_meet_in_it::<f32>(8.0);
+    lines_through_a_point_meet_in_it::<f64>(8.0);
 }
 
 #[test]

@@ -171,8 +171,9 @@ impl<R: Scalar> SolutionsJob<'_, R> {
                 values,
                 |targets, values, reports, options| {
                     let work = Work { targets, values, reports, options, clips: None };
-                    // The kernel of other searches, told by `options` that it does not begin again.
-                    arm.reach.job().run::<true, false>(backend, work, scratch);
+                    // The kernel of other searches, told by `options` that it does not begin again; firmware may have no other.
+                    const AGAIN: bool = cfg!(not(target_os = "none"));
+                    arm.reach.job().run::<AGAIN, false>(backend, work, scratch);
                 },
             );
         }

@@ -24,10 +24,9 @@ mod screws;
 use crate::bound::Bound;
 use crate::implementation::On;
 use crate::lanes::{MAX_LANES, Row};
-use crate::random::Random;
 use crate::sample::{Proof, Sample};
 use crate::vectors::Vector;
-use dq8::{DualQuat, Lanes, Line, Real, batch};
+use dq8::{DualQuat, Lanes, Real, batch};
 
 /// An operation of one implementation: a row for each number in, and for each number of the answer out; none
 /// where the scalar reference has an error.
@@ -99,36 +98,6 @@ impl Place {
     /// Fields with their lengths.
     pub(crate) fn fields(self) -> impl Iterator<Item = (&'static str, usize)> {
         self.operation().fields.iter().map(|&(field, shape)| (field, entry::length(shape)))
-    }
-
-    /// Ordinary numbers for all fields: lines whose moments are theirs, matrices of rigid motions, and all others up to 2.
-    pub fn drawn(self, random: &mut Random) -> Vec<f64> {
-        let fields = self.operation().fields.iter();
-        let field = |&(_, shape): &(&str, &str)| {
-            let motion = random.motion(2.0);
-            let turn = motion.rotation();
-            match shape {
-                "order" => vec![random.below(24) as f64],
-                "integer" => vec![random.below(6) as f64],
-                "unit_quat" => turn.to_wxyz().to_vec(),
-                "unit_pose" => [&turn.to_wxyz()[..], &motion.translation()].concat(),
-                "unit_motion" => motion.to_wxyz().to_vec(),
-                "matrix3" => turn.to_matrix3().concat(),
-                "matrix3x4" => motion.to_matrix3x4().concat(),
-                "matrix4" => motion.to_matrix4().concat(),
-                // Near and far from zero, as functions see it.
-                "dual" => {
-                    let size = [4.0, random.between(-30.0, 4.0).exp()][random.below(2)];
-                    vec![size * random.signed(), random.signed()]
-                }
-                "line" => {
-                    let line = Line::from_point_direction(random.vector(), random.vector());
-                    [line.direction, line.moment].concat()
-                }
-                _ => (0..entry::length(shape)).map(|_| random.number(false, 0.0)).collect(),
-            }
-        };
-        fields.flat_map(field).collect()
     }
 
     /// The answers of `on` to vectors of this operation, at most as many as it has lanes; NaN where there is none.
