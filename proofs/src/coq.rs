@@ -29,7 +29,8 @@ const SLOW: [&str; 2] = ["mul_rotation_translation", "linear_skin"];
 pub fn write(folder: &Path) -> std::io::Result<()> {
     for record in Record::by_lengths().filter(|record| !record.is_twin()) {
         for precision in record.precisions() {
-            let suffix = if record.fused { "_fused" } else { ["", "_f64"][precision] };
+            let fused = if record.fused { "_fused" } else { "" };
+            let suffix = format!("{fused}{}", ["", "_f64"][precision]);
             if let Some(theorems) = theorems(record, precision) {
                 let name = format!("{}_{}{suffix}.v", record.form.name(), record.operation.name);
                 std::fs::write(folder.join(name), theorems)?;
