@@ -3,7 +3,7 @@
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers};
-use super::rows::{GROUPS, Rows, padded, unpadded};
+use super::rows::{GROUPS, Rows, resized};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::storage::shape::ShapeError;

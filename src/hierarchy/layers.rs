@@ -2,7 +2,7 @@
 
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, Poses, RotationsTranslations, Tracks, part_of};
-use super::rows::{GROUP, GROUPS, Rows, each, load, padded, store, unpadded};
+use super::rows::{GROUP, GROUPS, Rows, each, load, resized, store};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
@@ -73,7 +73,7 @@ macro_rules! locals_by_law {
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
-                Some(padded(PoseSource::<E::Layout, $C>::pose(self, level, slot)?))
+                Some(resized(PoseSource::<E::Layout, $C>::pose(self, level, slot)?))
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn ahead<V: Level>(
@@ -87,12 +87,12 @@ macro_rules! locals_by_law {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
                 let $poses = self;
-                $law.motion(unpadded(local))
+                $law.motion(resized(local))
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
                 let $poses = self;
-                $law.onto(parent, unpadded(local))
+                $law.onto(parent, resized(local))
             }
             fn part(self, joints: usize, instances: Range<usize>) -> Self {
                 PoseSource::<E::Layout, $C>::some(self, joints, instances)

@@ -177,15 +177,15 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
         let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let [a, b, c] = slot.of_joint(level, self.offsets)?;
-        Some(rows::padded([x, y, z, w, a, b, c]))
+        Some(rows::resized([x, y, z, w, a, b, c]))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
-        NlerpLerp.motion(rows::unpadded(local))
+        NlerpLerp.motion(rows::resized(local))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
-        NlerpLerp.onto(parent, rows::unpadded(local))
+        NlerpLerp.onto(parent, rows::resized(local))
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self { rotations: part_of(self.rotations, joints, instances), ..self }

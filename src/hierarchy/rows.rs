@@ -44,23 +44,13 @@ pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Rows<L
     }
 }
 
-/// A pose of `C` numbers as eight, of which the last are not read.
+/// The first numbers of an array as one of another length; where there are more, they are the first one, and nobody reads them.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn padded<L: Lanes, const C: usize>(pose: [L; C]) -> [L; 8] {
-    // No closures: in an inlined kernel they would be compiled without its instructions.
-    let mut numbers = [pose[0]; 8];
-    for (number, &of_pose) in numbers.iter_mut().zip(&pose) {
-        *number = of_pose;
+pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) -> [L; B] {
+    // No closure: in an inlined kernel it would be compiled without its instructions.
+    let mut to = [from[0]; B];
+    for (to, &from) in to.iter_mut().zip(&from) {
+        *to = from;
     }
-    numbers
-}
-
-/// The pose of [`padded`] numbers.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn unpadded<L: Lanes, const C: usize>(numbers: [L; 8]) -> [L; C] {
-    let mut pose = [numbers[0]; C];
-    for (of_pose, &number) in pose.iter_mut().zip(&numbers) {
-        *of_pose = number;
-    }
-    pose
+    to
 }

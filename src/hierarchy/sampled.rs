@@ -4,7 +4,7 @@ use super::keys::{Keys, PlacedKeys};
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, part_of};
-use super::rows::{GROUPS, Rows, padded, unpadded};
+use super::rows::{GROUPS, Rows, resized};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::number::Scalar;

@@ -97,14 +97,9 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         }
     }
     for joint in joints {
-        let local = if L::MADE {
-            models.get(joint).map(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |rows| load(level, rows),
-            )
-        } else {
-            locals.load(level, &[], slot(joint))
-        };
+        let Some(rows) = models.get(joint) else { return };
+        let local =
+            if L::MADE { Some(load(level, rows)) } else { locals.load(level, &[], slot(joint)) };
         let Some(local) = local else { return };
         let local = locals.motion(local).to_array();
         if place(level, run, epilogue, slot(joint), local, base, models).is_none() {
