@@ -11,7 +11,7 @@ from processes import environment
 
 # What is made before, and a call that takes a second at least, but the last ones: there is one number per result.
 BUSY = {
-    "reach": ("far = np.tile(dq8.from_translation([1e3, 0, 0]), (100_000, 1))", "arm.reach(far, np.zeros(2), 1)"),
+    "reach": ("far = np.tile(dq8.from_translation([1e3, 0, 0]), (3_000_000, 1))", "arm.reach(far, np.zeros(2), 1)"),
     "mean of many": ("many = np.tile(turned, (1_000_000, 1))", "dq8.mean(many, tolerance=-1.0, max_iterations=10_000)"),
     "means": ("eight = np.tile(turned, (20_000, 8, 1))", "dq8.mean(eight, tolerance=-1.0, max_iterations=2_000)"),
     "dib_windows": (
