@@ -310,7 +310,9 @@ def test_a_large_call_is_many_small_ones_whichever_arguments_are_one_for_all(nam
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("shapes", [((7,), (2000, 7)), ((2000, 1), (1, 7)), ((2000, 7), ())])
-def test_a_large_call_repeats_arguments_as_numpy_does_on_any_number_of_threads(shapes, dtype, rng):
+def test_a_large_call_repeats_arguments_as_numpy_does_on_any_number_of_threads(
+    shapes, dtype, rng, one_thread
+):
     first, second = (dq8.random(shape, rng=rng).astype(dtype) for shape in shapes)
     written_out = [array.copy() for array in np.broadcast_arrays(first, second)]
     for threads in [1, 3]:
