@@ -27,6 +27,7 @@ KERNELS = [
     ("ScLERP", r"sweep::Sweep<.*slices::interpolate::Interpolation.*" + BLOCKS, None),
     ("crowd in place", r"concatenate::Forward.*" + BLOCKS, 4),
     ("one instance, planned", r"plan::Walk<f32>", 0),
+    ("plain clips", r"<dq8::hierarchy::sampled::Sampled<[^{]*Frames[^{]*::poses", 100),
     ("packed clips", r"<dq8::hierarchy::sampled::Sampled<[^{]*Playback[^{]*::poses", 100),
 ]
 BACKENDS = [("AVX2", "with_avx2", (8, 16)), ("AVX-512", "with_avx512", (8, 16))]
@@ -37,11 +38,13 @@ MUST = {
 }
 MUST_NOT = {
     ("one instance, planned", "AVX-512"): r"\(%r\w+,%r.*\{1to8\}",
+    # Where rows begin, stored for as many lanes as there are frames: who reads it back waits for memory.
+    ("plain clips", "AVX2"): r"\tvp?maskmov[dqp]",
     # Addresses of eight lanes that are added up in vectors and taken apart again.
     ("packed clips", "AVX2"): r"\tvpextr[dq]|\tvpmuludq",
 }
 # Looked at as a whole, on AVX2: one loop for lanes that are instances and one for joints, and calls for what is rare.
-WHOLE = {"packed clips"}
+WHOLE = {"plain clips", "packed clips"}
 # How often an instruction stands there. Of packed clips: once for each number of a rotation and a translation, in either loop.
 COUNTS = {("packed clips", "AVX2"): (r"\tvpmaddwd", 14)}
 FUSED = re.compile(r"\tvfn?m(add|sub)\d+ps\b")

@@ -1,6 +1,6 @@
 //! Calls the hot kernels, so that their machine code is in this program.
 
-use dq8::hierarchy::{Layered, PackedClip, Sampled, Tolerance};
+use dq8::hierarchy::{Clip, Layered, PackedClip, Sampled, Tolerance};
 use dq8::law::NlerpLerp;
 use dq8::simd::Row;
 use dq8::{Backend, Block, DualQuat, Hierarchy, Skeleton};
@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 fn main() {
     one_instance();
-    packed_clips();
+    clips();
     kernels::<8>([Block::splat([0.0; 8]); 2], [Block::splat([0.0; 3]); 2]);
     kernels::<16>([Block::splat([0.0; 8]); 2], [Block::splat([0.0; 3]); 2]);
 }
@@ -20,8 +20,8 @@ fn one_instance() {
     black_box(models);
 }
 
-/// Two clips, blended, to a palette.
-fn packed_clips() {
+/// Two clips, blended, to a palette: packed ones, and plain ones.
+fn clips() {
     let parents = [Hierarchy::ROOT, 0];
     let hierarchy = Hierarchy::new(&parents).expect("a hierarchy");
     let frames = black_box([[0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]; 4]);
@@ -30,9 +30,15 @@ fn packed_clips() {
     let t = black_box([0.5_f32; 16]);
     let source = || Sampled::new(NlerpLerp, packed.clips(), &places, &t).expect("its places");
     let locals = Layered::blend(NlerpLerp, source(), source(), &t);
+    let plain = Clip::new(2, &frames).expect("whole frames");
+    let frame = black_box([0; 16]);
+    let source = || Sampled::new(NlerpLerp, plain, &frame, &t).expect("its frames");
+    let plain = Layered::blend(NlerpLerp, source(), source(), &t);
     let (mut scratch, binds) = ([DualQuat::IDENTITY; 32], black_box([DualQuat::IDENTITY; 2]));
     let mut palette = [[[0.0_f32; 4]; 3]; 32];
     hierarchy.job().palette(locals, &mut scratch, &binds, &mut palette).expect("they fit");
+    black_box(palette);
+    hierarchy.job().palette(plain, &mut scratch, &binds, &mut palette).expect("they fit");
     black_box(palette);
 }
 
