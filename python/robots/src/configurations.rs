@@ -98,9 +98,7 @@ impl<'py, R: Number> Configurations<'py, R> {
             let shapes: Vec<_> = shapes().map(tuple).collect();
             misfit("values", &shapes.join(", "))
         })?;
-        let fill =
-            |input: Input<'py, R>| if input.is_one() { Ok(input) } else { input.filled(&leading) };
-        let inputs = inputs.into_iter().map(fill).collect::<PyResult<_>>()?;
+        let inputs = inputs.into_iter().map(|it| it.filled(&leading)).collect::<PyResult<_>>()?;
         Ok(Self { inputs, leading })
     }
 
@@ -115,7 +113,7 @@ impl<'py, R: Number> Configurations<'py, R> {
     }
 }
 
-/// All numbers, or those of each value; one that is the same for all counts once.
+/// All numbers, or those of each value.
 type Numbers<'s, R> = Vec<&'s [R]>;
 
 /// The configurations `range` of numbers, `values` for each, side by side; in `made` where they are columns.
@@ -125,21 +123,18 @@ fn rows<'s, R: Number>(
     range: std::ops::Range<usize>,
     made: &'s mut Vec<R>,
 ) -> &'s [R] {
-    if let [rows] = numbers[..]
-        && values * range.end <= rows.len()
-    {
+    if let [rows] = numbers[..] {
         return &rows[range.start * values..range.end * values];
     }
     made.resize(range.len() * values, R::ZERO);
-    Backend::best().run(SideBySide { numbers, first: range.start, values, to: made });
+    let columns: Numbers<'_, R> = numbers.iter().map(|all| &all[range.clone()]).collect();
+    Backend::best().run(SideBySide { columns: &columns, to: made });
     made
 }
 
-/// Rows of columns, from row `first` on: of four columns at a time as many rows as lanes, which leave in whole quads.
+/// Rows of columns: of four columns at a time as many rows as lanes, which leave in whole quads.
 struct SideBySide<'s, R> {
-    numbers: &'s [&'s [R]],
-    first: usize,
-    values: usize,
+    columns: &'s [&'s [R]],
     to: &'s mut [R],
 }
 
@@ -149,42 +144,32 @@ impl<R: Number> Kernel for SideBySide<'_, R> {
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let Self { numbers, first, values, to } = self;
-        let (lanes, rows) = (R::Lanes::<V>::LANES, to.len() / values);
+        let Self { columns, to } = self;
+        let (values, lanes) = (columns.len(), R::Lanes::<V>::LANES);
+        let rows = to.len() / values;
         let whole = if values < 4 { 0 } else { rows - rows % lanes };
+        let (groups, rest) = to.split_at_mut(whole * values);
         for begin in (0..values).step_by(4) {
             // The last four begin earlier where there is no multiple of four.
             let begin = begin.min(values.saturating_sub(4));
-            let Some(columns) = numbers.get(begin..).and_then(|rest| rest.first_chunk::<4>())
-            else {
+            let Some(&quad) = columns.get(begin..).and_then(|rest| rest.first_chunk::<4>()) else {
                 break;
             };
-            // Cut once, not at each load.
-            let columns = columns.map(|it| if it.len() == 1 { it } else { &it[first..] });
-            for row in (0..whole).step_by(lanes) {
+            // In step: nothing is looked up or checked in the loop.
+            let [a, b, c, d] = quad.map(|column| column.chunks_exact(lanes));
+            let groups = groups.chunks_exact_mut(lanes * values);
+            for (((a, b), (c, d)), to) in a.zip(b).zip(c.zip(d)).zip(groups) {
                 let mut quad = [R::Lanes::<V>::splat(level, R::ZERO); 4];
-                for (slot, column) in quad.iter_mut().zip(columns) {
-                    // The next rows come while these are computed with.
-                    if let Some(ahead) = column.get(row + whole) {
-                        level.prefetch(ahead);
-                    }
-                    *slot = match *column {
-                        [one] => R::Lanes::<V>::splat(level, one),
-                        _ => {
-                            let Some([loaded]) = load(level, column[row..].as_chunks().0) else {
-                                return;
-                            };
-                            loaded
-                        }
-                    };
+                for (slot, column) in quad.iter_mut().zip([a, b, c, d]) {
+                    let Some([loaded]) = load(level, column.as_chunks().0) else { return };
+                    *slot = loaded;
                 }
-                R::Lanes::<V>::store_rows([quad], &mut to[row * values + begin..], values);
+                R::Lanes::<V>::store_rows([quad], &mut to[begin..], values);
             }
         }
-        let rest = to[whole * values..].chunks_exact_mut(values);
-        for (row, to) in (first + whole..).zip(rest) {
-            for (slot, column) in to.iter_mut().zip(numbers) {
-                *slot = if let [one] = **column { one } else { column[row] };
+        for (row, to) in (whole..).zip(rest.chunks_exact_mut(values)) {
+            for (slot, column) in to.iter_mut().zip(columns) {
+                *slot = column[row];
             }
         }
     }
@@ -276,8 +261,8 @@ type Compute<'f, R, const C: usize> =
     dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
 /// Rows of so many bytes are made of columns at a time: they are in a near cache when they are read, and beginning with
-/// others, which takes half a microsecond, is seldom.
-const MADE: usize = 1 << 14;
+/// others, which takes a fifth of a microsecond, is seldom.
+const MADE: usize = 1 << 15;
 
 /// `each` of the configurations in `numbers`, which writes `count` elements of `to` for one; some together.
 fn pieces<R: Number, const C: usize>(
