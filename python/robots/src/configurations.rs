@@ -5,14 +5,13 @@ use crate::broadcast::common;
 use crate::call::Answer;
 use crate::columns::{Named, misfit, named};
 use crate::error::{misshapen, value_error};
-use crate::law::load;
 use crate::links::Chosen;
 use crate::number::Number;
 use crate::output::{Output, view_of_out};
 use crate::shape::{EIGHT, NUMBER, tuple};
 use crate::threads::{GRAIN, Threads};
-use dq8::simd::{MAX_LANES, Records};
-use dq8::{Backend, Kernel, Lanes, Level, ShapeError};
+use dq8::simd::MAX_LANES;
+use dq8::{Backend, ShapeError};
 use dq8_robot::{Body, Mechanism, OwnedMechanism, World, WorldAligned};
 use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
@@ -70,7 +69,7 @@ impl<'py> Values<'py> {
 
 /// Configurations in memory.
 struct Configurations<'py, R: Number> {
-    /// All, or one for each value.
+    /// One for each value, or one of all.
     inputs: Vec<Input<'py, R>>,
     /// The leading dimensions of all of them.
     leading: Vec<usize>,
@@ -108,68 +107,28 @@ impl<'py, R: Number> Configurations<'py, R> {
         Ok(self)
     }
 
-    fn numbers(&self) -> Numbers<'_, R> {
-        self.inputs.iter().map(|input| input.records::<1>().as_flattened()).collect()
-    }
-}
-
-/// All numbers, or those of each value.
-type Numbers<'s, R> = Vec<&'s [R]>;
-
-/// The configurations `range` of numbers, `values` for each, side by side; in `made` where they are columns.
-fn rows<'s, R: Number>(
-    numbers: &Numbers<'s, R>,
-    values: usize,
-    range: std::ops::Range<usize>,
-    made: &'s mut Vec<R>,
-) -> &'s [R] {
-    if let [rows] = numbers[..] {
-        return &rows[range.start * values..range.end * values];
-    }
-    made.resize(range.len() * values, R::ZERO);
-    let columns: Numbers<'_, R> = numbers.iter().map(|all| &all[range.clone()]).collect();
-    Backend::best().run(SideBySide { columns: &columns, to: made });
-    made
-}
-
-/// Rows of columns: of four columns at a time as many rows as lanes, which leave in whole quads.
-struct SideBySide<'s, R> {
-    columns: &'s [&'s [R]],
-    to: &'s mut [R],
-}
-
-impl<R: Number> Kernel for SideBySide<'_, R> {
-    type Output = ();
-    const WIDE: bool = false;
-
-    #[inline(always)]
-    fn run<V: Level>(self, level: V) {
-        let Self { columns, to } = self;
-        let (values, lanes) = (columns.len(), R::Lanes::<V>::LANES);
-        let rows = to.len() / values;
-        let whole = if values < 4 { 0 } else { rows - rows % lanes };
-        let (groups, rest) = to.split_at_mut(whole * values);
-        for begin in (0..values).step_by(4) {
-            // The last four begin earlier where there is no multiple of four.
-            let begin = begin.min(values.saturating_sub(4));
-            let Some(&quad) = columns.get(begin..).and_then(|rest| rest.first_chunk::<4>()) else {
-                break;
-            };
-            // In step: nothing is looked up or checked in the loop.
-            let [a, b, c, d] = quad.map(|column| column.chunks_exact(lanes));
-            let groups = groups.chunks_exact_mut(lanes * values);
-            for (((a, b), (c, d)), to) in a.zip(b).zip(c.zip(d)).zip(groups) {
-                let mut quad = [R::Lanes::<V>::splat(level, R::ZERO); 4];
-                for (slot, column) in quad.iter_mut().zip([a, b, c, d]) {
-                    let Some([loaded]) = load(level, column.as_chunks().0) else { return };
-                    *slot = loaded;
-                }
-                R::Lanes::<V>::store_rows([quad], &mut to[begin..], values);
-            }
+    fn given(&self) -> Given<'_, R> {
+        // A column of its own has the configurations of one value side by side.
+        match &self.inputs[..] {
+            [rows] => Given::Rows(rows.numbers()),
+            columns => Given::Columns(columns.iter().map(Input::numbers).collect()),
         }
-        for (row, to) in (whole..).zip(rest.chunks_exact_mut(values)) {
-            for (slot, column) in to.iter_mut().zip(columns) {
-                *slot = column[row];
+    }
+}
+
+/// Some configurations: side by side, or a slice for each value.
+enum Given<'s, R> {
+    Rows(&'s [R]),
+    Columns(Vec<&'s [R]>),
+}
+
+impl<'s, R> Given<'s, R> {
+    /// Those in `range`, `values` numbers each.
+    fn part(&self, values: usize, range: std::ops::Range<usize>) -> Self {
+        match self {
+            Self::Rows(rows) => Self::Rows(&rows[range.start * values..range.end * values]),
+            Self::Columns(all) => {
+                Self::Columns(all.iter().map(|column| &column[range.clone()]).collect())
             }
         }
     }
@@ -193,14 +152,16 @@ pub(crate) fn poses<'py, R: Number>(
     }
     let output = Output::<R>::new(py, out, &shape, EIGHT)?;
     let values = values.apart_from(&output)?;
-    let numbers = values.numbers();
-    let backend = Backend::best();
-    let poses = |numbers: &[R], to: &mut [[R; 8]]| match &chosen {
-        None => view.job().backend(backend).poses(numbers, to),
-        Some(Chosen { links, .. }) => view.job().links(links).backend(backend).poses(numbers, to),
+    let given = values.given();
+    let job = view.job().backend(Backend::best());
+    let poses = |given: Given<'_, R>, to: &mut [[R; 8]]| match (&chosen, given) {
+        (None, Given::Rows(rows)) => job.poses(rows, to),
+        (None, Given::Columns(columns)) => job.poses(&columns, to),
+        (Some(chosen), Given::Rows(rows)) => job.links(&chosen.links).poses(rows, to),
+        (Some(chosen), Given::Columns(columns)) => job.links(&chosen.links).poses(&columns, to),
     };
     let links = chosen.as_ref().map_or(view.links(), |chosen| chosen.links.len());
-    output.fill(&threads, |to| pieces(&threads, view, &numbers, links, to, &poses))
+    output.fill(&threads, |to| pieces(&threads, view, &given, links, to, &poses))
 }
 
 /// The Jacobian of a link at each configuration.
@@ -220,16 +181,17 @@ pub(crate) fn jacobian<'py, R: Number>(
     let transposed = out.map(|out| by_columns(out, &shape)).transpose()?;
     let output = Output::<R>::new(py, transposed.as_ref(), &leading, &[view.rates(), 6])?;
     let values = values.apart_from(&output)?;
-    let numbers = values.numbers();
-    let backend = Backend::best();
-    let columns = |numbers: &[R], to: &mut [[R; 6]]| {
+    let given = values.given();
+    let links = [link];
+    let job = view.job().links(&links).backend(Backend::best());
+    let columns = |given: Given<'_, R>, to: &mut [[R; 6]]| {
         let mut poses = vec![[R::ZERO; 8]; to.len() / view.rates()];
         macro_rules! jacobians {
             ($frame:expr) => {
-                view.job()
-                    .links(&[link])
-                    .backend(backend)
-                    .jacobians($frame, numbers, &mut poses, to)
+                match given {
+                    Given::Rows(rows) => job.jacobians($frame, rows, &mut poses, to),
+                    Given::Columns(columns) => job.jacobians($frame, &columns, &mut poses, to),
+                }
             };
         }
         match frame {
@@ -240,7 +202,7 @@ pub(crate) fn jacobian<'py, R: Number>(
     };
     let threads = Threads::for_elements(configurations * view.links());
     let columns =
-        output.fill(&threads, |to| pieces(&threads, view, &numbers, view.rates(), to, &columns))?;
+        output.fill(&threads, |to| pieces(&threads, view, &given, view.rates(), to, &columns))?;
     match out {
         Some(out) => Ok(out.clone()),
         None => columns.call_method1("swapaxes", (-1, -2)),
@@ -258,17 +220,13 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 
 /// Writes elements of some configurations.
 type Compute<'f, R, const C: usize> =
-    dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
+    dyn Fn(Given<'_, R>, &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
-/// Rows of so many bytes are made of columns at a time: they are in a near cache when they are read, and beginning with
-/// others, which takes a fifth of a microsecond, is seldom.
-const MADE: usize = 1 << 15;
-
-/// `each` of the configurations in `numbers`, which writes `count` elements of `to` for one; some together.
+/// `each` of the configurations, which writes `count` elements of `to` for one; some together.
 fn pieces<R: Number, const C: usize>(
     threads: &Threads,
     view: Mechanism<'_, R>,
-    numbers: &Numbers<'_, R>,
+    given: &Given<'_, R>,
     count: usize,
     to: &mut [[R; C]],
     each: &Compute<'_, R, C>,
@@ -276,22 +234,12 @@ fn pieces<R: Number, const C: usize>(
     if to.is_empty() {
         return Ok(());
     }
-    let (failure, values) = (OnceLock::new(), view.values());
+    let failure = OnceLock::new();
     // Whole registers.
     let size = count * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
-    let few = (MADE / (values.max(1) * size_of::<R>())).next_multiple_of(8 * MAX_LANES);
-    // Memory for rows is got once for some of them.
-    let size = if numbers.len() == 1 { size } else { 4 * size.max(count * few) };
     threads.split(size, to, &|(first, to)| {
-        let mut made = Vec::new();
-        let together = if numbers.len() == 1 { to.len() } else { count * few };
-        to.chunks_mut(together).enumerate().all(|(index, to)| {
-            let begin = (first + index * together) / count;
-            let range = begin..begin + to.len() / count;
-            each(rows(numbers, values, range, &mut made), to)
-                .map_err(|error| failure.set(error))
-                .is_ok()
-        })
+        let range = first / count..(first + to.len()) / count;
+        each(given.part(view.values(), range), to).map_err(|error| failure.set(error)).is_ok()
     });
     failure.into_inner().map_or(Ok(()), |error| Err(value_error(error)))
 }

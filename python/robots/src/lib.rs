@@ -9,5 +9,5 @@ pub mod solutions;
 mod urdf;
 
 use dq8_python_arrays::{
-    argument, broadcast, call, columns, error, law, links, number, output, shape, threads,
+    argument, broadcast, call, columns, error, links, number, output, shape, threads,
 };

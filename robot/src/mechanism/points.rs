@@ -100,7 +100,7 @@ impl<R: Scalar> Job<'_, R> {
         let mechanism = self.mechanism;
         mechanism.check_points(points)?;
         let elements = whole_instances("places", points.len(), places.len())?;
-        T::check("values", values.len(), mechanism.values, elements)?;
+        T::check("values", values, mechanism.values, elements)?;
         self.walk(values, (places, points.len()), |_, (places, count): (&mut [E], usize)| {
             (things(places, count, elements), Points { places, found: Found::new(points) })
         });

@@ -18,7 +18,8 @@ impl<R: Scalar> Job<'_, R> {
     /// [`Mechanism::link_poses`] gives for one, on lanes.
     ///
     /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]` in plain
-    /// numbers for both, or `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
+    /// numbers for both, or a slice of plain numbers for each value, or `[configuration block][value]` in blocks
+    /// ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
     /// or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
@@ -42,6 +43,11 @@ impl<R: Scalar> Job<'_, R> {
     /// let [x, y, _] = poses[2999].translation();
     /// let (a, b) = (1.998_f32, 1.998 + 1.999_f32);
     /// assert!((x - (a.cos() + b.cos())).abs() + (y - (a.sin() + b.sin())).abs() < 1e-6);
+    /// // The same from a column for each angle.
+    /// let columns = [0, 1].map(|first| values.iter().skip(first).step_by(2).copied().collect::<Vec<_>>());
+    /// let mut same = vec![DualQuat::IDENTITY; 3000];
+    /// arm.job().poses(&[&columns[0][..], &columns[1]], &mut same)?;
+    /// assert_eq!(same, poses);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>

@@ -64,7 +64,7 @@ impl<R: Copy> Mechanism<'_, R> {
         poses: usize,
     ) -> Result<usize, ShapeError> {
         let elements = whole_instances("poses", links, poses)?;
-        T::check("values", values.len(), self.values, elements)?;
+        T::check("values", values, self.values, elements)?;
         Ok(elements)
     }
 

@@ -9,9 +9,9 @@ use dq8::storage::{AoSoA, Element, Layout};
 use dq8::storage::{same_length, whole_instances};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
-/// Joint values, or rates, for poses in the layout `Y`: plain numbers `[configuration][value]` for any, or
-/// [`Block`](dq8::storage::Block)s of one number, `[configuration block][value]` for blocks of as many
-/// lanes. Sealed.
+/// Joint values, or rates, for poses in the layout `Y`: plain numbers, `[configuration][value]` or in columns,
+/// `[value]` slices of `[configuration]`, for any; or [`Block`](dq8::storage::Block)s of one number,
+/// `[configuration block][value]` for blocks of as many lanes. Sealed.
 ///
 /// Where plain values meet poses in blocks, the last block may have lanes without a configuration. The
 /// poses there are those of values that are all zero.
@@ -19,18 +19,22 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn check(
         what: &'static str,
-        length: usize,
+        slice: &[Self],
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError>;
-    /// How many of them an element of poses has of each value: one block, or a number for each configuration.
+    /// How many of them an element of poses has of each value: one block, or a number for each configuration; none where
+    /// they are not in the order of the configurations.
     #[doc(hidden)]
     const EACH: usize;
-    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are.
+    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are; of columns, all.
     #[doc(hidden)]
-    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> Part<'_, Self> {
+        if Self::EACH == 0 {
+            return Part { slice, first };
+        }
         let rest = slice.get(first * Self::EACH * count..).unwrap_or_default();
-        rest.get(..elements * Self::EACH * count).unwrap_or(rest)
+        Part { slice: rest.get(..elements * Self::EACH * count).unwrap_or(rest), first: 0 }
     }
     /// Four numbers from `first` on, or fewer where a configuration has no more than that.
     #[doc(hidden)]
@@ -49,11 +53,11 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
     #[inline]
     fn check(
         what: &'static str,
-        length: usize,
+        slice: &[Self],
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError> {
-        same_length(what, length, elements * count)
+        same_length(what, slice.len(), elements * count)
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -84,15 +88,15 @@ macro_rules! plain {
             #[inline]
             fn check(
                 what: &'static str,
-                length: usize,
+                slice: &[Self],
                 count: usize,
                 elements: usize,
             ) -> Result<(), ShapeError> {
-                let configurations = whole_instances(what, count, length)?;
+                let configurations = whole_instances(what, count, slice.len())?;
                 if count > 0 && configurations.div_ceil(Y::THINGS) == elements {
                     return Ok(());
                 }
-                same_length(what, length, elements * Y::THINGS * count)
+                same_length(what, slice.len(), elements * Y::THINGS * count)
             }
 
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -123,6 +127,65 @@ macro_rules! plain {
 }
 plain! { f32 f64 }
 
+impl<Y: Layout> JointValues<Y> for &[Y::Real] {
+    const EACH: usize = 0;
+
+    #[inline]
+    fn check(
+        what: &'static str,
+        slice: &[Self],
+        count: usize,
+        elements: usize,
+    ) -> Result<(), ShapeError> {
+        same_length(what, slice.len(), count)?;
+        let length = slice.first().map_or(elements * Y::THINGS, |column| column.len());
+        if length.div_ceil(Y::THINGS) != elements {
+            return same_length(what, length, elements * Y::THINGS);
+        }
+        slice.iter().try_for_each(|column| same_length(what, column.len(), length))
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load<V: Level>(
+        level: V,
+        slice: &[Self],
+        _: usize,
+        group: Group,
+        first: usize,
+    ) -> [Y::Register<V>; 4] {
+        let (at, lanes) = (group.configuration::<Y, V>(), Y::Register::<V>::LANES);
+        let columns = slice.get(first..).unwrap_or_default();
+        let mut quad = [Y::Register::<V>::splat(level, Y::Real::default()); 4];
+        // Nearly always: four loads, one after the other.
+        if let Some(four) = columns.first_chunk::<4>()
+            && four.iter().all(|column| column.len() >= at + lanes)
+        {
+            for (number, column) in quad.iter_mut().zip(four) {
+                let mut array = number.to_array();
+                if let Some(row) = column.get(at..at + lanes) {
+                    array.as_mut().copy_from_slice(row);
+                }
+                *number = Lanes::load(level, &array);
+            }
+            return quad;
+        }
+        for (number, column) in quad.iter_mut().zip(columns) {
+            let rest = column.get(at..).unwrap_or_default();
+            *number = Lanes::load_partial(level, rest, Y::Real::default());
+        }
+        quad
+    }
+}
+
+/// Values or rates of some configurations.
+#[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
+pub struct Part<'s, T> {
+    slice: &'s [T],
+    /// Which of them is the first, where there are those of others too.
+    first: usize,
+}
+
 /// The values of one configuration in each lane.
 pub(crate) trait JointNumbers<L: Lanes> {
     /// Number `index` of each.
@@ -142,7 +205,7 @@ const NOWHERE: usize = usize::MAX / 2;
 /// cosines do not wait for each other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numbers<'s, Y: Layout, T, V: Level> {
-    slice: &'s [T],
+    part: Part<'s, T>,
     /// How many a configuration has.
     count: usize,
     group: Group,
@@ -156,17 +219,20 @@ pub(crate) struct Numbers<'s, Y: Layout, T, V: Level> {
 
 impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn new(level: V, slice: &'s [T], count: usize) -> Self {
+    pub(crate) fn new(level: V, part: Part<'s, T>, count: usize) -> Self {
         let zero = Y::Register::<V>::splat(level, Y::Real::default());
         let group = Group { first: 0, register: 0 };
         let (quad, turns) = ([zero; 4], [[zero; 2]; 4]);
-        Self { slice, count, group, first: NOWHERE, quad, turns, turned: false }
+        Self { part, count, group, first: NOWHERE, quad, turns, turned: false }
     }
 
     /// From here on those of another group.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn turn_to(&mut self, group: Group) {
         (self.group, self.first) = (group, NOWHERE);
+        if T::EACH == 0 {
+            self.group.first += self.part.first;
+        }
     }
 
     /// Which of the four at hand it is.
@@ -174,7 +240,7 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
     fn find(&mut self, level: V, index: usize) -> usize {
         if index.wrapping_sub(self.first) >= 4 {
             self.first = (index & !3).min(self.count.max(4) - 4);
-            self.quad = T::load(level, self.slice, self.count, self.group, self.first);
+            self.quad = T::load(level, self.part.slice, self.count, self.group, self.first);
             self.turned = false;
         }
         index.wrapping_sub(self.first) & 3
@@ -214,5 +280,6 @@ pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
+    impl<R> Sealed for &[R] {}
     impl<A> Sealed for dq8_simd::Block<A, 1> {}
 }

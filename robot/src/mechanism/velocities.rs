@@ -7,7 +7,7 @@ use super::group::Group;
 use super::job::things;
 use super::joint::JointKind;
 use super::step::Step;
-use super::values::{JointNumbers, JointValues, Numbers};
+use super::values::{JointNumbers, JointValues, Numbers, Part};
 use super::walk::{Joined, Task};
 use dq8::Scalar;
 use dq8::ShapeError;
@@ -127,7 +127,7 @@ impl<R: Scalar> Job<'_, R> {
         let mechanism = self.mechanism;
         let elements = mechanism.configurations::<Y, T>(values, mechanism.links(), poses)?;
         for (what, rates) in ["rates", "second_rates"].into_iter().zip(rates) {
-            T::check(what, rates.len(), mechanism.rates, elements)?;
+            T::check(what, rates, mechanism.rates, elements)?;
         }
         Ok(elements)
     }
@@ -137,7 +137,7 @@ impl<R: Scalar> Job<'_, R> {
 struct Moving<'s, T, E, C, const N: usize> {
     poses: &'s mut [E],
     moved: [&'s mut [C]; N],
-    rates: [&'s [T]; N],
+    rates: [Part<'s, T>; N],
     links: usize,
     count: usize,
 }

@@ -21,7 +21,7 @@ use super::joint::JointKind;
 use super::placed::Placed;
 use super::step::{NONE, Step};
 use super::tree::Mechanism;
-use super::values::{JointNumbers, JointValues, Numbers, half_turn};
+use super::values::{JointNumbers, JointValues, Numbers, Part, half_turn};
 use dq8::Kernel;
 use dq8::Scalar;
 use dq8::batch::{Quat, vector};
@@ -79,7 +79,7 @@ pub(crate) struct Joined<L> {
 
 pub(crate) struct Walk<'r, Y: Layout, T, K> {
     pub(crate) mechanism: Mechanism<'r, Y::Real>,
-    pub(crate) values: &'r [T],
+    pub(crate) values: Part<'r, T>,
     /// How many configurations, or blocks of them, there are.
     pub(crate) elements: usize,
     pub(crate) task: K,

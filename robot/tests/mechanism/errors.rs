@@ -99,6 +99,12 @@ fn slices_that_do_not_fit_are_left_as_they_were() {
     assert_eq!(robot.link_poses(&[0.0; 3], &mut poses[..2]), length("values", 3, 2));
     assert_eq!(robot.link_poses(&[0.0; 2], &mut poses), length("poses", 4, 2));
     assert_eq!(robot.job().backend(backend).poses(&[0.0; 2], &mut poses), length("values", 2, 4));
+    let (column, short) = (&[0.0; 2][..], &[0.0; 1][..]);
+    let of_columns =
+        |columns: &[&[f64]], poses: &mut [DualQuat<f64>]| robot.job().poses(columns, poses);
+    assert_eq!(of_columns(&[column], &mut poses), length("values", 1, 2));
+    assert_eq!(of_columns(&[column, short], &mut poses), length("values", 1, 2));
+    assert_eq!(of_columns(&[short, short], &mut poses), length("values", 1, 2));
     let whole = Err(ShapeError::NotWhole { what: "poses", length: 3, joints: 2 });
     assert_eq!(robot.job().backend(backend).poses(&[0.0; 4], &mut poses[..3]), whole);
     let no_link = ShapeError::NoLink { link: 2, links: 2 };

@@ -193,12 +193,36 @@ fn close(found: &[Answer], wanted: &[Answer], bounds: [f64; 3], what: &str) {
     }
 }
 
-/// The same in blocks of `N`: with plain values, and with values in blocks.
+/// The same of values and rates in columns.
+fn of_columns<R, E, C, P>(
+    scene: &Scene<'_, R>,
+    job: Job<'_, R>,
+    inputs: [&[R]; 3],
+    empty: (E, C, P),
+) -> Vec<Answer>
+where
+    R: Scalar,
+    E: Element<8, Layout: Layout<Real = R>>,
+    C: Element<6, Layout = E::Layout>,
+    P: Element<3, Layout = E::Layout>,
+{
+    let robot = scene.robot;
+    let columns = |(numbers, each): (&[R], usize)| -> Vec<Vec<R>> {
+        (0..each).map(|index| numbers.iter().skip(index).step_by(each).copied().collect()).collect()
+    };
+    let [values, rates, second] = inputs;
+    let all = [(values, robot.values()), (rates, robot.rates()), (second, robot.rates())];
+    let columns = all.map(columns);
+    let slices = columns.each_ref().map(|all| all.iter().map(|it| &it[..]).collect::<Vec<_>>());
+    on_lanes(scene, job, slices.each_ref().map(|all| &all[..]), empty)
+}
+
+/// The same in blocks of `N`: with plain values, in rows and in columns, and with values in blocks.
 fn in_blocks<R, const N: usize>(
     scene: &Scene<'_, R>,
     job: Job<'_, R>,
     inputs: [&[R]; 3],
-) -> [Vec<Answer>; 2]
+) -> [Vec<Answer>; 3]
 where
     R: Scalar + JointValues<AoSoA<[R; N]>> + Element<1, Layout = Aos<R>>,
     [R; N]: Row<Real = R>,
@@ -218,7 +242,11 @@ where
         packed
     });
     let given = packed.each_ref().map(|packed| &packed[..]);
-    [on_lanes(scene, job, inputs, empty), on_lanes(scene, job, given, empty)]
+    [
+        on_lanes(scene, job, inputs, empty),
+        of_columns(scene, job, inputs, empty),
+        on_lanes(scene, job, given, empty),
+    ]
 }
 
 /// Values and two sets of rates of so many configurations.
@@ -301,15 +329,21 @@ fn every_job_computes_what_one_configuration_does_and_that_what_the_book_does() 
             assert_eq!(named, found, "{what}, twists");
             let turned = (pose, LinearFirst([9.0; 6]), place);
             assert_eq!(on_lanes(&scene, job, inputs, turned), found, "{what}, linear part first");
-            let [a, b] = in_blocks::<f64, 8>(&scene, job, inputs);
-            let [c, d] = in_blocks::<f64, 4>(&scene, job, inputs);
-            assert!([a, b, c, d].iter().all(|other| *other == found), "{what}, blocks");
+            assert_eq!(of_columns(&scene, job, inputs, plain()), found, "{what}, columns");
+            let blocks = in_blocks::<f64, 8>(&scene, job, inputs).into_iter();
+            let mut blocks = blocks.chain(in_blocks::<f64, 4>(&scene, job, inputs));
+            assert!(blocks.all(|other| other == found), "{what}, blocks");
             let job = single.job().backend(backend);
             let rounded = on_lanes(&narrow, job, floats, plain());
             close(&rounded, &book, SINGLE, &format!("{what}, in f32"));
-            let [a, b] = in_blocks::<f32, 16>(&narrow, job, floats);
-            let [c, d] = in_blocks::<f32, 8>(&narrow, job, floats);
-            assert!([a, b, c, d].iter().all(|other| *other == rounded), "{what}, blocks of f32");
+            assert_eq!(
+                of_columns(&narrow, job, floats, plain()),
+                rounded,
+                "{what}, columns of f32"
+            );
+            let blocks = in_blocks::<f32, 16>(&narrow, job, floats).into_iter();
+            let mut blocks = blocks.chain(in_blocks::<f32, 8>(&narrow, job, floats));
+            assert!(blocks.all(|other| other == rounded), "{what}, blocks of f32");
         }
     }
 }
@@ -328,6 +362,7 @@ fn all_cores_give_every_bit_of_what_one_gives_and_refuse_what_one_refuses() {
         let inputs = slices(&numbers);
         let wanted = on_lanes(&scene, one, inputs, plain());
         assert!(on_lanes(&scene, all, inputs, plain()) == wanted);
+        assert!(of_columns(&scene, all, inputs, plain()) == wanted);
         assert!(in_blocks::<f64, 8>(&scene, all, inputs).iter().all(|found| *found == wanted));
         let mut poses = vec![DualQuat::IDENTITY; count * links];
         let [values, rates, _] = inputs;
