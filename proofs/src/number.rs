@@ -10,9 +10,7 @@ use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use dq8::everyday::Quick;
 use dq8::skinning::Weight;
-use dq8::storage::{Aos, same_length};
-use dq8::{Real, Scalar, ShapeError};
-use dq8_robot::{Group, JointValues};
+use dq8::{Real, Scalar};
 use dq8_simd::sealed::Sealed;
 use dq8_simd::{Float, Lanes, Level, Portable};
 
@@ -196,30 +194,5 @@ impl<const S: bool> Weight for Recorded<S> {
     }
     fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
         bytemuck::try_cast_slice(weights).ok()
-    }
-}
-
-/// Values of the joints of one configuration.
-impl<const S: bool> dq8_robot::Sealed for Recorded<S> {}
-impl<const S: bool> JointValues<Aos<Self>> for Recorded<S> {
-    const EACH: usize = 1;
-    fn check(
-        what: &'static str,
-        length: usize,
-        count: usize,
-        elements: usize,
-    ) -> Result<(), ShapeError> {
-        same_length(what, length, elements * count)
-    }
-    fn load<V: Level>(
-        level: V,
-        slice: &[Self],
-        _: usize,
-        _: Group,
-        first: usize,
-    ) -> [Wide<V, S, 4>; 4] {
-        core::array::from_fn(|i| {
-            Wide::splat(level, slice.get(first + i).copied().unwrap_or_default())
-        })
     }
 }

@@ -4,9 +4,8 @@ use dq8::batch::even;
 use dq8::geometry::{DualVector, Wrench};
 use dq8::hierarchy::{Hierarchy, Poses};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut, Weight};
-use dq8::storage::Aos;
 use dq8::{Backend, Lanes, Line, Plane, Scalar, ShapeError, Twist};
-use dq8_robot::{Joint, JointValues, Mechanism, Step, World};
+use dq8_robot::{Joint, Mechanism, Step, World};
 
 /// An operation: what goes in and comes out, in groups of numbers whose length is that of a vector.
 #[derive(Clone, Copy, Debug)]
@@ -67,8 +66,8 @@ impl Form {
 }
 
 /// What jobs compute with.
-pub trait Number: Scalar + Weight + JointValues<Aos<Self>> {}
-impl<R: Scalar + Weight + JointValues<Aos<R>>> Number for R {}
+pub trait Number: Scalar + Weight {}
+impl<R: Scalar + Weight> Number for R {}
 
 /// A module with the rows of a table in one form.
 macro_rules! operations {
@@ -254,8 +253,10 @@ operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dua
         arm.link_jacobian(World, values, 1, columns).map(|_| ())
     });
     jacobians(p 4, v 3) -> (angular 3, linear 3) = hinge(p, v, |arm, values, columns| {
+        // A column for each value, of one configuration.
+        let values: Vec<_> = values.chunks(1).collect();
         let mut poses = [DualQuat::IDENTITY];
-        arm.job().backend(backend).links(&[1]).jacobians(World, values, &mut poses, columns)
+        arm.job().backend(backend).links(&[1]).jacobians(World, &values, &mut poses, columns)
     });
 }
 

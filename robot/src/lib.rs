@@ -87,7 +87,3 @@ pub use mechanism::{
     AllLinks, Body, Dh, DhConvention, JacobianFrame, Job, Joint, JointKind, JointValues, Mechanism,
     MechanismError, Mimic, Step, World, WorldAligned,
 };
-// For values of joints that are numbers that record.
-#[cfg(dq8_record)]
-#[doc(hidden)]
-pub use mechanism::{Group, Sealed};

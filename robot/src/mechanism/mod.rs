@@ -30,8 +30,6 @@ pub(crate) mod walk;
 pub use dh::{Dh, DhConvention};
 pub use error::MechanismError;
 pub use frame::{Body, JacobianFrame, World, WorldAligned};
-#[cfg(dq8_record)]
-pub use group::Group;
 pub use job::{AllLinks, Job};
 pub use joint::{Joint, JointKind, Mimic};
 #[cfg(feature = "alloc")]
@@ -39,5 +37,3 @@ pub use owned::OwnedMechanism;
 pub use step::Step;
 pub use tree::Mechanism;
 pub use values::JointValues;
-#[cfg(dq8_record)]
-pub use values::sealed::Sealed;

@@ -275,8 +275,7 @@ pub(crate) fn half_turn<L: Lanes>(half: L) -> [L; 2] {
     [cos, sin]
 }
 
-pub(crate) mod sealed {
-    /// Closed but to numbers that record.
+mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
