@@ -32,25 +32,26 @@ where
         let job = robot.job().backend(backend);
         let scene = Scene::new(robot, count);
         for (own, all) in own.iter().zip(on_lanes(&scene, job, slices(&numbers), plain())) {
-            let what = format!("{backend}, {}, angle {angle} at {far}: {joints:?}", own.what);
+            // Only where it fails: to write out the joints takes most of the time else.
+            let what = || format!("{backend}, {}, angle {angle} at {far}: {joints:?}", own.what);
             let each = (all.numbers.len() / count).max(1);
             for (index, found) in all.numbers.chunks(each).enumerate() {
-                assert!(index == AT || found.iter().all(|c| c.is_finite()), "{what}, {index}");
+                assert!(index == AT || found.iter().all(|c| c.is_finite()), "{}, {index}", what());
             }
             let found = all.numbers.chunks(each).nth(AT).unwrap_or_default();
             let size = own.numbers.iter().filter(|c| !c.is_nan()).fold(1.0, |m, c| c.abs().max(m));
             for (a, b) in own.numbers.iter().zip(found) {
                 let same = a.is_nan() && b.is_nan() || (a - b).abs() <= 0.1 * size;
-                assert!(same, "{what}: {a} alone, {b} among others");
+                assert!(same, "{}: {a} alone, {b} among others", what());
             }
             if own.what == "poses" {
                 let before = &own.numbers[..8 * link];
-                assert!(before.iter().all(|c| c.is_finite()), "{what}: {before:?}");
+                assert!(before.iter().all(|c| c.is_finite()), "{}: {before:?}", what());
             }
             let is_of_links = !["world", "body", "aligned"].contains(&own.what);
             for link in own.numbers.chunks(own.width).filter(|_| is_of_links) {
                 let is_nan = link[0].is_nan();
-                assert!(link.iter().all(|c| c.is_nan() == is_nan), "{what}: {link:?}");
+                assert!(link.iter().all(|c| c.is_nan() == is_nan), "{}: {link:?}", what());
             }
         }
         nowhere.push(own.iter().any(|own| own.numbers.iter().any(|c| c.is_nan())));
@@ -70,7 +71,7 @@ where
         let nowhere = is_nowhere::<R>(&[turn(None), turn(Some(0))], [1, 1], far, &mut random);
         assert!(nowhere.iter().all(|&nan| nan), "{far}");
     }
-    for links in 1..12 {
+    for links in [1, 2, 4, 7, 11] {
         let joints = tree(&mut random, links);
         let robot = mechanism::<R>(&joints);
         for (link, joint) in joints.iter().enumerate().filter(|(_, joint)| joint.mimic.is_none()) {
