@@ -120,11 +120,19 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// One part of every component; nothing beyond the last part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        for (row, component) in self.0.iter_mut().zip(components) {
-            let parts: &mut [<Native<A, V> as Lanes>::Array] =
-                bytemuck::cast_slice_mut(core::slice::from_mut(row));
-            if let Some(array) = parts.get_mut(part) {
-                component.store(array);
+        // A loop that is handed registers of 16 bytes by value keeps them in memory; handed larger ones by reference, the
+        // compiler orders what was before it worse.
+        if size_of::<Native<A, V>>() > 16 {
+            for (row, component) in self.0.iter_mut().zip(components) {
+                if let Some(array) = part_of::<A, V>(row, part) {
+                    component.store(array);
+                }
+            }
+        } else {
+            for (row, component) in self.0.iter_mut().zip(&components) {
+                if let Some(array) = part_of::<A, V>(row, part) {
+                    component.store(array);
+                }
             }
         }
     }
@@ -133,9 +141,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn copy_part<V: Level>(&mut self, rows: &[<Native<A, V> as Lanes>::Array], part: usize) {
         for (row, from) in self.0.iter_mut().zip(rows) {
-            let parts: &mut [<Native<A, V> as Lanes>::Array] =
-                bytemuck::cast_slice_mut(core::slice::from_mut(row));
-            if let Some(array) = parts.get_mut(part) {
+            if let Some(array) = part_of::<A, V>(row, part) {
                 *array = *from;
             }
         }
@@ -162,9 +168,7 @@ impl<A: Row, const C: usize> Block<A, C> {
             for part in 0..Self::parts::<V>() {
                 let Some(components) = each(index, part) else { return };
                 for (row, component) in block.0.iter_mut().zip(components) {
-                    let parts: &mut [<Native<A, V> as Lanes>::Array] =
-                        bytemuck::cast_slice_mut(core::slice::from_mut(row));
-                    if let Some(array) = parts.get_mut(part) {
+                    if let Some(array) = part_of::<A, V>(row, part) {
                         // SAFETY: `to` is borrowed until the fence.
                         unsafe { component.stream(array) };
                     }
@@ -180,6 +184,16 @@ impl<A: Row, const C: usize> Block<A, C> {
             component.store(row);
         }
     }
+}
+
+/// A part of a row: the memory of one register.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn part_of<A: Row, V: Level>(
+    row: &mut A,
+    part: usize,
+) -> Option<&mut <Native<A, V> as Lanes>::Array> {
+    let parts: &mut [_] = bytemuck::cast_slice_mut(core::slice::from_mut(row));
+    parts.get_mut(part)
 }
 
 /// A row of numbers in memory, `[f32; N]` or `[f64; N]`, and the lanes that read it.
