@@ -2,6 +2,7 @@
 //! file both become this, so everything after it is one path.
 
 use dq8::{DualQuat, Hierarchy, Quat};
+use std::error::Error;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
@@ -86,6 +87,13 @@ impl Clip {
             }
         }
         locals
+    }
+
+    /// Every joint's motion in the world, `[frame][joint]`.
+    pub fn models(&self) -> Result<Vec<DualQuat<f64>>, Box<dyn Error>> {
+        let mut models = self.locals();
+        Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
+        Ok(models)
     }
 }
 

@@ -26,8 +26,7 @@ impl Positions {
     pub(crate) fn of(clip: &Clip) -> Result<Self, Box<dyn Error>> {
         let parents = clip.parents();
         let hierarchy = Hierarchy::new(&parents)?;
-        let locals = clip.locals();
-        let (singles, origins) = around_roots(clip, &locals);
+        let (singles, origins) = around_roots(clip, &clip.locals());
 
         let joints = parents.len();
         let mut crowd = Crowd::<f32, LANES>::from_slice(joints, &singles)?;
@@ -39,9 +38,7 @@ impl Positions {
         });
         let world: Vec<_> = world.collect();
 
-        let mut models = locals;
-        hierarchy.job().local_to_model_in_place(&mut models)?;
-        let exact: Vec<_> = models.iter().map(|model| model.translation()).collect();
+        let exact: Vec<_> = clip.models()?.iter().map(|model| model.translation()).collect();
         let difference = largest(world.iter().zip(&exact).map(|(&a, &b)| distance(a, b)));
         Ok(Self { size: size(clip, &exact), world, difference })
     }
@@ -124,7 +121,7 @@ pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// The largest distance of a joint from its root, in any frame.
-fn size(clip: &Clip, positions: &[[f64; 3]]) -> f64 {
+pub(crate) fn size(clip: &Clip, positions: &[[f64; 3]]) -> f64 {
     let roots = clip.roots();
     let frames = positions.chunks_exact(roots.len());
     let reaches = frames

@@ -1,7 +1,6 @@
 use crate::accessor::number;
 use crate::args::Method;
 use crate::bones::{IDENTITY, affine};
-use crate::error::Error;
 use crate::file::File;
 use crate::{obj, tube, uri};
 use gltf::accessor::DataType;
@@ -83,7 +82,7 @@ pub(crate) fn glb(change: impl Fn(&str) -> String) -> Vec<u8> {
     file
 }
 
-pub(crate) fn posed(bytes: &[u8], time: f64, method: Method) -> Result<Vec<[f64; 3]>, Error> {
+pub(crate) fn posed(bytes: &[u8], time: f64, method: Method) -> Result<Vec<[f64; 3]>, String> {
     let file = File::parse(Path::new("strip.glb"), bytes)?;
     let animation = file.animation(Some("turn"))?;
     let worlds = file.worlds(&animation, time)?;
@@ -94,6 +93,17 @@ pub(crate) fn posed(bytes: &[u8], time: f64, method: Method) -> Result<Vec<[f64;
     assert_eq!(text.lines().filter(|line| line.starts_with("v ")).count(), 3);
     assert!(text.ends_with("f 1 2 3\n"), "{text}");
     Ok(posed)
+}
+
+/// The strip at half a second, with some of its text changed.
+pub(crate) fn strip(changes: &[(&str, &str)]) -> Result<Vec<[f64; 3]>, String> {
+    let change = |json: &str| {
+        changes.iter().fold(json.to_owned(), |json, (from, to)| {
+            assert!(json.contains(from), "{from}");
+            json.replacen(from, to, 1)
+        })
+    };
+    posed(&glb(change), 0.5, Method::Dual)
 }
 
 fn close(a: &[[f64; 3]], b: &[[f64; 3]]) -> bool {
@@ -261,15 +271,6 @@ fn positions_of_signed_integers_pose_as_numbers() {
 
 #[test]
 fn what_would_be_posed_wrongly_is_refused_by_mesh_and_primitive() {
-    let error = |changes: &[(&str, &str)]| {
-        let change = |json: &str| {
-            changes.iter().fold(json.to_owned(), |json, (from, to)| {
-                assert!(json.contains(from), "{from}");
-                json.replacen(from, to, 1)
-            })
-        };
-        posed(&glb(change), 0.5, Method::Dual).map_err(|error| error.to_string())
-    };
     let required = |name: &str| format!(r#""extensionsRequired":["{name}"],"scene":0"#);
     let end = r#""WEIGHTS_0":1}}]"#;
     let with = |more: &str| format!(r#""WEIGHTS_0":1}},{more}}}]"#);
@@ -280,48 +281,48 @@ fn what_would_be_posed_wrongly_is_refused_by_mesh_and_primitive() {
         "skins""#,
         weights,
     );
-    let morphs = error(&[(end, &with(r#""targets":[{"NORMAL":0},{"POSITION":0}]"#)), weights]);
+    let morphs = strip(&[(end, &with(r#""targets":[{"NORMAL":0},{"POSITION":0}]"#)), weights]);
     assert_eq!(morphs.unwrap_err(), "mesh 0, primitive 0: morph targets are not done here");
     // Normals are not posed at all.
-    assert!(error(&[(end, &with(r#""targets":[{"NORMAL":0},{"NORMAL":0}]"#)), weights]).is_ok());
+    assert!(strip(&[(end, &with(r#""targets":[{"NORMAL":0},{"NORMAL":0}]"#)), weights]).is_ok());
 
     let draco =
         with(r#""extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{}}}"#);
     let unread = (r#""bufferView":0,"count":3"#, r#""count":3"#);
     let scene = required("KHR_draco_mesh_compression");
     for required in [scene.as_str(), r#""scene":0"#] {
-        let refused = error(&[(r#""scene":0"#, required), (end, &draco), unread]).unwrap_err();
+        let refused = strip(&[(r#""scene":0"#, required), (end, &draco), unread]).unwrap_err();
         assert!(refused.starts_with("mesh 0, primitive 0: KHR_draco"), "{refused}");
     }
     // The plain numbers are there too.
-    assert!(error(&[(end, &draco)]).is_ok());
+    assert!(strip(&[(end, &draco)]).is_ok());
 
     for name in ["EXT_meshopt_compression", "KHR_meshopt_compression"] {
         let view = r#"{"buffer":0,"byteOffset":0,"#;
         let packed = format!(r#"{view}"extensions":{{"{name}":{{"buffer":0}}}},"#);
         let packed = (view, packed.as_str());
-        let refused = error(&[(r#""scene":0"#, &required(name)), packed]).unwrap_err();
+        let refused = strip(&[(r#""scene":0"#, &required(name)), packed]).unwrap_err();
         assert!(refused.starts_with(&format!("mesh 0, primitive 0: {name}")), "{refused}");
-        assert!(error(&[packed]).is_ok());
+        assert!(strip(&[packed]).is_ok());
     }
 
     let node = (r#""mesh":0"#, r#""mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}}"#);
-    let refused = error(&[node]).unwrap_err();
+    let refused = strip(&[node]).unwrap_err();
     assert!(refused.starts_with("node 2, mesh 0: EXT_mesh_gpu"), "{refused}");
     // Another extension that a file cannot do without is refused by name.
-    let refused = error(&[(r#""scene":0"#, &required("KHR_other"))]).unwrap_err();
+    let refused = strip(&[(r#""scene":0"#, &required("KHR_other"))]).unwrap_err();
     assert_eq!(refused, "extensionsRequired: KHR_other is not done here");
 }
 
 #[test]
 fn the_tube_collapses_bulges_and_keeps() {
-    let (linear, _) = tube::measured(tube::twist(), 0.0).unwrap();
-    let (dual, length) = tube::measured(tube::twist(), 1.0).unwrap();
+    let (_, linear, _) = tube::measured(tube::twist(), 0.0).unwrap();
+    let (_, dual, length) = tube::measured(tube::twist(), 1.0).unwrap();
     assert!(linear < 0.75 && (dual - 1.0).abs() < 0.02, "{linear} {dual}");
     assert!((length - 1.0).abs() < 1e-9);
-    let (bent_linear, _) = tube::measured(tube::bend(), 0.0).unwrap();
-    let (bent_dual, _) = tube::measured(tube::bend(), 1.0).unwrap();
-    let (mix, _) = tube::measured(tube::bend(), 0.5).unwrap();
+    let (_, bent_linear, _) = tube::measured(tube::bend(), 0.0).unwrap();
+    let (_, bent_dual, _) = tube::measured(tube::bend(), 1.0).unwrap();
+    let (_, mix, _) = tube::measured(tube::bend(), 0.5).unwrap();
     assert!(bent_linear < mix && mix < bent_dual, "{bent_linear} {mix} {bent_dual}");
     let (_, svg) = tube::report().unwrap();
     assert!(svg.matches("<text").count() == 12 && svg.ends_with("</svg>\n"));

@@ -1,7 +1,6 @@
 //! The built-in tube of two joints, twisted and bent, by three methods.
 
 use crate::drawing::{Panel, svg};
-use crate::error::Error;
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{DualQuat, Quat};
 
@@ -88,12 +87,16 @@ fn length(points: &[[f64; 3]]) -> f64 {
     steps.sum()
 }
 
-/// Volume and length of the tube relative to rest.
-pub(crate) fn measured(turn: Quat<f64>, share: f64) -> Result<(f64, f64), Error> {
+/// The triangles of the tube, and its volume and length relative to rest.
+pub(crate) fn measured(
+    turn: Quat<f64>,
+    share: f64,
+) -> Result<(Vec<[[f64; 3]; 3]>, f64, f64), SkinningError> {
     let tube = Tube::new();
-    let posed = tube.posed(turn, share).map_err(|error| Error(error.to_string()))?;
-    let rest = (volume(&triangles(&tube.points)), length(&tube.points));
-    Ok((volume(&triangles(&posed)) / rest.0, length(&posed) / rest.1))
+    let posed = tube.posed(turn, share)?;
+    let (rest, bent) = (triangles(&tube.points), triangles(&posed));
+    let (volume, length) = (volume(&bent) / volume(&rest), length(&posed) / length(&tube.points));
+    Ok((bent, volume, length))
 }
 
 pub(crate) fn twist() -> Quat<f64> {
@@ -105,19 +108,15 @@ pub(crate) fn bend() -> Quat<f64> {
 }
 
 /// A table, and the pictures.
-pub(crate) fn report() -> Result<(String, String), Error> {
-    let tube = Tube::new();
+pub(crate) fn report() -> Result<(String, String), SkinningError> {
     let mut report = String::from("tube            method  volume  length (rest = 1)\n");
     let mut panels = Vec::new();
     for (what, turn) in [("twisted by 180°", twist()), ("bent by 110°", bend())] {
         for (method, share) in [("LBS", 0.0), ("mix", 0.5), ("DLB", 1.0)] {
-            let (volume, length) = measured(turn, share)?;
+            let (triangles, volume, length) = measured(turn, share)?;
             report += &format!("{what:15} {method:6} {volume:7.3} {length:7.3}\n");
-            let posed = tube.posed(turn, share).map_err(|error| Error(error.to_string()))?;
-            panels.push(Panel {
-                title: format!("{what}, {method}: volume {volume:.3}, length {length:.3}"),
-                triangles: triangles(&posed),
-            });
+            let title = format!("{what}, {method}: volume {volume:.3}, length {length:.3}");
+            panels.push(Panel { title, triangles });
         }
     }
     Ok((report, svg(&panels)))

@@ -1,7 +1,7 @@
 //! Inverse kinematics on the biped: where the walk had hands and feet, joints are found that put them
 //! there again.
 
-use super::tests::{joint, models};
+use super::tests::joint;
 use super::{ELBOW, RIBS, SHIN, SHOULDER, THIGH, WAIST, WRIST, clip};
 use dq8::geometry::Screw;
 use dq8::ik::{Span, TwoBone};
@@ -18,7 +18,7 @@ fn sum(points: &[[f64; 3]]) -> [f64; 3] {
 #[test]
 fn two_bones_put_every_foot_of_the_walk_where_it_was() {
     let clip = clip();
-    for frame in models(&clip).chunks_exact(clip.joints.len()) {
+    for frame in clip.models().unwrap().chunks_exact(clip.joints.len()) {
         for side in ["Left", "Right"] {
             let place = |name: &str| frame[joint(&clip, &format!("{side}{name}"))].translation();
             let [hip, knee, ankle] = ["Thigh", "Shin", "Foot"].map(place);
@@ -68,7 +68,7 @@ fn eleven_joints_put_the_hand_where_the_walk_had_it() {
     let clip = clip();
     let [pelvis, hand] = ["Pelvis", "LeftHand"].map(|name| joint(&clip, name));
     let mut values = [0.1; 11];
-    for frame in models(&clip).chunks_exact(clip.joints.len()) {
+    for frame in clip.models().unwrap().chunks_exact(clip.joints.len()) {
         let target = frame[pelvis].conjugate() * frame[hand];
         let report =
             reach.view().solve(&[target], &mut values, &mut scratch, &Options::default()).unwrap();
