@@ -7,6 +7,7 @@ mod reach;
 mod walk;
 
 use crate::clip::{Axis, Channel, Clip, Joint};
+use Axis::{X, Y, Z};
 use Channel::{Position, Rotation};
 use walk::Walk;
 
@@ -42,21 +43,15 @@ struct Link {
     tip: Option<[f64; 3]>,
 }
 
-const FREE: &[Channel] = &[
-    Position(Axis::X),
-    Position(Axis::Y),
-    Position(Axis::Z),
-    Rotation(Axis::Y),
-    Rotation(Axis::Z),
-    Rotation(Axis::X),
-];
+const FREE: &[Channel] =
+    &[Position(X), Position(Y), Position(Z), Rotation(Y), Rotation(Z), Rotation(X)];
 /// Turn, lean sideways, bend.
-const BALL: &[Channel] = &[Rotation(Axis::Y), Rotation(Axis::Z), Rotation(Axis::X)];
+const BALL: &[Channel] = &[Rotation(Y), Rotation(Z), Rotation(X)];
 /// Turn and nod.
-const NECK: &[Channel] = &[Rotation(Axis::Y), Rotation(Axis::X)];
-const HINGE: &[Channel] = &[Rotation(Axis::X)];
+const NECK: &[Channel] = &[Rotation(Y), Rotation(X)];
+const HINGE: &[Channel] = &[Rotation(X)];
 /// Up and down, and sole inward.
-const ANKLE: &[Channel] = &[Rotation(Axis::X), Rotation(Axis::Z)];
+const ANKLE: &[Channel] = &[Rotation(X), Rotation(Z)];
 
 const THIGH: f64 = 0.44;
 const SHIN: f64 = 0.44;
@@ -148,11 +143,10 @@ fn joints() -> Vec<Joint> {
         });
         let index = joints.len();
         index_of.push((link.part, index));
-        let (name, offset, channels) = (link.name.to_owned(), link.offset, link.freedom.to_vec());
-        joints.push(Joint { name, parent, offset, channels, end_site: false });
+        joints.push(Joint::new(link.name, parent, link.offset, link.freedom.to_vec()));
         if let Some(offset) = link.tip {
-            let (name, parent) = (format!("{}_End", link.name), Some(index));
-            joints.push(Joint { name, parent, offset, channels: Vec::new(), end_site: true });
+            let tip = Joint::new(format!("{}_End", link.name), Some(index), offset, vec![]);
+            joints.push(Joint { end_site: true, ..tip });
         }
     }
     joints

@@ -98,6 +98,16 @@ impl Clip {
 }
 
 impl Joint {
+    /// One that is no tip.
+    pub fn new(
+        name: impl Into<String>,
+        parent: Option<usize>,
+        offset: [f64; 3],
+        channels: Vec<Channel>,
+    ) -> Self {
+        Self { name: name.into(), parent, offset, channels, end_site: false }
+    }
+
     /// Rotations compose from left to right as listed: `Zrotation Xrotation` is Rz · Rx on column
     /// vectors, so the last one listed acts first.
     pub fn local(&self, values: &[f64]) -> DualQuat<f64> {
@@ -123,8 +133,7 @@ mod tests {
     use Channel::{Position, Rotation};
 
     fn joint(parent: Option<usize>, offset: [f64; 3], channels: &[Channel]) -> Joint {
-        let name = format!("under {parent:?}");
-        Joint { name, parent, offset, channels: channels.to_vec(), end_site: false }
+        Joint::new(format!("under {parent:?}"), parent, offset, channels.to_vec())
     }
 
     fn close(a: [f64; 3], b: [f64; 3]) -> bool {

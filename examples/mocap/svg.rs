@@ -224,13 +224,8 @@ mod tests {
 
     #[test]
     fn clips_without_extent_are_drawn_too() {
-        let joint = Joint {
-            name: "a < b & \"c\"".into(),
-            parent: None,
-            offset: [0.0; 3],
-            channels: vec![Channel::Position(Axis::X)],
-            end_site: false,
-        };
+        let along = vec![Channel::Position(Axis::X)];
+        let joint = Joint::new("a < b & \"c\"", None, [0.0; 3], along);
         for frames in [1, 2, 3000] {
             for far in [0.0, 1e-30, 7.0, 1e30] {
                 let values: Vec<f64> = (0..frames).map(|frame| far * f64::from(frame)).collect();

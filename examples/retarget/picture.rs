@@ -16,10 +16,7 @@ pub(crate) fn draw(scene: &Scene, motion: &[f64]) -> Result<String, Box<dyn Erro
     let skeleton: Vec<_> = scene.skeleton.iter().map(|&place| up(place)).collect();
 
     let links = scene.robot.link_names().iter().zip(scene.robot.joints());
-    let links = links.map(|(name, &dq8_robot::Joint { parent, .. })| {
-        let (offset, channels, end_site) = ([0.0; 3], Vec::new(), false);
-        Joint { name: name.clone(), parent, offset, channels, end_site }
-    });
+    let links = links.map(|(name, joint)| Joint::new(name, joint.parent, [0.0; 3], Vec::new()));
     let clip = Clip { frame_time: scene.step, ..scene.clip.clone() };
     let links = Clip { joints: links.collect(), ..clip.clone() };
     Ok(svg::rows(&[("The clip", &clip, &skeleton), ("The robot", &links, &robot)])?)

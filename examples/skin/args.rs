@@ -1,4 +1,4 @@
-use mocap::command::{Misuse, Request, files, read};
+use mocap::command::{Request, files, read};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -26,12 +26,12 @@ pub(crate) struct Args {
     pub(crate) pack: Option<PathBuf>,
 }
 
-pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
+pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
     let options = ["--animation", "--method", "--times", "--obj", "--pack", "--svg"];
     read(words, options, |[animation, method, times, obj, pack, svg], others| {
         let mut files = files(others)?;
         if let Some(second) = files.get(1) {
-            return Err(Misuse(format!("{} is not expected", second.display())));
+            return Err(format!("{} is not expected", second.display()));
         }
         let [animation, method, times] = [animation, method, times]
             .map(|word| word.as_deref().map(Path::to_string_lossy).map(String::from));
@@ -41,19 +41,19 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
     })
 }
 
-fn method(word: &str) -> Result<Method, Misuse> {
+fn method(word: &str) -> Result<Method, String> {
     match (word, word.strip_prefix("mix=").map(str::parse)) {
         ("lbs", _) => Ok(Method::Linear),
         ("dlb", _) => Ok(Method::Dual),
         (_, Some(Ok(share))) if (0.0..=1.0).contains(&share) => Ok(Method::Mix(share)),
-        _ => Err(Misuse(format!("--method {word}: not lbs, dlb or mix=X with X from 0 to 1"))),
+        _ => Err(format!("--method {word}: not lbs, dlb or mix=X with X from 0 to 1")),
     }
 }
 
-fn times(list: &str) -> Result<Vec<f64>, Misuse> {
+fn times(list: &str) -> Result<Vec<f64>, String> {
     let time = |word: &str| match word.trim().parse::<f64>() {
         Ok(time) if time.is_finite() => Ok(time),
-        _ => Err(Misuse(format!("--times: {word:?} is not a number of seconds"))),
+        _ => Err(format!("--times: {word:?} is not a number of seconds")),
     };
     list.split(',').map(time).collect()
 }
