@@ -1,8 +1,6 @@
 //! Goals that leave something free, several goals, and weights.
 
-use super::{
-    REACHED, Z, apart, at, draw, pose, problem, seven, solve, solve_everywhere, solve_with, turned,
-};
+use super::{REACHED, Z, apart, at, draw, pose, problem, seven, solve, solve_with, solved, turned};
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
 use dq8_robot::Joint;
@@ -19,7 +17,7 @@ fn left(goal: Goal<f64>, free: impl Fn(&mut Random) -> DualQuat<f64>) -> Vec<Dua
         starts.extend(draw(&mut random, &joints));
     }
     let mut left = Vec::new();
-    for (_, values, reports) in solve_everywhere(&arm, &targets, &starts, &Options::default()) {
+    for (_, values, reports) in solved(&arm, &targets, &starts, &Options::default()) {
         let (mut converged, mut iterations) = (0, 0.0);
         for ((values, target), report) in values.chunks(7).zip(&targets).zip(&reports) {
             if report.is_converged() {
@@ -84,7 +82,7 @@ fn two_hands_come_to_two_targets_at_once() {
         targets.extend([4, 8].map(|link| pose(&body, &goal, link)));
         starts.extend((0..7).map(|_| random.signed()));
     }
-    for (_, values, reports) in solve_everywhere(&body, &targets, &starts, &Options::default()) {
+    for (_, values, reports) in solved(&body, &targets, &starts, &Options::default()) {
         for (index, report) in reports.iter().enumerate() {
             assert!(report.is_converged(), "{index}: {report:?}");
             for (link, target) in [4, 8].into_iter().zip(&targets[2 * index..]) {

@@ -1,6 +1,6 @@
 //! Lanes against each other; `arms/lanes.rs` holds them to one configuration.
 
-use super::{draw, pose, problem, seven, solve_everywhere};
+use super::{draw, pose, problem, seven, solved};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_fixtures::random::Random;
 use dq8_robot::Joint;
@@ -23,10 +23,10 @@ fn in_any_order<R: Scalar>(reach: &OwnedReach<R>, joints: &[Joint<f64>], far: fn
         starts.extend(drawn(1.0));
     }
     let each = starts.len() / count;
-    let there = solve_everywhere(reach, &targets, &starts, &Options::default());
+    let there = solved(reach, &targets, &starts, &Options::default());
     targets.reverse();
     let starts: Vec<_> = starts.rchunks(each).flatten().copied().collect();
-    let back = solve_everywhere(reach, &targets, &starts, &Options::default());
+    let back = solved(reach, &targets, &starts, &Options::default());
     for ((backend, values, reports), (_, reversed, last)) in there.iter().zip(&back) {
         assert!(values.chunks(each).eq(reversed.rchunks(each)), "{backend}");
         assert!(reports.iter().eq(last.iter().rev()), "{backend}");

@@ -18,8 +18,10 @@ mod units;
 
 use dq8::{Backend, DualQuat, Quat, Real, Scalar};
 use dq8_fixtures::random::Random;
+use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
-use dq8_robot::{Joint, OwnedMechanism};
+
+pub(crate) use super::tree::mechanism;
 
 pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
@@ -137,7 +139,7 @@ pub(crate) fn near(a: &[f64], b: &[f64], bound: f64) -> bool {
 pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R>>);
 
 /// The same on all backends.
-pub(crate) fn solve_everywhere<R: Scalar>(
+pub(crate) fn solved<R: Scalar>(
     reach: &OwnedReach<R>,
     targets: &[DualQuat<R>],
     starts: &[R],
@@ -166,8 +168,4 @@ pub(crate) fn apart<R: Real>(a: DualQuat<R>, b: DualQuat<R>) -> [f64; 2] {
     let (a, b) = (a.translation().map(Into::<f64>::into), b.translation().map(Into::<f64>::into));
     let distance = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
     [angle, distance]
-}
-
-pub(crate) fn mechanism<R: Real>(joints: &[Joint<f64>]) -> OwnedMechanism<R> {
-    super::tree::mechanism(joints)
 }

@@ -90,15 +90,19 @@ fn lengths_that_do_not_fit_are_errors_and_nothing_is_touched() {
         [(3, 7, 0, "targets"), (2, 6, 0, "values"), (2, 8, 0, "values"), (2, 7, 1, "scratch")]
     {
         let targets = vec![target; targets];
-        for batch in [false, true] {
+        for way in 0..3 {
             let mut own = vec![0.125; values];
-            let mut memory = vec![0.5; enough[usize::from(batch)] - scratch];
-            let mut reports = [Report::default()];
-            let done = if batch {
-                let job = reach.job();
-                job.solve_in(&mut memory, &targets, &mut own, &mut reports, &options)
-            } else {
-                reach.solve(&targets, &mut own, &mut memory, &options).map(|_| ())
+            let mut memory = vec![0.5; enough[way.min(1)] - scratch];
+            let (mut reports, job) = ([Report::default()], reach.job());
+            let done = match way {
+                0 => reach.solve(&targets, &mut own, &mut memory, &options).map(|_| ()),
+                1 => job.solve_in(&mut memory, &targets, &mut own, &mut reports, &options),
+                _ if what == "scratch" => continue,
+                _ => {
+                    #[cfg(feature = "rayon")]
+                    let job = job.threads(usize::MAX);
+                    job.solve(&targets, &mut own, &mut reports, &options)
+                }
             };
             let Err(ShapeError::Length { what: found, .. }) = done else { panic!("{done:?}") };
             assert_eq!(found, what);

@@ -1,6 +1,6 @@
 //! Whole turns: of all values that are the same pose, the one within the limits that is nearest to the start.
 
-use super::{REACHED, Z, apart, at, pose, problem, solve_everywhere, turned};
+use super::{REACHED, Z, apart, at, pose, problem, solved, turned};
 use dq8::simd::{Float, Lanes, Portable};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_fixtures::random::Random;
@@ -29,7 +29,7 @@ where
     let mut all = vec![(values, report)];
     // More of them than lanes, each alone in its values.
     let (targets, starts) = (vec![target; 17], start.repeat(17));
-    for (_, values, reports) in solve_everywhere(&reach, &targets, &starts, &options) {
+    for (_, values, reports) in solved(&reach, &targets, &starts, &options) {
         for (values, report) in values.chunks(start.len()).zip(reports) {
             all.push((values.to_vec(), report));
         }
@@ -212,9 +212,7 @@ fn no_whole_turn_nearer_to_the_start_is_within_the_limits_after_restarts() {
         targets.push(pose(&problem, &there, 7));
         starts.extend((0..7).map(|_| random.between(-40.0, 40.0)));
     }
-    for (backend, values, reports) in
-        solve_everywhere(&problem, &targets, &starts, &Options::default())
-    {
+    for (backend, values, reports) in solved(&problem, &targets, &starts, &Options::default()) {
         let converged = reports.iter().filter(|report| report.is_converged()).count();
         assert!(converged >= 198, "{backend}: {converged}");
         assert!(reports.iter().any(|report| report.restarts > 0), "{backend}");
