@@ -202,16 +202,10 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
                     let second = self.upper_arm(hand, third);
                     let fourth = second.times(third).conj().times(all);
+                    let (third, fourth) = (self.signed(0, third), self.signed(1, fourth));
                     let Some(branch) = rest.next() else { return };
                     *branch = Branch {
-                        turns: [
-                            first,
-                            second,
-                            self.signed(0, third),
-                            self.signed(1, fourth),
-                            fifth,
-                            sixth,
-                        ],
+                        turns: [first, second, third, fourth, fifth, sixth],
                         exists: exists & is_elbow & is_wrist,
                         singular: [shoulder.is_singular, elbow.is_singular, wrist.is_singular],
                     };

@@ -90,25 +90,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let [tx, ty, tz] = vector::cross_onto(end, force, torque);
         let [fx, fy, fz] = force;
         let (ixx, iyy, izz) = (inertia + yy + zz, inertia + xx + zz, inertia + xx + yy);
-        let own = [
-            mass,
-            mx,
-            my,
-            mz,
-            ixx,
-            iyy,
-            izz,
-            -(mx * y),
-            -(mx * z),
-            -(my * z),
-            tx,
-            ty,
-            tz,
-            fx,
-            fy,
-            fz,
-        ];
-        add(body, own);
+        let (ixy, ixz, iyz) = (-(mx * y), -(mx * z), -(my * z));
+        add(body, [mass, mx, my, mz, ixx, iyy, izz, ixy, ixz, iyz, tx, ty, tz, fx, fy, fz]);
     }
 
     /// What a freedom has to do with itself and with those that carry it, and with the errors.

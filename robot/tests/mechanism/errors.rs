@@ -1,9 +1,8 @@
 //! What makes no mechanism, and calls that do not fit one.
 
 use dq8::{Backend, DualQuat, ShapeError, Twist};
+use dq8_arms::Z;
 use dq8_robot::{Joint, Mechanism, MechanismError, OwnedMechanism, Step, World};
-
-const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn hinge(parent: Option<usize>) -> Joint<f64> {
     Joint::revolute(parent, DualQuat::IDENTITY, Z)

@@ -4,7 +4,7 @@ use super::super::reach::REACHED;
 use dq8::geometry::Screw;
 use dq8::scalar::vector;
 use dq8::{DualQuat, Line, Quat, Twist};
-use dq8_arms::{Arm, Axis, Plan, Random, exact, gantry, puma, rounded, six_of_any_kind, ur5};
+use dq8_arms::{Arm, Axis, Plan, Random, Z, exact, gantry, puma, rounded, six_of_any_kind, ur5};
 use dq8_robot::ik::{Options, Outcome};
 use dq8_robot::{Mechanism, MechanismError, OwnedMechanism, Step, World};
 
@@ -12,8 +12,6 @@ use dq8_robot::{Mechanism, MechanismError, OwnedMechanism, Step, World};
 const ROUNDING: f64 = 4e-15;
 /// The same in `f32`.
 const IN_SINGLE: f64 = 2e-6;
-
-const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// What a screw is for a value of 1, with limits ±π.
 fn screw(direction: [f64; 3], through: [f64; 3], angle: f64, slide: f64) -> (Screw<f64>, [f64; 2]) {

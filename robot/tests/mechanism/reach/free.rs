@@ -1,6 +1,8 @@
 //! Goals that leave something free, several goals, and weights.
 
-use super::{REACHED, Z, apart, at, draw, pose, problem, seven, solve, solve_with, solved, turned};
+use super::{
+    REACHED, Y, Z, apart, at, draw, pose, problem, seven, solve, solve_with, solved, turned,
+};
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
 use dq8_robot::Joint;
@@ -60,13 +62,12 @@ fn what_a_goal_does_not_ask_for_is_free() {
 
 /// Two arms on a trunk that turns.
 fn two_arms() -> Vec<Joint<f64>> {
-    let y = [0.0, 1.0, 0.0];
     let mut joints = vec![Joint::revolute(None, at(0.0, 0.0, 1.0), Z).with_limits([-1.0, 1.0])];
     for side in [-1.0, 1.0] {
         let first = joints.len();
-        joints.push(Joint::revolute(Some(0), at(0.0, 0.2 * side, 0.0), y));
+        joints.push(Joint::revolute(Some(0), at(0.0, 0.2 * side, 0.0), Y));
         joints.push(Joint::revolute(Some(first), DualQuat::IDENTITY, Z));
-        joints.push(Joint::revolute(Some(first + 1), at(0.3, 0.0, 0.0), y));
+        joints.push(Joint::revolute(Some(first + 1), at(0.3, 0.0, 0.0), Y));
         joints.push(Joint::fixed(Some(first + 2), at(0.3, 0.0, 0.0)));
     }
     joints

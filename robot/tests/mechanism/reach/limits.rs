@@ -1,14 +1,14 @@
 //! Limits: of one end, of none, and of what mimics a joint.
 
-use super::{LAST_BITS, REACHED, Z, at, near, planar, pose, problem, solve, solve_with, turned};
+use super::{
+    LAST_BITS, REACHED, X, Y, Z, at, near, planar, pose, problem, solve, solve_with, turned,
+};
 use dq8::DualQuat;
 use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
 use std::f64::consts::{PI, TAU};
 
 const HERE: DualQuat<f64> = DualQuat::IDENTITY;
-const X: [f64; 3] = [1.0, 0.0, 0.0];
-const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const OPEN: f64 = f64::INFINITY;
 
 /// A slide with one end, and a hinge with one end: it counts as endless.

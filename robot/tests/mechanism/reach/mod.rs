@@ -22,8 +22,7 @@ use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
 
 pub(crate) use super::tree::mechanism;
-
-pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
+pub(crate) use dq8_arms::{X, Y, Z};
 
 /// What [`Options::default`] calls reached, radians and lengths, and what measuring it is rounded by.
 pub(crate) const REACHED: f64 = 1.001e-5;
@@ -59,16 +58,15 @@ pub(crate) fn planar(lengths: &[f64]) -> Vec<Joint<f64>> {
 
 /// Seven axes of our own dimensions: shoulder, elbow and wrist, with limits.
 pub(crate) fn seven() -> Vec<Joint<f64>> {
-    let x = [1.0, 0.0, 0.0];
     let quarter = core::f64::consts::FRAC_PI_2;
     let frames = [
-        (turned(x, 0.0, [0.0, 0.0, 0.34]), [-2.8, 2.8]),
-        (turned(x, -quarter, [0.0, 0.0, 0.0]), [-1.7, 1.7]),
-        (turned(x, quarter, [0.0, -0.32, 0.0]), [-2.8, 2.8]),
-        (turned(x, quarter, [0.08, 0.0, 0.0]), [-3.0, -0.1]),
-        (turned(x, -quarter, [-0.08, 0.39, 0.0]), [-2.8, 2.8]),
-        (turned(x, quarter, [0.0, 0.0, 0.0]), [0.0, 3.7]),
-        (turned(x, quarter, [0.09, 0.0, 0.0]), [-2.8, 2.8]),
+        (turned(X, 0.0, [0.0, 0.0, 0.34]), [-2.8, 2.8]),
+        (turned(X, -quarter, [0.0, 0.0, 0.0]), [-1.7, 1.7]),
+        (turned(X, quarter, [0.0, -0.32, 0.0]), [-2.8, 2.8]),
+        (turned(X, quarter, [0.08, 0.0, 0.0]), [-3.0, -0.1]),
+        (turned(X, -quarter, [-0.08, 0.39, 0.0]), [-2.8, 2.8]),
+        (turned(X, quarter, [0.0, 0.0, 0.0]), [0.0, 3.7]),
+        (turned(X, quarter, [0.09, 0.0, 0.0]), [-2.8, 2.8]),
     ];
     let mut joints: Vec<_> = frames
         .into_iter()

@@ -1,6 +1,6 @@
 //! Whole turns: of all values that are the same pose, the one within the limits that is nearest to the start.
 
-use super::{REACHED, Z, apart, at, pose, problem, solved, turned};
+use super::{REACHED, X, Z, apart, at, pose, problem, solved, turned};
 use dq8::simd::{Float, Lanes, Portable};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_fixtures::random::Random;
@@ -8,7 +8,6 @@ use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
 use std::f64::consts::{PI, TAU};
 
-const X: [f64; 3] = [1.0, 0.0, 0.0];
 const OPEN: f64 = f64::INFINITY;
 /// Numbers of one configuration are those of all lanes but for rounding: values of a few turns, in `f32`.
 const SINGLE: f64 = 2e-5;
