@@ -2,8 +2,6 @@
 //! shows a figure; lengths, axes and the walk (`walk`) are invented here, after a person of
 //! 1.75 m. Metres, y is up, z is forward.
 
-#[cfg(test)]
-mod reach;
 mod walk;
 
 use crate::clip::{Axis, Channel, Clip, Joint};
@@ -157,7 +155,7 @@ mod tests {
     use super::{HEEL, LINKS, clip};
     use crate::clip::{Axis, Channel, Clip};
 
-    pub(super) fn joint(clip: &Clip, name: &str) -> usize {
+    fn joint(clip: &Clip, name: &str) -> usize {
         clip.joints.iter().position(|joint| joint.name == name).unwrap()
     }
 

@@ -120,25 +120,6 @@ mod tests {
     use super::Source;
 
     #[test]
-    fn braces_need_no_space_and_lines_are_counted_through_crlf() {
-        let mut source = Source::new("\u{feff}ROOT\tHips{\r\n\r\n}JOINT\n  x ");
-        let mut words = Vec::new();
-        while let Some(word) = source.next_word() {
-            words.push((word.line, word.text));
-        }
-        let expected = [(1, "ROOT"), (1, "Hips"), (1, "{"), (3, "}"), (3, "JOINT"), (4, "x")];
-        assert_eq!(words, expected);
-    }
-
-    #[test]
-    fn peeking_does_not_move() {
-        let mut source = Source::new("a\nb");
-        assert_eq!(source.peek_word().map(|word| word.text), Some("a"));
-        assert_eq!(source.next_word().map(|word| word.text), Some("a"));
-        assert_eq!(source.line(), 1);
-    }
-
-    #[test]
     fn names_keep_their_spaces_and_end_at_a_brace() {
         let mut source = Source::new("JOINT Bip01 \t L  Thigh {");
         source.next_word();
