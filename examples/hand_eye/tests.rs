@@ -4,7 +4,6 @@ use crate::calibration::{CalibrationError, Pair};
 use crate::robot::Robot;
 use crate::{Solve, errors, separate, simultaneous};
 use dq8::{DualQuat, Quat};
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 const SOLVERS: [Solve; 2] = [simultaneous::solve, separate::solve];
 
@@ -60,24 +59,6 @@ fn no_place_of_the_camera_is_special() {
                 let far = camera.translation().iter().map(|c| c.abs()).sum::<f64>();
                 assert!(camera.distance_to(found) < 1e-14 * (1.0 + far), "{camera:?}: {found:?}");
             }
-        }
-    }
-}
-
-#[test]
-fn isometries_of_another_crate_agree_that_a_x_is_x_b() {
-    let isometry = |motion: DualQuat<f64>| {
-        let [x, y, z, w] = motion.rotation().to_array();
-        let rotation = UnitQuaternion::new_normalize(nalgebra::Quaternion::new(w, x, y, z));
-        let translation = Translation3::from(Vector3::from(motion.translation()));
-        Isometry3::from_parts(translation, rotation)
-    };
-    let pairs = Robot::new(7).pairs(5, 0.0);
-    for solve in SOLVERS {
-        let x = isometry(solve(&pairs).unwrap());
-        for Pair { hand, eye } in &pairs {
-            let (there, back) = (isometry(*hand) * x, x * isometry(*eye));
-            assert!((there.to_homogeneous() - back.to_homogeneous()).amax() < 1e-13);
         }
     }
 }

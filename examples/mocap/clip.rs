@@ -129,7 +129,7 @@ impl Joint {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Channel, Clip, Joint};
+    use super::{Axis, Channel, Joint};
     use Channel::{Position, Rotation};
 
     fn joint(parent: Option<usize>, offset: [f64; 3], channels: &[Channel]) -> Joint {
@@ -163,24 +163,5 @@ mod tests {
         let channels = [Rotation(Axis::Y), Position(Axis::Z), Position(Axis::X)];
         let local = joint(Some(0), [1.0, 2.0, 3.0], &channels).local(&[30.0, -7.0, 5.0]);
         assert!(close(local.translation(), [5.0, 2.0, -7.0]));
-    }
-
-    #[test]
-    fn values_are_dealt_to_the_joints_in_order() {
-        let clip = Clip {
-            title: String::new(),
-            joints: vec![
-                joint(None, [0.0; 3], &[Position(Axis::X)]),
-                joint(Some(0), [0.0, 1.0, 0.0], &[]),
-                joint(Some(1), [0.0; 3], &[Position(Axis::Y), Position(Axis::Z)]),
-            ],
-            frame_time: 0.5,
-            values: vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
-        };
-        let translations: Vec<_> = clip.locals().iter().map(|local| local.translation()).collect();
-        assert_eq!(clip.frames(), 2);
-        assert!(close(translations[0], [1.0, 0.0, 0.0]) && close(translations[3], [4.0, 0.0, 0.0]));
-        assert!(close(translations[1], [0.0, 1.0, 0.0]) && close(translations[4], [0.0, 1.0, 0.0]));
-        assert!(close(translations[2], [0.0, 2.0, 3.0]) && close(translations[5], [0.0, 5.0, 6.0]));
     }
 }

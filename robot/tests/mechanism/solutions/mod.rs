@@ -7,7 +7,7 @@ mod refused;
 
 use dq8::{DualQuat, Quat, Scalar};
 use dq8_arms::{Arm, Axis, Plan, Random, X, Y, Z, puma, rounded, turning, ur5};
-use dq8_robot::ik::{SixAxisArm, Solutions};
+use dq8_robot::ik::{Family, SixAxisArm, Solutions};
 use std::f64::consts::PI;
 
 /// Hinges that turn all around.
@@ -54,14 +54,15 @@ fn askew(plan: Plan<6>) -> Plan<6> {
     Plan { axes: plan.axes.map(moved), home: (axis, angle, home.translation()) }
 }
 
-fn families() -> [(&'static str, Plan<6>); 6] {
+fn families() -> [(&'static str, Plan<6>, Family); 6] {
+    use Family::{SphericalWrist, ThreeParallel};
     [
-        ("UR5", ur5()),
-        ("PUMA", puma()),
-        ("IRB 6640", irb6640()),
-        ("iiwa", iiwa_held()),
-        ("UR5 askew", askew(ur5())),
-        ("PUMA askew", askew(free(puma()))),
+        ("UR5", ur5(), ThreeParallel),
+        ("PUMA", puma(), SphericalWrist),
+        ("IRB 6640", irb6640(), SphericalWrist),
+        ("iiwa", iiwa_held(), SphericalWrist),
+        ("UR5 askew", askew(ur5()), ThreeParallel),
+        ("PUMA askew", askew(free(puma())), SphericalWrist),
     ]
 }
 
