@@ -22,13 +22,14 @@ mod source;
 use crate::clip::Clip;
 use error::BvhError;
 use motion::{Motion, Warning};
-use source::{Lines, Source};
+use source::{Source, lines};
 
 /// `title` is what the clip is to be called. The warning is of what is unusual in the file.
 pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning>), BvhError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-        BvhError::new(Lines::of(&before).count(), "not UTF-8 text")
+        // With what is no text: an end of a line before it counts.
+        let before = String::from_utf8_lossy(&bytes[..=error.valid_up_to()]);
+        BvhError::new(lines(&before).count(), "not UTF-8 text")
     })?;
     let mut source = Source::new(text);
     let joints = hierarchy::read(&mut source)?;

@@ -7,8 +7,6 @@ mod kinds;
 mod limits;
 mod outcomes;
 mod owned;
-#[cfg(feature = "rayon")]
-mod parallel;
 mod posture;
 mod rates;
 mod refused;
