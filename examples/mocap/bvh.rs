@@ -218,8 +218,10 @@ Frames: 2 | Frames: 3 | 20 | ends after 2
 
     #[test]
     fn bytes_that_are_no_text_are_refused_on_their_line() {
-        for start in ["HIERARCHY\nROOT", "HIERARCHY\rROOT", "HIERARCHY\r\nROOT"] {
-            let bytes = [start.as_bytes(), b" H\xffps"].concat();
+        let starts =
+            ["HIERARCHY\nROOT H", "HIERARCHY\rROOT H", "HIERARCHY\r\nROOT H", "HIERARCHY\r"];
+        for start in starts {
+            let bytes = [start.as_bytes(), b"\xffps"].concat();
             let error = parse(String::new(), &bytes).map(|_| ()).unwrap_err();
             assert_eq!(error, BvhError::new(2, "not UTF-8 text"));
         }
