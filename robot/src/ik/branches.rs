@@ -52,7 +52,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
             #[cfg_attr(not(opt_level_0), inline(always))]
             |units| start[0].re.constant(units * vector::epsilon::<L>()),
         );
-        let size = L::splat(level, geometry.size);
+        let (size, [right, up]) = (L::splat(level, geometry.size), geometry.across);
         Self {
             level,
             geometry,
@@ -60,10 +60,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
             start,
             slack: [size * reach, size * merge, angle, square],
             normal: vector::splat(level, geometry.axes[1]),
-            across: geometry.across.map(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |direction| vector::splat(level, direction),
-            ),
+            across: [vector::splat(level, right), vector::splat(level, up)],
         }
     }
 
