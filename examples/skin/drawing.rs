@@ -12,11 +12,13 @@ const LETTERS: f64 = 13.0;
 const LINE: f64 = 17.0;
 const AROUND: f64 = 8.0;
 
+pub(crate) type Triangle = [[f64; 3]; 3];
+
 /// One picture of an SVG: triangles in the world, y up, seen along −z and a little from the side and above.
 #[derive(Debug)]
 pub(crate) struct Panel {
     pub(crate) title: String,
-    pub(crate) triangles: Vec<[[f64; 3]; 3]>,
+    pub(crate) triangles: Vec<Triangle>,
 }
 
 impl Panel {
@@ -60,7 +62,7 @@ pub(crate) fn svg(panels: &[Panel]) -> String {
             let x = middle + scale * (x - (low[0] + high[0]) / 2.0);
             (x, top + SIZE / 2.0 - scale * (y - (low[1] + high[1]) / 2.0))
         };
-        let depth = |t: &[[f64; 3]; 3]| t[0][2] + t[1][2] + t[2][2];
+        let depth = |t: &Triangle| t[0][2] + t[1][2] + t[2][2];
         triangles.sort_by(|a, b| depth(a).total_cmp(&depth(b)));
         for (line, title) in title.iter().enumerate() {
             let title = title.replace('&', "&amp;").replace('<', "&lt;");
@@ -86,7 +88,7 @@ pub(crate) fn svg(panels: &[Panel]) -> String {
 }
 
 /// How much a triangle faces whoever looks, from 0 to 1.
-fn facing([a, b, c]: &[[f64; 3]; 3]) -> f64 {
+fn facing([a, b, c]: &Triangle) -> f64 {
     let normal = cross(sub(*b, *a), sub(*c, *a));
     let length = norm(normal);
     if length > 0.0 { (normal[2] / length).abs() } else { 0.0 }

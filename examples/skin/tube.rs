@@ -1,6 +1,7 @@
 //! The built-in tube of two joints, twisted and bent, by three methods.
 
-use crate::drawing::{Panel, svg};
+use crate::drawing::{Panel, Triangle, svg};
+use dq8::scalar::vector::{cross, dot, norm, sub};
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{DualQuat, Quat};
 
@@ -9,7 +10,7 @@ const AROUND: usize = 32;
 const LENGTH: f64 = 4.0;
 const RADIUS: f64 = 0.6;
 
-/// The mesh at rest, along x, the joints' weights, and how it hangs together.
+/// The mesh at rest, along x, and the weights of the joints.
 struct Tube {
     points: Vec<[f64; 3]>,
     joints: Vec<u8>,
@@ -53,7 +54,7 @@ fn center(points: &[[f64; 3]], ring: usize) -> [f64; 3] {
 }
 
 /// The sides, and the caps with a center each.
-fn triangles(points: &[[f64; 3]]) -> Vec<[[f64; 3]; 3]> {
+fn triangles(points: &[[f64; 3]]) -> Vec<Triangle> {
     let point = |ring: usize, i: usize| points[ring * AROUND + i % AROUND];
     let mut all = Vec::new();
     for i in 0..AROUND {
@@ -68,30 +69,22 @@ fn triangles(points: &[[f64; 3]]) -> Vec<[[f64; 3]; 3]> {
 }
 
 /// A sixth of the sum of the determinants of the corners.
-fn volume(triangles: &[[[f64; 3]; 3]]) -> f64 {
-    let determinant = |[a, b, c]: &[[f64; 3]; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-            + a[1] * (b[2] * c[0] - b[0] * c[2])
-            + a[2] * (b[0] * c[1] - b[1] * c[0])
-    };
+fn volume(triangles: &[Triangle]) -> f64 {
+    let determinants = triangles.iter().map(|&[a, b, c]| dot(a, cross(b, c)));
     // Outward is where the triangles go round clockwise here.
-    triangles.iter().map(determinant).sum::<f64>().abs() / 6.0
+    determinants.sum::<f64>().abs() / 6.0
 }
 
 /// Along the centers of the rings.
 fn length(points: &[[f64; 3]]) -> f64 {
-    let steps = (1..RINGS).map(|ring| {
-        let (a, b) = (center(points, ring - 1), center(points, ring));
-        (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt()
-    });
-    steps.sum()
+    (1..RINGS).map(|ring| norm(sub(center(points, ring), center(points, ring - 1)))).sum()
 }
 
 /// The triangles of the tube, and its volume and length relative to rest.
 pub(crate) fn measured(
     turn: Quat<f64>,
     share: f64,
-) -> Result<(Vec<[[f64; 3]; 3]>, f64, f64), SkinningError> {
+) -> Result<(Vec<Triangle>, f64, f64), SkinningError> {
     let tube = Tube::new();
     let posed = tube.posed(turn, share)?;
     let (rest, bent) = (triangles(&tube.points), triangles(&posed));
