@@ -13,7 +13,7 @@ const ATTRIBUTES: &str = r#""WEIGHTS_0":1}"#;
 const PRIMITIVE: &str = r#""WEIGHTS_0":1}}]"#;
 const ASSET: &str = r#""asset":{"version":"2.0"}"#;
 const CHANNELS: &str = r#""channels":["#;
-const MESH_END: &str = "}]}],\n        \"skins\"";
+const MESH_END: &str = "}]}],\n\"skins\"";
 
 #[test]
 fn attributes_of_applications_are_ignored() {
