@@ -11,30 +11,25 @@
 use dq8_contract::conformance::{Worst, worst_errors};
 use dq8_contract::implementation::implementations;
 use dq8_contract::vectors;
+use mocap::command::{self, files, read};
+use std::error::Error;
+use std::path::Path;
 use std::process::ExitCode;
-use std::{env, fs};
 
 fn main() -> ExitCode {
-    let mut arguments = env::args_os().skip(1);
-    let (Some(path), None) = (arguments.next(), arguments.next()) else {
-        eprintln!("usage: conform FILE.jsonl");
-        return ExitCode::from(2);
+    let parse = |words| {
+        read(words, [], |[], others| match &files(others)?[..] {
+            [path] => Ok(path.clone()),
+            others => Err(format!("one file is needed, and {} given", others.len())),
+        })
     };
-    if path == "-h" || path == "--help" {
-        println!("usage: conform FILE.jsonl");
-        return ExitCode::SUCCESS;
-    }
-    let worst = fs::read(&path)
-        .map_err(|error| error.to_string())
-        .and_then(|bytes| text(&bytes).and_then(conform))
-        .map_err(|reason| format!("{}: {reason}", path.display()));
-    match worst {
-        Ok(worst) => report(&worst),
-        Err(message) => {
-            eprintln!("{message}");
-            ExitCode::FAILURE
-        }
-    }
+    command::execute("conform", "usage: conform FILE.jsonl\n", parse, |path| run(path))
+}
+
+fn run(path: &Path) -> Result<(), Box<dyn Error>> {
+    let bytes = std::fs::read(path).map_err(|error| error.to_string());
+    let worst = bytes.and_then(|bytes| text(&bytes).and_then(conform));
+    report(&worst.map_err(|reason| format!("{}: {reason}", path.display()))?)
 }
 
 /// The text of a file; where it is none, the row is named as for any other that cannot be read.
@@ -60,7 +55,7 @@ fn conform(text: &str) -> Result<Vec<Worst>, String> {
     Ok(all)
 }
 
-fn report(worst: &[Worst]) -> ExitCode {
+fn report(worst: &[Worst]) -> Result<(), Box<dyn Error>> {
     println!(
         "{:26} {:12} {:13} {:>5} {:>9} {:>9} {:>6}",
         "operation", "kind", "backend", "rows", "worst", "allowed", "row"
@@ -79,11 +74,9 @@ fn report(worst: &[Worst]) -> ExitCode {
         );
     }
     let broken = worst.iter().filter(|w| w.breaks_bound()).count();
-    if broken == 0 {
-        println!("\nPASS: {} bounds kept", worst.len());
-        ExitCode::SUCCESS
-    } else {
-        println!("\nFAIL: {broken} of {} bounds broken", worst.len());
-        ExitCode::FAILURE
+    if broken > 0 {
+        return Err(format!("FAIL: {broken} of {} bounds broken", worst.len()).into());
     }
+    println!("\nPASS: {} bounds kept", worst.len());
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! The command line.
 
 use crate::plan::JOBS;
-use mocap::command::{Misuse, Request, read};
+use mocap::command::{Request, read};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -27,7 +27,7 @@ pub(crate) struct Args {
     pub(crate) md: Option<PathBuf>,
 }
 
-pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
+pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
     read(words, ["--json", "--svg", "--md"], |[json, svg, md], others| {
         let mut args = Args { json, svg, md, ..Args::default() };
         for word in others {
@@ -35,7 +35,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
             match JOBS.iter().find(|job| job.eq_ignore_ascii_case(&word)) {
                 Some(job) => args.jobs.push(job),
                 None if word == "--quick" => args.quick = true,
-                None => return Err(Misuse(format!("no such argument: `{word}`"))),
+                None => return Err(format!("no such argument: `{word}`")),
             }
         }
         Ok(args)
@@ -51,6 +51,6 @@ fn jobs_are_named_in_any_case_and_others_are_no_jobs() {
     assert_eq!(words("J7 --svg b --quick j1 --md c --json a"), Ok(Request::Run(args)));
     assert_eq!(words(""), Ok(Request::Run(Args::default())));
     for word in ["--fast", "J8", "a.json"] {
-        assert_eq!(words(word), Err(Misuse(format!("no such argument: `{word}`"))));
+        assert_eq!(words(word), Err(format!("no such argument: `{word}`")));
     }
 }

@@ -19,7 +19,7 @@ mod tests;
 
 use calibration::{CalibrationError, Pair};
 use dq8::DualQuat;
-use robot::{Noise, Robot};
+use robot::Robot;
 use std::error::Error;
 
 /// How many robots, each with a camera somewhere else, make one line of the table.
@@ -29,7 +29,7 @@ const ROBOTS: u64 = 200;
 type Solve = fn(&[Pair]) -> Result<DualQuat<f64>, CalibrationError>;
 
 /// Root mean squares over all robots of the error of X in rotation (radians) and translation (metres).
-fn errors(solve: Solve, motions: usize, noise: Noise) -> Result<[f64; 2], CalibrationError> {
+fn errors(solve: Solve, motions: usize, noise: f64) -> Result<[f64; 2], CalibrationError> {
     let error = |seed| {
         let mut robot = Robot::new(seed);
         let found = solve(&robot.pairs(motions, noise))?;
@@ -39,7 +39,7 @@ fn errors(solve: Solve, motions: usize, noise: Noise) -> Result<[f64; 2], Calibr
 }
 
 /// The same of the difference between the screws of A and B, which needs no X.
-fn mismatches(motions: usize, noise: Noise) -> [f64; 2] {
+fn mismatches(motions: usize, noise: f64) -> [f64; 2] {
     let pairs = (1..=ROBOTS).flat_map(|seed| Robot::new(seed).pairs(motions, noise));
     root_mean_squares(&pairs.map(|pair| pair.mismatch()).collect::<Vec<_>>())
 }
@@ -61,15 +61,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("| motions | noise | A and B | | simultaneous | | separate | |");
     println!("|---|---|---|---|---|---|---|---|");
     for motions in [3, 6, 12, 24, 48] {
-        for level in [0.0, 1e-4, 1e-3, 1e-2] {
-            let noise = Noise { rotation: level, translation: level };
+        for noise in [0.0, 1e-4, 1e-3, 1e-2] {
             let columns = [
                 mismatches(motions, noise),
                 errors(simultaneous::solve, motions, noise)?,
                 errors(separate::solve, motions, noise)?,
             ];
             let columns = columns.map(|[angle, length]| format!("{angle:.1e} | {length:.1e}"));
-            println!("| {motions} | {level} | {} |", columns.join(" | "));
+            println!("| {motions} | {noise} | {} |", columns.join(" | "));
         }
     }
     Ok(())

@@ -5,15 +5,6 @@ use dq8::{DualQuat, Quat, Twist};
 use dq8_fixtures::random::Random;
 use std::f64::consts::TAU;
 
-/// Standard deviations in each axis of the noise of B.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Noise {
-    /// Radians.
-    pub(crate) rotation: f64,
-    /// Metres.
-    pub(crate) translation: f64,
-}
-
 pub(crate) struct Robot {
     random: Random,
     /// X, the pose of the camera on the hand.
@@ -29,12 +20,11 @@ impl Robot {
     }
 
     /// Random motions of the hand, turns between 0.3 and 2 radians, and what the camera sees of them:
-    /// B = X*AX, then the noise, in the camera's own axes.
-    pub(crate) fn pairs(&mut self, motions: usize, noise: Noise) -> Vec<Pair> {
+    /// B = X*AX, then the noise, in the camera's own axes: its standard deviation in each, in radians and in metres.
+    pub(crate) fn pairs(&mut self, motions: usize, noise: f64) -> Vec<Pair> {
         let mut pair = || {
             let hand = motion(&mut self.random, [0.3, 2.0], 0.5);
-            let mut noisy = |deviation| [(); 3].map(|()| deviation * normal(&mut self.random));
-            let twist = Twist { angular: noisy(noise.rotation), linear: noisy(noise.translation) };
+            let twist = Twist::from_array([(); 6].map(|()| noise * normal(&mut self.random)));
             let seen = self.camera.conjugate() * hand * self.camera;
             Pair { hand, eye: seen * DualQuat::from_twist(twist) }
         };

@@ -2,8 +2,8 @@
 //! so that a microcontroller can be one of the machines.
 
 use dq8::ik::TwoBone;
-use dq8::skinning::{DualBlend, Skin, SkinningError, Surface, SurfaceMut};
-use dq8::{Backend, DualQuat, Hierarchy, Quat, ShapeError, hierarchy::Poses};
+use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
+use dq8::{Backend, DualQuat, Hierarchy, Quat, hierarchy::Poses};
 
 /// One a lane of eight.
 const WALKERS: usize = 8;
@@ -117,19 +117,10 @@ impl World {
 
 /// Lengths that do not fit.
 #[derive(Debug)]
-pub(crate) enum WorldError {
-    Shape,
-    Skin,
-}
+pub(crate) struct WorldError;
 
-impl From<ShapeError> for WorldError {
-    fn from(_: ShapeError) -> Self {
-        Self::Shape
-    }
-}
-
-impl From<SkinningError> for WorldError {
-    fn from(_: SkinningError) -> Self {
-        Self::Skin
+impl<E: core::error::Error> From<E> for WorldError {
+    fn from(_: E) -> Self {
+        Self
     }
 }

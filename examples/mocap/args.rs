@@ -1,6 +1,6 @@
 //! The command line.
 
-use crate::command::{Misuse, Request, files, read};
+use crate::command::{Request, files, read};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -21,12 +21,12 @@ pub(crate) struct Args {
     pub(crate) pack: Option<PathBuf>,
 }
 
-pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
+pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
     read(words, ["--csv", "--svg", "--pack"], |[csv, svg, pack], others| {
         let mut clips = files(others)?;
         match clips.len() {
             0 | 1 => Ok(Args { clip: clips.pop(), csv, svg, pack }),
-            _ => Err(Misuse("FILE.bvh is given twice".into())),
+            _ => Err("FILE.bvh is given twice".into()),
         }
     })
 }
@@ -39,6 +39,6 @@ fn a_command_line_has_one_clip_at_most() {
     assert_eq!(words("--csv a --pack c walk.bvh --svg b"), Ok(Request::Run(args)));
     let none = Args { clip: None, csv: None, svg: None, pack: None };
     assert_eq!(words(""), Ok(Request::Run(none)));
-    let twice = Err(Misuse("FILE.bvh is given twice".into()));
+    let twice = Err("FILE.bvh is given twice".into());
     assert_eq!(words("a.bvh b.bvh"), twice);
 }

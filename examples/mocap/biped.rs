@@ -2,11 +2,10 @@
 //! shows a figure; lengths, axes and the walk (`walk`) are invented here, after a person of
 //! 1.75 m. Metres, y is up, z is forward.
 
-#[cfg(test)]
-mod reach;
 mod walk;
 
 use crate::clip::{Axis, Channel, Clip, Joint};
+use Axis::{X, Y, Z};
 use Channel::{Position, Rotation};
 use walk::Walk;
 
@@ -42,21 +41,15 @@ struct Link {
     tip: Option<[f64; 3]>,
 }
 
-const FREE: &[Channel] = &[
-    Position(Axis::X),
-    Position(Axis::Y),
-    Position(Axis::Z),
-    Rotation(Axis::Y),
-    Rotation(Axis::Z),
-    Rotation(Axis::X),
-];
+const FREE: &[Channel] =
+    &[Position(X), Position(Y), Position(Z), Rotation(Y), Rotation(Z), Rotation(X)];
 /// Turn, lean sideways, bend.
-const BALL: &[Channel] = &[Rotation(Axis::Y), Rotation(Axis::Z), Rotation(Axis::X)];
+const BALL: &[Channel] = &[Rotation(Y), Rotation(Z), Rotation(X)];
 /// Turn and nod.
-const NECK: &[Channel] = &[Rotation(Axis::Y), Rotation(Axis::X)];
-const HINGE: &[Channel] = &[Rotation(Axis::X)];
+const NECK: &[Channel] = &[Rotation(Y), Rotation(X)];
+const HINGE: &[Channel] = &[Rotation(X)];
 /// Up and down, and sole inward.
-const ANKLE: &[Channel] = &[Rotation(Axis::X), Rotation(Axis::Z)];
+const ANKLE: &[Channel] = &[Rotation(X), Rotation(Z)];
 
 const THIGH: f64 = 0.44;
 const SHIN: f64 = 0.44;
@@ -102,8 +95,6 @@ const LINKS: [Link; 16] = [
     link("RightFoot",     Foot(Right),     Some(Shin(Right)),     right(TALUS),    ANKLE, Some(TOE)),
 ];
 
-const _: () = assert!(degrees_of_freedom(&LINKS) == 36);
-
 const fn link(
     name: &'static str,
     part: Part,
@@ -120,22 +111,12 @@ const fn right([x, y, z]: [f64; 3]) -> [f64; 3] {
     [-x, y, z]
 }
 
-const fn degrees_of_freedom(links: &[Link]) -> usize {
-    let mut sum = 0;
-    let mut index = 0;
-    while index < links.len() {
-        sum += links[index].freedom.len();
-        index += 1;
-    }
-    sum
-}
-
 /// Four whole cycles of the walk at 60 Hz.
 pub fn clip() -> Clip {
     const FRAMES: usize = 256;
     let walk = Walk { period: 64.0 / 60.0 };
     let frame_time = 1.0 / 60.0;
-    let mut values = Vec::with_capacity(FRAMES * degrees_of_freedom(&LINKS));
+    let mut values = Vec::new();
     for frame in 0..FRAMES {
         let pose = walk.pose(frame as f64 * frame_time);
         for link in &LINKS {
@@ -160,11 +141,10 @@ fn joints() -> Vec<Joint> {
         });
         let index = joints.len();
         index_of.push((link.part, index));
-        let (name, offset, channels) = (link.name.to_owned(), link.offset, link.freedom.to_vec());
-        joints.push(Joint { name, parent, offset, channels, end_site: false });
+        joints.push(Joint::new(link.name, parent, link.offset, link.freedom.to_vec()));
         if let Some(offset) = link.tip {
-            let (name, parent) = (format!("{}_End", link.name), Some(index));
-            joints.push(Joint { name, parent, offset, channels: Vec::new(), end_site: true });
+            let tip = Joint::new(format!("{}_End", link.name), Some(index), offset, vec![]);
+            joints.push(Joint { end_site: true, ..tip });
         }
     }
     joints
@@ -173,16 +153,9 @@ fn joints() -> Vec<Joint> {
 #[cfg(test)]
 mod tests {
     use super::{HEEL, LINKS, clip};
-    use crate::clip::{Channel, Clip};
-    use dq8::{DualQuat, Hierarchy};
+    use crate::clip::{Axis, Channel, Clip};
 
-    pub(super) fn models(clip: &Clip) -> Vec<DualQuat<f64>> {
-        let (parents, mut poses) = (clip.parents(), clip.locals());
-        Hierarchy::new(&parents).unwrap().job().local_to_model_in_place(&mut poses).unwrap();
-        poses
-    }
-
-    pub(super) fn joint(clip: &Clip, name: &str) -> usize {
+    fn joint(clip: &Clip, name: &str) -> usize {
         clip.joints.iter().position(|joint| joint.name == name).unwrap()
     }
 
@@ -211,7 +184,7 @@ mod tests {
     #[test]
     fn the_feet_stand_on_the_ground_without_sliding() {
         let clip = clip();
-        let models = models(&clip);
+        let models = clip.models().unwrap();
         let joints = clip.joints.len();
         for foot in ["LeftFoot", "RightFoot"] {
             let [foot, toe] = [joint(&clip, foot), joint(&clip, &format!("{foot}_End"))];
@@ -238,7 +211,6 @@ mod tests {
 
     #[test]
     fn joints_stay_within_what_a_person_can_do() {
-        use crate::clip::Axis;
         let clip = clip();
         let x = Channel::Rotation(Axis::X);
         for side in ["Left", "Right"] {
@@ -257,7 +229,7 @@ mod tests {
     #[test]
     fn nothing_jumps_also_where_the_walk_begins_again() {
         let clip = clip();
-        let models = models(&clip);
+        let models = clip.models().unwrap();
         let joints = clip.joints.len();
         let frame = |index: usize| {
             models[index * joints..][..joints].iter().map(|model| model.translation())
@@ -269,7 +241,7 @@ mod tests {
             }
         }
         // The last frame is followed by the first, four strides on: every angle returns.
-        let turns = values(&clip, "Pelvis", Channel::Rotation(crate::clip::Axis::Y));
+        let turns = values(&clip, "Pelvis", Channel::Rotation(Axis::Y));
         assert!((turns[0] - turns[64]).abs() < 1e-9);
     }
 }

@@ -22,13 +22,14 @@ mod source;
 use crate::clip::Clip;
 use error::BvhError;
 use motion::{Motion, Warning};
-use source::{Lines, Source};
+use source::{Source, lines};
 
 /// `title` is what the clip is to be called. The warning is of what is unusual in the file.
 pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning>), BvhError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-        BvhError::new(Lines::of(&before).count(), "not UTF-8 text")
+        // With what is no text: an end of a line before it counts.
+        let before = String::from_utf8_lossy(&bytes[..=error.valid_up_to()]);
+        BvhError::new(lines(&before).count(), "not UTF-8 text")
     })?;
     let mut source = Source::new(text);
     let joints = hierarchy::read(&mut source)?;
@@ -124,83 +125,65 @@ Frame Time: .0083333
         }
     }
 
-    /// A wrong file, made from the good one, with the line and the words that the error must name.
+    /// What is changed in the good file, into what, and the line and the words that the error must name; ⏎ ends a line.
+    const WRONG: &str = "\
+HIERARCHY⏎ |  | 1 | HIERARCHY
+ROOT | JOINT | 2 | ROOT
+Hips |  | 2 | without a name
+OFFSET 0 0 0 |  | 6 | no OFFSET
+\tOFFSET 0 2 0 |  | 13 | no OFFSET
+OFFSET 0 0 0 | OFFSET 0 0 | 5 | `CHANNELS`
+OFFSET 0 0 0 | OFFSET 0 0 0 7 | 4 | `7`
+OFFSET 0 5 0 | OFFSET 0 nan 0 | 8 | `nan`
+OFFSET 0 5 0 | OFFSET 0 1e999 0 | 8 | `1e999`
+OFFSET 0 5 0 | OFFSET 0 5 0 OFFSET 1 1 1 | 8 | second OFFSET
+CHANNELS 2 Yrotation Yposition |  | 10 | no CHANNELS
+CHANNELS 2 | CHANNELS 3 | 9 | announces 3 channels and lists 2
+CHANNELS 2 | CHANNELS -2 | 9 | `-2`
+2 Yrotation | 2 Wrotation | 9 | `Wrotation`
+2 Yrotation | 2 Yposition | 9 | twice
+OFFSET 0 2 0 | OFFSET 0 2 0 CHANNELS 1 Xrotation | 12 | end site
+OFFSET 0 2 0 | OFFSET 0 2 0 JOINT Tip { | 12 | `JOINT`
+Chest | Hips | 6 | `Hips`, the first is on line 2
+\t}⏎} | \t}⏎ | 16 | `Hips` is not closed: no `}` for the `{` of line 3
+\t}⏎} | \t}⏎}} | 15 | `}`
+End Site | End Sight | 10 | `Sight`
+End Site | Sphere | 10 | `Sphere`
+MOTION | NOTION | 16 | `NOTION`
+Frames: 2⏎ |  | 17 | Frames:
+Frames: 2 | Frames: two | 17 | `two`
+Frames: 2 | Frames: 0 | 17 | no frames
+Frames: 2 | Frames: -1 | 17 | `-1`
+Frame Time: .0083333⏎ |  | 18 | Frame Time:
+.0083333 | 0 | 18 | `0`
+.0083333 | -0.01 | 18 | `-0.01`
+.0083333 | NaN | 18 | `NaN`
+3 90 | 3 9O | 19 | `9O`
+3 90 | 3 -inf | 19 | `-inf`
+90 0 0 0 5 | 90 0 0 0 | 19 | frame 1 has 7, its channels need 8
+90 0 0 0 5 | 90 0 0 0 5 6 | 19 | frame 1 has 9, its channels need 8
+90 4 | 90 | 20 | frame 2 has 7, its channels need 8
+Frames: 2 | Frames: 3 | 20 | ends after 2
+0 5⏎ | 0 5⏎\u{1a} | 20 | `\\u{1a}1`";
+
     #[test]
     fn wrong_files_are_refused_with_line_and_reason() {
-        let cases = [
-            (TWO_JOINTS.replace("HIERARCHY\n", ""), 1, "HIERARCHY"),
-            (TWO_JOINTS.replace("ROOT", "JOINT"), 2, "ROOT"),
-            (TWO_JOINTS.replace("Hips", ""), 2, "without a name"),
-            (TWO_JOINTS.replace("OFFSET 0 0 0", ""), 6, "no OFFSET"),
-            (TWO_JOINTS.replace("\tOFFSET 0 2 0", ""), 13, "no OFFSET"),
-            (TWO_JOINTS.replace("OFFSET 0 0 0", "OFFSET 0 0"), 5, "`CHANNELS`"),
-            (TWO_JOINTS.replace("OFFSET 0 0 0", "OFFSET 0 0 0 7"), 4, "`7`"),
-            (TWO_JOINTS.replace("OFFSET 0 5 0", "OFFSET 0 nan 0"), 8, "`nan`"),
-            (TWO_JOINTS.replace("OFFSET 0 5 0", "OFFSET 0 1e999 0"), 8, "`1e999`"),
-            (TWO_JOINTS.replace("OFFSET 0 5 0", "OFFSET 0 5 0 OFFSET 1 1 1"), 8, "second OFFSET"),
-            (TWO_JOINTS.replace("CHANNELS 2 Yrotation Yposition", ""), 10, "no CHANNELS"),
-            (TWO_JOINTS.replace("CHANNELS 2", "CHANNELS 3"), 9, "announces 3 channels and lists 2"),
-            (TWO_JOINTS.replace("CHANNELS 2", "CHANNELS -2"), 9, "`-2`"),
-            (TWO_JOINTS.replace("2 Yrotation", "2 Wrotation"), 9, "`Wrotation`"),
-            (TWO_JOINTS.replace("2 Yrotation", "2 Yposition"), 9, "twice"),
-            (
-                TWO_JOINTS.replace("OFFSET 0 2 0", "OFFSET 0 2 0 CHANNELS 1 Xrotation"),
-                12,
-                "end site",
-            ),
-            (TWO_JOINTS.replace("OFFSET 0 2 0", "OFFSET 0 2 0 JOINT Tip {"), 12, "`JOINT`"),
-            (TWO_JOINTS.replace("Chest", "Hips"), 6, "`Hips`, the first is on line 2"),
-            (
-                TWO_JOINTS.replace("\t}\n}", "\t}\n"),
-                16,
-                "`Hips` is not closed: no `}` for the `{` of line 3",
-            ),
-            (TWO_JOINTS.replace("\t}\n}", "\t}\n}}"), 15, "`}`"),
-            (TWO_JOINTS.replace("End Site", "End Sight"), 10, "`Sight`"),
-            (TWO_JOINTS.replace("End Site", "Sphere"), 10, "`Sphere`"),
-            (TWO_JOINTS.replace("MOTION", "NOTION"), 16, "`NOTION`"),
-            (TWO_JOINTS.replace("Frames: 2\n", ""), 17, "Frames:"),
-            (TWO_JOINTS.replace("Frames: 2", "Frames: two"), 17, "`two`"),
-            (TWO_JOINTS.replace("Frames: 2", "Frames: 0"), 17, "no frames"),
-            (TWO_JOINTS.replace("Frames: 2", "Frames: -1"), 17, "`-1`"),
-            (TWO_JOINTS.replace("Frame Time: .0083333\n", ""), 18, "Frame Time:"),
-            (TWO_JOINTS.replace(".0083333", "0"), 18, "`0`"),
-            (TWO_JOINTS.replace(".0083333", "-0.01"), 18, "`-0.01`"),
-            (TWO_JOINTS.replace(".0083333", "NaN"), 18, "`NaN`"),
-            (TWO_JOINTS.replace("3 90", "3 9O"), 19, "`9O`"),
-            (TWO_JOINTS.replace("3 90", "3 -inf"), 19, "`-inf`"),
-            (
-                TWO_JOINTS.replace("90 0 0 0 5", "90 0 0 0"),
-                19,
-                "frame 1 has 7, its channels need 8",
-            ),
-            (
-                TWO_JOINTS.replace("90 0 0 0 5", "90 0 0 0 5 6"),
-                19,
-                "frame 1 has 9, its channels need 8",
-            ),
-            (TWO_JOINTS.replace("90 4", "90"), 20, "frame 2 has 7, its channels need 8"),
-            (TWO_JOINTS.replace("Frames: 2", "Frames: 3"), 20, "ends after 2"),
-            (
-                TWO_JOINTS.replace("Frames: 2", "Frames: 1") + "1 2 3 4 5 6 7 8\n",
-                21,
-                "more than one more follows",
-            ),
-            (
-                TWO_JOINTS.replace("Frames: 2", "Frames: 1").replace("90 4", "90"),
-                20,
-                "frame 2 has 7, its channels need 8",
-            ),
-            (TWO_JOINTS.replace("0 5\n", "0 5\n\u{1a}"), 20, "`\\u{1a}1`"),
-        ];
-        for (text, line, words) in cases {
+        let row = |row: &str| {
+            let [from, to, line, words] = row.split(" | ").collect::<Vec<_>>()[..] else {
+                panic!("{row}")
+            };
+            let [from, to] = [from, to].map(|text| text.replace('⏎', "\n"));
+            (TWO_JOINTS.replace(&from, &to), line.parse().unwrap(), words.to_owned())
+        };
+        let one = TWO_JOINTS.replace("Frames: 2", "Frames: 1");
+        let more = (one.clone() + "1 2 3 4 5 6 7 8\n", 21, "more than one more follows".into());
+        let short = (one.replace("90 4", "90"), 20, "frame 2 has 7, its channels need 8".into());
+        for (text, line, words) in WRONG.lines().map(row).chain([more, short]) {
             let Err(error) = read(&text) else {
                 panic!("accepted, though {words} is wrong: {text}")
             };
-            assert!(
-                error.line == line && error.to_string().contains(words),
-                "{line} {words}: {error}"
-            );
+            let named = error.line == line && error.to_string().contains(&words);
+            assert!(named, "{line} {words}: {error}");
         }
     }
 
@@ -216,35 +199,13 @@ Frame Time: .0083333
         assert_eq!(read(" \r\n\t").map(|_| ()).unwrap_err().reason, "the file is empty");
     }
 
-    /// Of a hip, a spine and a head, as others write it.
     #[test]
     fn one_frame_more_than_announced_is_read_with_a_warning() {
-        let announced = "\
-HIERARCHY
-ROOT Hips
-{
-\tOFFSET 0 0 0
-\tCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
-\tJOINT Spine
-\t{
-\t\tOFFSET 0 5 0.5
-\t\tCHANNELS 3 Zrotation Xrotation Yrotation
-\t\tEnd Site
-\t\t{
-\t\t\tOFFSET 0 1 0
-\t\t}
-\t}
-}
-MOTION
-Frames: 2
-Frame Time: 0.033333
-1 2 3 10 20 30 -15 25 35
-1.5 2.5 3.5 11 21 31 -16 26 36";
         let parse = |text: &str| parse("test".into(), text.as_bytes()).unwrap();
-        let (wanted, none) = parse(announced);
+        let (wanted, none) = parse(TWO_JOINTS);
         assert_eq!((wanted.frames(), none), (2, None));
-        let one = announced.replace("Frames: 2", "Frames: 1");
-        let wrapped = one.replace("11 21", "11\n21");
+        let one = TWO_JOINTS.replace("Frames: 2", "Frames: 1");
+        let wrapped = one.replace("90 90 4", "90\n90 4");
         for (text, line) in
             [(one.clone(), 20), (wrapped, 20), (one.replace('\n', "\r") + "\r\u{1a}", 20)]
         {
@@ -257,8 +218,10 @@ Frame Time: 0.033333
 
     #[test]
     fn bytes_that_are_no_text_are_refused_on_their_line() {
-        for start in ["HIERARCHY\nROOT", "HIERARCHY\rROOT", "HIERARCHY\r\nROOT"] {
-            let bytes = [start.as_bytes(), b" H\xffps"].concat();
+        let starts =
+            ["HIERARCHY\nROOT H", "HIERARCHY\rROOT H", "HIERARCHY\r\nROOT H", "HIERARCHY\r"];
+        for start in starts {
+            let bytes = [start.as_bytes(), b"\xffps"].concat();
             let error = parse(String::new(), &bytes).map(|_| ()).unwrap_err();
             assert_eq!(error, BvhError::new(2, "not UTF-8 text"));
         }

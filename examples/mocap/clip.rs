@@ -2,6 +2,7 @@
 //! file both become this, so everything after it is one path.
 
 use dq8::{DualQuat, Hierarchy, Quat};
+use std::error::Error;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
@@ -87,9 +88,26 @@ impl Clip {
         }
         locals
     }
+
+    /// Every joint's motion in the world, `[frame][joint]`.
+    pub fn models(&self) -> Result<Vec<DualQuat<f64>>, Box<dyn Error>> {
+        let mut models = self.locals();
+        Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
+        Ok(models)
+    }
 }
 
 impl Joint {
+    /// One that is no tip.
+    pub fn new(
+        name: impl Into<String>,
+        parent: Option<usize>,
+        offset: [f64; 3],
+        channels: Vec<Channel>,
+    ) -> Self {
+        Self { name: name.into(), parent, offset, channels, end_site: false }
+    }
+
     /// Rotations compose from left to right as listed: `Zrotation Xrotation` is Rz · Rx on column
     /// vectors, so the last one listed acts first.
     pub fn local(&self, values: &[f64]) -> DualQuat<f64> {
@@ -111,12 +129,11 @@ impl Joint {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Channel, Clip, Joint};
+    use super::{Axis, Channel, Joint};
     use Channel::{Position, Rotation};
 
     fn joint(parent: Option<usize>, offset: [f64; 3], channels: &[Channel]) -> Joint {
-        let name = format!("under {parent:?}");
-        Joint { name, parent, offset, channels: channels.to_vec(), end_site: false }
+        Joint::new(format!("under {parent:?}"), parent, offset, channels.to_vec())
     }
 
     fn close(a: [f64; 3], b: [f64; 3]) -> bool {
@@ -146,24 +163,5 @@ mod tests {
         let channels = [Rotation(Axis::Y), Position(Axis::Z), Position(Axis::X)];
         let local = joint(Some(0), [1.0, 2.0, 3.0], &channels).local(&[30.0, -7.0, 5.0]);
         assert!(close(local.translation(), [5.0, 2.0, -7.0]));
-    }
-
-    #[test]
-    fn values_are_dealt_to_the_joints_in_order() {
-        let clip = Clip {
-            title: String::new(),
-            joints: vec![
-                joint(None, [0.0; 3], &[Position(Axis::X)]),
-                joint(Some(0), [0.0, 1.0, 0.0], &[]),
-                joint(Some(1), [0.0; 3], &[Position(Axis::Y), Position(Axis::Z)]),
-            ],
-            frame_time: 0.5,
-            values: vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
-        };
-        let translations: Vec<_> = clip.locals().iter().map(|local| local.translation()).collect();
-        assert_eq!(clip.frames(), 2);
-        assert!(close(translations[0], [1.0, 0.0, 0.0]) && close(translations[3], [4.0, 0.0, 0.0]));
-        assert!(close(translations[1], [0.0, 1.0, 0.0]) && close(translations[4], [0.0, 1.0, 0.0]));
-        assert!(close(translations[2], [0.0, 2.0, 3.0]) && close(translations[5], [0.0, 5.0, 6.0]));
     }
 }

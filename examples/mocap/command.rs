@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::{env, fmt, io};
+use std::{env, io};
 
 #[derive(Debug, PartialEq)]
 pub enum Request<A> {
@@ -13,21 +13,11 @@ pub enum Request<A> {
     Help,
 }
 
-/// What is wrong with the command line.
-#[derive(Debug, PartialEq)]
-pub struct Misuse(pub String);
-
-impl fmt::Display for Misuse {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-/// The program `name`: 0 if `work` went well, 1 if not, 2 if the command line makes no sense.
+/// The program `name`: 0 if `work` went well, 1 if not, 2 if `parse` says what is wrong with the command line.
 pub fn execute<A>(
     name: &str,
     usage: &str,
-    parse: impl FnOnce(env::ArgsOs) -> Result<Request<A>, Misuse>,
+    parse: impl FnOnce(env::ArgsOs) -> Result<Request<A>, String>,
     work: impl FnOnce(&A) -> Result<(), Box<dyn Error>>,
 ) -> ExitCode {
     let mut words = env::args_os();
@@ -53,8 +43,8 @@ pub fn execute<A>(
 pub fn read<A, const N: usize>(
     words: impl IntoIterator<Item = OsString>,
     options: [&str; N],
-    make: impl FnOnce([Option<PathBuf>; N], Vec<OsString>) -> Result<A, Misuse>,
-) -> Result<Request<A>, Misuse> {
+    make: impl FnOnce([Option<PathBuf>; N], Vec<OsString>) -> Result<A, String>,
+) -> Result<Request<A>, String> {
     let (mut values, mut others) = ([const { None }; N], Vec::new());
     let mut words = words.into_iter();
     while let Some(word) = words.next() {
@@ -62,9 +52,9 @@ pub fn read<A, const N: usize>(
         if let Some(at) = options.iter().position(|option| *option == text) {
             // An option in place of a value is a value forgotten; a file of such a name is `./--svg`.
             let value = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
-            let value = value.ok_or_else(|| Misuse(format!("{text} needs a value")))?;
+            let value = value.ok_or_else(|| format!("{text} needs a value"))?;
             if values[at].replace(value.into()).is_some() {
-                return Err(Misuse(format!("{text} is given twice")));
+                return Err(format!("{text} is given twice"));
             }
         } else if ["-h", "--help"].contains(&text.as_ref()) {
             return Ok(Request::Help);
@@ -76,9 +66,9 @@ pub fn read<A, const N: usize>(
 }
 
 /// The other words of a command line as files.
-pub fn files(others: Vec<OsString>) -> Result<Vec<PathBuf>, Misuse> {
+pub fn files(others: Vec<OsString>) -> Result<Vec<PathBuf>, String> {
     match others.iter().find(|word| word.to_string_lossy().starts_with('-')) {
-        Some(option) => Err(Misuse(format!("no such option: `{}`", option.to_string_lossy()))),
+        Some(option) => Err(format!("no such option: `{}`", option.to_string_lossy())),
         None => Ok(others.into_iter().map(PathBuf::from).collect()),
     }
 }
@@ -93,11 +83,11 @@ pub fn print(text: &str) -> Result<(), Box<dyn Error>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Misuse, Request, files, read};
+    use super::{Request, files, read};
 
     type Read = ([Option<std::path::PathBuf>; 2], Vec<std::path::PathBuf>);
 
-    fn words(line: &str) -> Result<Request<Read>, Misuse> {
+    fn words(line: &str) -> Result<Request<Read>, String> {
         let words = line.split_whitespace().map(Into::into);
         read(words, ["--csv", "--svg"], |values, others| Ok((values, files(others)?)))
     }
@@ -120,7 +110,7 @@ mod tests {
             ("--svg a --svg b", "--svg is given twice"),
         ] {
             let misuse = words(line).unwrap_err();
-            assert!(misuse.0.contains(named), "{line}: {misuse}");
+            assert!(misuse.contains(named), "{line}: {misuse}");
         }
     }
 }

@@ -40,18 +40,11 @@ mod tests {
 
     #[test]
     fn a_row_a_frame_in_file_order_with_the_digits_of_f32() {
-        let joint = |name: &str, parent, channels| Joint {
-            name: name.into(),
-            parent,
-            offset: [0.0; 3],
-            channels,
-            end_site: false,
-        };
         let clip = Clip {
             title: String::new(),
             joints: vec![
-                joint("a", None, vec![Channel::Rotation(Axis::X)]),
-                joint("b,\"c\"", Some(0), vec![]),
+                Joint::new("a", None, [0.0; 3], vec![Channel::Rotation(Axis::X)]),
+                Joint::new("b,\"c\"", Some(0), [0.0; 3], vec![]),
             ],
             frame_time: 0.008333333,
             values: vec![0.0; 2],

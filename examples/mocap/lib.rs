@@ -2,8 +2,8 @@
 //! time.
 //!
 //! A clip ([`clip`]) comes from the biped ([`biped`]) or a file (`bvh`); `positions` concatenates it
-//! by lanes; `packed` packs it; `table`, `csv` and `svg` show the result. [`command`] and [`output`] serve the example
-//! `compare` as well, and the biped serves tests.
+//! by lanes; `packed` packs it; `table`, `csv` and `svg` show the result. [`command`], [`output`] and
+//! [`svg::rows`] serve other examples as well, and the biped serves tests.
 
 #![allow(missing_docs, reason = "parts of a program")]
 
@@ -16,7 +16,7 @@ mod csv;
 pub mod output;
 mod packed;
 mod positions;
-mod svg;
+pub mod svg;
 mod table;
 
 use std::error::Error;

@@ -2,25 +2,9 @@
 
 use crate::command::print;
 use std::error::Error;
-use std::fmt;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-
-/// A file that could not be written.
-#[derive(Debug)]
-pub struct Unwritable {
-    path: PathBuf,
-    reason: io::Error,
-}
-
-impl fmt::Display for Unwritable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "cannot write {}: {}", self.path.display(), self.reason)
-    }
-}
-
-impl Error for Unwritable {}
 
 /// Files that can be written, and are not changed yet. Those that did not exist are gone again if
 /// nothing comes to be written.
@@ -35,7 +19,7 @@ impl<'a> Outputs<'a> {
     pub fn open(
         paths: impl IntoIterator<Item = &'a Path>,
         input: Option<&Path>,
-    ) -> Result<Self, Unwritable> {
+    ) -> Result<Self, String> {
         let mut outputs = Self { files: Vec::new(), created: Vec::new() };
         let mut taken: Vec<PathBuf> =
             input.and_then(|path| fs::canonicalize(path).ok()).into_iter().collect();
@@ -60,7 +44,7 @@ impl<'a> Outputs<'a> {
     }
 
     /// Writes one text, or bytes, to each.
-    pub fn write(mut self, texts: &[impl AsRef<[u8]>]) -> Result<(), Unwritable> {
+    pub fn write(mut self, texts: &[impl AsRef<[u8]>]) -> Result<(), String> {
         for ((path, file), text) in self.files.iter_mut().zip(texts) {
             if file.metadata().is_ok_and(|metadata| metadata.is_file()) {
                 file.set_len(0).map_err(fails(path))?;
@@ -88,14 +72,13 @@ pub fn write(files: &[(&Path, Vec<u8>)], input: Option<&Path>) -> Result<(), Box
     files.iter().try_for_each(|(path, _)| print(&format!("  wrote {}\n", path.display())))
 }
 
-fn fails(path: &Path) -> impl FnOnce(io::Error) -> Unwritable + use<> {
-    let path = path.to_owned();
-    move |reason| Unwritable { path, reason }
+fn fails(path: &Path) -> impl FnOnce(io::Error) -> String {
+    move |reason| format!("cannot write {}: {reason}", path.display())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Outputs, write};
+    use super::write;
     use std::fs;
     use std::path::PathBuf;
 
@@ -113,17 +96,6 @@ mod tests {
         fs::write(&path, "much longer than what comes").unwrap();
         write(&[(&path, "short".into())], None).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "short");
-        fs::remove_dir_all(directory).unwrap();
-    }
-
-    #[test]
-    fn nothing_written_leaves_no_file_and_changes_none() {
-        let directory = directory("unwritten");
-        let [new, old] = ["new", "old"].map(|name| directory.join(name));
-        fs::write(&old, "before").unwrap();
-        drop(Outputs::open([new.as_path(), &old], None).unwrap());
-        assert!(!new.exists());
-        assert_eq!(fs::read_to_string(&old).unwrap(), "before");
         fs::remove_dir_all(directory).unwrap();
     }
 

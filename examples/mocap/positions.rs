@@ -1,7 +1,6 @@
 //! [`Positions`]: where every joint is in every frame, by lanes, held against double precision.
 
 use std::error::Error;
-use std::fmt;
 
 use dq8::{Crowd, DualQuat, Hierarchy};
 
@@ -26,8 +25,7 @@ impl Positions {
     pub(crate) fn of(clip: &Clip) -> Result<Self, Box<dyn Error>> {
         let parents = clip.parents();
         let hierarchy = Hierarchy::new(&parents)?;
-        let locals = clip.locals();
-        let (singles, origins) = around_roots(clip, &locals);
+        let (singles, origins) = around_roots(clip, &clip.locals());
 
         let joints = parents.len();
         let mut crowd = Crowd::<f32, LANES>::from_slice(joints, &singles)?;
@@ -39,9 +37,7 @@ impl Positions {
         });
         let world: Vec<_> = world.collect();
 
-        let mut models = locals;
-        hierarchy.job().local_to_model_in_place(&mut models)?;
-        let exact: Vec<_> = models.iter().map(|model| model.translation()).collect();
+        let exact: Vec<_> = clip.models()?.iter().map(|model| model.translation()).collect();
         let difference = largest(world.iter().zip(&exact).map(|(&a, &b)| distance(a, b)));
         Ok(Self { size: size(clip, &exact), world, difference })
     }
@@ -61,34 +57,18 @@ impl Positions {
     }
 
     /// Whether the lanes are where double precision says.
-    pub(crate) fn check(&self) -> Result<(), Disagreement> {
+    pub(crate) fn check(&self) -> Result<(), String> {
         // Written so that what is not a number fails: f32 overflows where f64 does not.
         if self.difference <= TOLERANCE * self.size && self.size.is_finite() {
             return Ok(());
         }
-        Err(Disagreement { difference: self.difference, size: self.size })
-    }
-}
-
-/// The lanes are not where double precision says.
-#[derive(Debug)]
-pub(crate) struct Disagreement {
-    difference: f64,
-    size: f64,
-}
-
-impl fmt::Display for Disagreement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { difference, size } = self;
-        write!(
-            f,
+        let Self { difference, size, .. } = self;
+        Err(format!(
             "f32 and f64 differ by {difference:.2e}, more than {TOLERANCE:.0e} of the skeleton's size \
              ({size:.4e}): f32 cannot hold this clip"
-        )
+        ))
     }
 }
-
-impl Error for Disagreement {}
 
 /// The locals for f32, rounded from f64, with every root in the origin; and for each of them where
 /// its root is in the world.
@@ -124,7 +104,7 @@ pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// The largest distance of a joint from its root, in any frame.
-fn size(clip: &Clip, positions: &[[f64; 3]]) -> f64 {
+pub(crate) fn size(clip: &Clip, positions: &[[f64; 3]]) -> f64 {
     let roots = clip.roots();
     let frames = positions.chunks_exact(roots.len());
     let reaches = frames
@@ -153,16 +133,10 @@ mod tests {
 
     /// A root that moves along x and a bone on it.
     fn bone(length: f64, x: f64) -> Clip {
-        let joint = |parent, offset, channels: &[Channel]| Joint {
-            name: String::new(),
-            parent,
-            offset,
-            channels: channels.to_vec(),
-            end_site: false,
-        };
+        let free = vec![Channel::Position(Axis::X), Channel::Rotation(Axis::Z)];
         let joints = vec![
-            joint(None, [0.0; 3], &[Channel::Position(Axis::X), Channel::Rotation(Axis::Z)]),
-            joint(Some(0), [0.0, length, 0.0], &[]),
+            Joint::new("", None, [0.0; 3], free),
+            Joint::new("", Some(0), [0.0, length, 0.0], vec![]),
         ];
         Clip { title: String::new(), joints, frame_time: 1.0, values: vec![x, 90.0] }
     }

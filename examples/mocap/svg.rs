@@ -1,5 +1,5 @@
 //! The clip as a picture: the figure at several moments, a closer look at a second and a half in
-//! the middle, and the path of the root from above.
+//! the middle, and the path of the root from above. [`rows`] are of figures alone, of one or more clips.
 
 mod plan;
 mod scene;
@@ -11,6 +11,7 @@ use std::fmt::{self, Write};
 use std::ops::Range;
 
 use crate::clip::Clip;
+use crate::positions::size;
 use plan::Plan;
 use scene::Scene;
 use side::Side;
@@ -62,34 +63,52 @@ pub(crate) fn picture(
     let scene = Scene::new(clip, positions, size);
     let mut body = String::new();
     draw_heading(&mut body, &scene)?;
-    let below = |top: f64, height| Frame { left: MARGIN, top, width: WIDTH - 2.0 * MARGIN, height };
-
     let all = 0..clip.frames();
     let whole = format!("The whole clip, {} s", short(clip.time(all.end)));
-    caption(&mut body, 160.0, &whole)?;
-    let strip = Strip::new(&scene, all.clone(), FIGURES, below(180.0, 360.0));
-    strip.draw(&mut body)?;
-    let mut top = strip.area.bottom() + 70.0;
-
+    let strip = Strip::new(&scene, all.clone(), below(180.0, 360.0));
+    let mut top = row(&mut body, &strip, &whole)?;
     if let Some(part) = closer_look(clip) {
         let [from, to] = [part.start, part.end].map(|frame| short(clip.time(frame)));
-        caption(&mut body, top, &format!("A closer look, from {from} s to {to} s"))?;
-        let strip = Strip::new(&scene, part, FIGURES, below(top + 20.0, 360.0));
-        strip.draw(&mut body)?;
-        top = strip.area.bottom() + 70.0;
+        let part = Strip::new(&scene, part, below(top + 20.0, 360.0));
+        top = row(&mut body, &part, &format!("A closer look, from {from} s to {to} s"))?;
     }
 
     caption(&mut body, top, "The path of the root, from above")?;
     let plan = Plan::new(&scene, all, below(top + 25.0, 200.0));
     plan.draw(&mut body, &strip.moments)?;
+    Ok(page(plan.area.bottom() + 50.0, &body))
+}
 
-    let height = plan.area.bottom() + 50.0;
+/// The figures of some clips, a row below the other, each with a caption and positions in the world, `[frame][joint]`.
+pub fn rows(clips: &[(&str, &Clip, &[[f64; 3]])]) -> Result<String, fmt::Error> {
+    let (mut body, mut top) = (String::new(), 60.0);
+    for (caption, clip, positions) in clips {
+        let scene = Scene::new(clip, positions, size(clip, positions));
+        let frames = 0..positions.len() / clip.joints.len();
+        top = row(&mut body, &Strip::new(&scene, frames, below(top + 20.0, 360.0)), caption)?;
+    }
+    Ok(page(top, &body))
+}
+
+fn page(height: f64, body: &str) -> String {
     let view_box = format!("0 0 {WIDTH} {height:.0}");
-    Ok(format!(
+    format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{view_box}\" \
          width=\"{WIDTH}\" height=\"{height:.0}\">\n<style>{STYLE}</style>\n\
          <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{body}</svg>\n"
-    ))
+    )
+}
+
+/// As wide as there is room.
+fn below(top: f64, height: f64) -> Frame {
+    Frame { left: MARGIN, top, width: WIDTH - 2.0 * MARGIN, height }
+}
+
+/// A row of figures below its caption; gives back where the next caption may stand.
+fn row(out: &mut String, strip: &Strip<'_>, text: &str) -> Result<f64, fmt::Error> {
+    caption(out, strip.area.top - 20.0, text)?;
+    strip.draw(out)?;
+    Ok(strip.area.bottom() + 70.0)
 }
 
 /// Title and legend.
@@ -205,13 +224,8 @@ mod tests {
 
     #[test]
     fn clips_without_extent_are_drawn_too() {
-        let joint = Joint {
-            name: "a < b & \"c\"".into(),
-            parent: None,
-            offset: [0.0; 3],
-            channels: vec![Channel::Position(Axis::X)],
-            end_site: false,
-        };
+        let along = vec![Channel::Position(Axis::X)];
+        let joint = Joint::new("a < b & \"c\"", None, [0.0; 3], along);
         for frames in [1, 2, 3000] {
             for far in [0.0, 1e-30, 7.0, 1e30] {
                 let values: Vec<f64> = (0..frames).map(|frame| far * f64::from(frame)).collect();

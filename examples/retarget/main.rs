@@ -15,7 +15,7 @@ mod scene;
 mod track;
 
 use dq8_robot::urdf::Robot;
-use mocap::command::{self, Misuse, Request, files, print, read};
+use mocap::command::{self, Request, files, print, read};
 use mocap::output;
 use scene::Scene;
 use std::error::Error;
@@ -43,13 +43,13 @@ struct Args {
     svg: Option<PathBuf>,
 }
 
-fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
+fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
     read(words, ["--map", "--rate", "--csv", "--svg"], |[map, rate, csv, svg], others| {
         let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
-            .map_err(|files| Misuse(format!("two files are needed, and {} given", files.len())))?;
+            .map_err(|files| format!("two files are needed, and {} given", files.len()))?;
         let text = rate.as_deref().map_or("30".into(), Path::to_string_lossy);
         let rate = text.parse().ok().filter(|rate: &f64| *rate > 0.0 && rate.is_finite());
-        let rate = rate.ok_or_else(|| Misuse(format!("--rate is no rate: {text:?}")))?;
+        let rate = rate.ok_or_else(|| format!("--rate is no rate: {text:?}"))?;
         Ok(Args { robot, clip, map, rate, csv, svg })
     })
 }

@@ -1,8 +1,9 @@
 //! How well a motion follows its targets, and how smoothly.
 
 use crate::map::ROLES;
-use crate::scene::{Scene, norm, sub};
+use crate::scene::Scene;
 use dq8::DualQuat;
+use dq8::scalar::vector::{norm, sub};
 use std::error::Error;
 
 pub(crate) struct Quality {

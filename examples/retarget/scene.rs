@@ -1,6 +1,7 @@
 //! The clip and the robot in one world: where each part should be in each frame.
 
 use crate::map::{Place, ROLES};
+use dq8::scalar::vector::{add, cross, dot, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
 use dq8_robot::ik::{Goal, Options, OwnedReach};
 use dq8_robot::urdf::Robot;
@@ -33,12 +34,12 @@ impl Scene {
     ) -> Result<Self, Box<dyn Error>> {
         let stride = (1.0 / (rate * clip.frame_time)).round().max(1.0) as usize;
         let still = Clip { values: vec![0.0; clip.channels()], ..clip.clone() };
-        let unturned = positions(&world(&still));
+        let unturned = positions(&still.models()?);
         let axes = facing(&places, &unturned);
         let rest: Vec<_> = unturned.iter().map(|&place| axes.rotate(place)).collect();
         let stance = Stance::new(&robot, &places, &rest)?;
 
-        let all = world(&clip);
+        let all = clip.models()?;
         let (mut targets, mut skeleton) = (Vec::new(), Vec::new());
         // Many files begin with the skeleton at rest, and then jump into the motion.
         let first = usize::from(jumps(&all, clip.joints.len()));
@@ -48,7 +49,7 @@ impl Scene {
             let places_now: Vec<_> =
                 poses.iter().map(|pose| axes.rotate(pose.translation())).collect();
             targets.extend(stance.targets(&places, &rest, &places_now, &turns));
-            skeleton.extend(places_now.iter().map(|&place| scaled(place, stance.size)));
+            skeleton.extend(places_now.iter().map(|&place| scale(place, stance.size)));
         }
         let goals = places.iter().zip(&stance.points).map(|(place, &point)| {
             let [rotation, position] = ROLES[place.role].weights;
@@ -123,7 +124,7 @@ impl Stance {
             let bone = sub(rest[place.joint], rest[places[on].joint]);
             if ROLES[place.role].is_limb && norm(bone) > 0.0 {
                 lengths = [lengths[0] + norm(way), lengths[1] + norm(bone)];
-                way = scaled(bone, norm(way) / norm(bone));
+                way = scale(bone, norm(way) / norm(bone));
             }
             wanted.push(add(wanted[on], way));
         }
@@ -168,7 +169,7 @@ impl Stance {
         let mut targets: Vec<DualQuat<f64>> = Vec::new();
         for (index, place) in places.iter().enumerate() {
             let at = match carrier(places, index) {
-                None => scaled(now[place.joint], self.size),
+                None => scale(now[place.joint], self.size),
                 Some(on) => {
                     let from = places[on].joint;
                     let bone = sub(rest[place.joint], rest[from]);
@@ -180,7 +181,7 @@ impl Stance {
                         (turn, stretch) = (arc * turn, norm(there) / norm(bone));
                     }
                     let way = turn.rotate(sub(self.at[index], self.at[on]));
-                    add(targets[on].translation(), scaled(way, stretch))
+                    add(targets[on].translation(), scale(way, stretch))
                 }
             };
             let turn = turns[place.joint] * self.turns[index];
@@ -220,25 +221,8 @@ fn facing(places: &[Place], rest: &[Vector]) -> Quat<f64> {
     // The axis of the file that is nearest to up: spines lean.
     let largest = (0..3).max_by(|&a, &b| up[a].abs().total_cmp(&up[b].abs())).unwrap_or(1);
     up = core::array::from_fn(|axis| if axis == largest { up[axis].signum() } else { 0.0 });
-    let along: f64 = left.iter().zip(up).map(|(a, b)| a * b).sum();
-    let left = unit(sub(left, scaled(up, along)));
-    let [a, b, c] = left;
-    let [x, y, z] = up;
-    let forward = [b * z - c * y, c * x - a * z, a * y - b * x];
-    Quat::from_matrix3([forward, left, up]).normalize()
-}
-
-/// Poses of the joints of all frames.
-fn world(clip: &Clip) -> Vec<DualQuat<f64>> {
-    let mut poses = clip.locals();
-    for frame in poses.chunks_exact_mut(clip.joints.len()) {
-        for (index, joint) in clip.joints.iter().enumerate() {
-            if let Some(parent) = joint.parent {
-                frame[index] = frame[parent] * frame[index];
-            }
-        }
-    }
-    poses
+    let left = unit(sub(left, scale(up, dot(left, up))));
+    Quat::from_matrix3([cross(left, up), left, up]).normalize()
 }
 
 /// Whether the second frame is ten times as far from the first as from the third.
@@ -258,22 +242,6 @@ fn positions(poses: &[DualQuat<f64>]) -> Vec<Vector> {
     poses.iter().map(|pose| pose.translation()).collect()
 }
 
-fn add(a: Vector, b: Vector) -> Vector {
-    core::array::from_fn(|axis| a[axis] + b[axis])
-}
-
-pub(crate) fn sub(a: Vector, b: Vector) -> Vector {
-    core::array::from_fn(|axis| a[axis] - b[axis])
-}
-
-fn scaled(a: Vector, size: f64) -> Vector {
-    a.map(|number| number * size)
-}
-
-pub(crate) fn norm([x, y, z]: Vector) -> f64 {
-    x.hypot(y).hypot(z)
-}
-
 fn unit(a: Vector) -> Vector {
-    scaled(a, 1.0 / norm(a))
+    over_norm(a, norm(a))
 }

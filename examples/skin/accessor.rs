@@ -1,6 +1,5 @@
 //! What lies in the buffers of a file, every place checked.
 
-use crate::error::Error;
 use gltf::accessor::sparse::IndexType;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::View;
@@ -10,9 +9,9 @@ pub(crate) fn read<const N: usize>(
     buffers: &[Vec<u8>],
     accessor: &gltf::Accessor<'_>,
     dimensions: Dimensions,
-) -> Result<Vec<[f64; N]>, Error> {
+) -> Result<Vec<[f64; N]>, String> {
     let place = format!("accessor {}", accessor.index());
-    let fail = |what: String| Error(format!("{place}: {what}"));
+    let fail = |what: String| format!("{place}: {what}");
     if accessor.dimensions() != dimensions {
         return Err(fail(format!("{:?}, not {dimensions:?}", accessor.dimensions())));
     }
@@ -62,8 +61,8 @@ fn slice<'b>(
     stride: usize,
     size: usize,
     place: &str,
-) -> Result<&'b [u8], Error> {
-    let short = || Error(format!("{place}: it ends beyond view {}", view.index()));
+) -> Result<&'b [u8], String> {
+    let short = || format!("{place}: it ends beyond view {}", view.index());
     let length = match count.checked_sub(1) {
         None => 0,
         Some(last) => {
@@ -74,7 +73,7 @@ fn slice<'b>(
     let buffer = buffers.get(view.buffer().index());
     let whole = view.offset().checked_add(view.length());
     let bytes = buffer.and_then(|buffer| buffer.get(view.offset()..whole?));
-    let beyond = || Error(format!("{place}: view {} ends beyond its buffer", view.index()));
+    let beyond = || format!("{place}: view {} ends beyond its buffer", view.index());
     Ok(&bytes.ok_or_else(beyond)?[offset..end])
 }
 

@@ -1,5 +1,3 @@
-use crate::error::Error;
-
 /// The columns of the identity.
 pub(crate) const IDENTITY: [[f64; 4]; 4] =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
@@ -20,11 +18,11 @@ impl Bones {
 }
 
 /// Columns whose last row is exactly 0 0 0 1. Exporters that invert matrices leave rounding there.
-pub(crate) fn affine(mut columns: [[f64; 4]; 4]) -> Result<[[f64; 4]; 4], Error> {
+pub(crate) fn affine(mut columns: [[f64; 4]; 4]) -> Result<[[f64; 4]; 4], String> {
     for (column, identity) in columns.iter_mut().zip(IDENTITY) {
         let near = (column[3] - identity[3]).abs() <= 1e-5;
         if !near {
-            return Err(Error(format!("{} in its last row, which must be 0 0 0 1", column[3])));
+            return Err(format!("{} in its last row, which must be 0 0 0 1", column[3]));
         }
         column[3] = identity[3];
     }

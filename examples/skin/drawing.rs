@@ -1,4 +1,6 @@
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, corners};
+use dq8::Quat;
+use dq8::scalar::vector::{cross, norm, sub};
 use dq8_fixtures::legible::wrapped;
 use std::fmt::Write;
 
@@ -10,11 +12,13 @@ const LETTERS: f64 = 13.0;
 const LINE: f64 = 17.0;
 const AROUND: f64 = 8.0;
 
+pub(crate) type Triangle = [[f64; 3]; 3];
+
 /// One picture of an SVG: triangles in the world, y up, seen along −z and a little from the side and above.
 #[derive(Debug)]
 pub(crate) struct Panel {
     pub(crate) title: String,
-    pub(crate) triangles: Vec<[[f64; 3]; 3]>,
+    pub(crate) triangles: Vec<Triangle>,
 }
 
 impl Panel {
@@ -27,25 +31,14 @@ impl Panel {
     }
 }
 
-fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
-    let (sin, cos) = 0.5_f64.sin_cos();
-    let (x, z) = (cos * x + sin * z, cos * z - sin * x);
-    let (sin, cos) = 0.3_f64.sin_cos();
-    [x, cos * y - sin * z, sin * y + cos * z]
-}
-
 /// The panels row by row, all on one scale; the nearest triangles last.
 pub(crate) fn svg(panels: &[Panel]) -> String {
-    let seen: Vec<Vec<_>> = panels
-        .iter()
-        .map(|panel| panel.triangles.iter().map(|t| t.map(turned)).collect())
-        .collect();
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for point in seen.iter().flatten().flatten() {
-        for c in 0..2 {
-            (low[c], high[c]) = (low[c].min(point[c]), high[c].max(point[c]));
-        }
-    }
+    let turn = Quat::from_rotation_x(0.3) * Quat::from_rotation_y(0.5);
+    let seen = panels.iter().map(|panel| {
+        panel.triangles.iter().map(|corners| corners.map(|point| turn.rotate(point))).collect()
+    });
+    let seen: Vec<Vec<_>> = seen.collect();
+    let [low, high] = corners(seen.iter().flatten().flatten());
     let extent = (high[0] - low[0]).max(high[1] - low[1]).max(1e-9);
     let scale = 0.85 * SIZE / extent;
     let titles: Vec<_> = panels
@@ -69,7 +62,7 @@ pub(crate) fn svg(panels: &[Panel]) -> String {
             let x = middle + scale * (x - (low[0] + high[0]) / 2.0);
             (x, top + SIZE / 2.0 - scale * (y - (low[1] + high[1]) / 2.0))
         };
-        let depth = |t: &[[f64; 3]; 3]| t[0][2] + t[1][2] + t[2][2];
+        let depth = |t: &Triangle| t[0][2] + t[1][2] + t[2][2];
         triangles.sort_by(|a, b| depth(a).total_cmp(&depth(b)));
         for (line, title) in title.iter().enumerate() {
             let title = title.replace('&', "&amp;").replace('<', "&lt;");
@@ -95,11 +88,9 @@ pub(crate) fn svg(panels: &[Panel]) -> String {
 }
 
 /// How much a triangle faces whoever looks, from 0 to 1.
-fn facing([a, b, c]: &[[f64; 3]; 3]) -> f64 {
-    let edge = |to: &[f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
-    let ([ux, uy, uz], [vx, vy, vz]) = (edge(b), edge(c));
-    let normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
+fn facing([a, b, c]: &Triangle) -> f64 {
+    let normal = cross(sub(*b, *a), sub(*c, *a));
+    let length = norm(normal);
     if length > 0.0 { (normal[2] / length).abs() } else { 0.0 }
 }
 

@@ -1,6 +1,6 @@
 use crate::accessor::read;
 use crate::bones::{Bones, IDENTITY, affine};
-use crate::error::Error;
+use crate::error::at;
 use crate::json::Json;
 use crate::mesh::Mesh;
 use crate::pose::{Animation, Local};
@@ -9,12 +9,11 @@ use dq8::representation::Affine;
 use gltf::accessor::Dimensions;
 use gltf::buffer::Source;
 use gltf::json::validation::Checked;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A glTF file with its buffers.
 #[derive(Debug)]
 pub(crate) struct File {
-    path: PathBuf,
     document: gltf::Document,
     buffers: Vec<Vec<u8>>,
     /// For each animation, the numbers of its channels in the file.
@@ -25,18 +24,18 @@ pub(crate) struct File {
 }
 
 impl File {
-    pub(crate) fn open(path: &Path) -> Result<Self, Error> {
-        let bytes = std::fs::read(path).map_err(|error| Error::at(path, error))?;
-        Self::parse(path, &bytes).map_err(|error| Error::at(path, error))
+    pub(crate) fn open(path: &Path) -> Result<Self, String> {
+        let bytes = std::fs::read(path).map_err(|error| at(path, error))?;
+        Self::parse(path, &bytes).map_err(|error| at(path, error))
     }
 
-    pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Self, Error> {
+    pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Self, String> {
         let (json, mut blob) = match bytes {
             [b'g', b'l', b'T', b'F', 1, 0, 0, 0, ..] => {
-                return Err(Error("glTF 1.0: only glTF 2.0 is read".into()));
+                return Err("glTF 1.0: only glTF 2.0 is read".into());
             }
             [b'g', b'l', b'T', b'F', ..] => {
-                let glb = gltf::Glb::from_slice(bytes).map_err(|error| Error(error.to_string()))?;
+                let glb = gltf::Glb::from_slice(bytes).map_err(|error| error.to_string())?;
                 (Json::read(&glb.json)?, glb.bin.map(|bytes| bytes.into_owned()))
             }
             _ => (Json::read(bytes)?, None),
@@ -45,7 +44,7 @@ impl File {
         let document = gltf::Document::from_json_without_validation(root);
         let mut buffers = Vec::new();
         for buffer in document.buffers() {
-            let place = |what: String| Error(format!("buffer {}: {what}", buffer.index()));
+            let place = |what: String| format!("buffer {}: {what}", buffer.index());
             let bytes = match buffer.source() {
                 Source::Bin => blob.take().ok_or_else(|| place("the file has no bytes".into()))?,
                 Source::Uri(uri) => match uri::data(uri) {
@@ -65,11 +64,11 @@ impl File {
         }
         let nodes = document.nodes().map(|node| Local::of(&node)).collect::<Result<_, _>>()?;
         let order = order(&document)?;
-        Ok(Self { path: path.into(), document, buffers, channels, nodes, order })
+        Ok(Self { document, buffers, channels, nodes, order })
     }
 
     /// The animation of this name or number, the first one without, or rest.
-    pub(crate) fn animation(&self, name: Option<&str>) -> Result<Animation, Error> {
+    pub(crate) fn animation(&self, name: Option<&str>) -> Result<Animation, String> {
         let mut all = self.document.animations();
         let found = match name {
             None => match all.next() {
@@ -85,11 +84,9 @@ impl File {
                     .animations()
                     .map(|a| a.name().unwrap_or("?").to_owned())
                     .collect();
-                let none = || {
-                    let names = names.join(", ");
-                    Error::at(&self.path, format!("no animation {name}; there are: {names}"))
-                };
-                all.find(is).ok_or_else(none)?
+                all.find(is).ok_or_else(|| {
+                    format!("no animation {name}; there are: {}", names.join(", "))
+                })?
             }
         };
         // The crate gltf does not check these.
@@ -105,11 +102,9 @@ impl File {
                 }
                 _ => continue,
             };
-            let place = format!("animation {}, channel {channel}", found.index());
-            return Err(Error::at(&self.path, format!("{place}: {what}")));
+            return Err(format!("animation {}, channel {channel}: {what}", found.index()));
         }
         Animation::read(&self.buffers, &found, numbers)
-            .map_err(|error| Error::at(&self.path, error))
     }
 
     /// The maps of all nodes into their parents.
@@ -122,47 +117,44 @@ impl File {
         &self,
         animation: &Animation,
         time: f64,
-    ) -> Result<Vec<Affine<f64>>, Error> {
+    ) -> Result<Vec<Affine<f64>>, String> {
         let mut worlds = self.locals(animation, time);
         for &(node, parent) in &self.order {
             if let Some(parent) = parent {
                 worlds[node] = worlds[parent] * worlds[node];
             }
             if worlds[node].to_matrix3x4().as_flattened().iter().any(|c| !c.is_finite()) {
-                let what = format!("node {node} is nowhere at {time} s");
-                return Err(Error::at(&self.path, what));
+                return Err(format!("node {node} is nowhere at {time} s"));
             }
         }
         Ok(worlds)
     }
 
     /// The meshes of the scene, in the order of nodes and primitives. One without a skin follows its node.
-    pub(crate) fn meshes(&self) -> Result<Vec<Mesh>, Error> {
+    pub(crate) fn meshes(&self) -> Result<Vec<Mesh>, String> {
         let mut meshes = Vec::new();
         let seen = self.seen();
         for node in self.document.nodes().filter(|node| seen[node.index()]) {
             let Some(mesh) = node.mesh() else { continue };
             let bones = match node.skin() {
-                Some(skin) => self.bones(&skin).map_err(|Error(what)| {
-                    Error::at(&self.path, format!("skin {}: {what}", skin.index()))
-                })?,
+                Some(skin) => {
+                    self.bones(&skin).map_err(|what| format!("skin {}: {what}", skin.index()))?
+                }
                 None => Bones::node(node.index()),
             };
             for primitive in mesh.primitives() {
                 let read = Mesh::read(&self.buffers, &primitive, &bones, node.skin().is_some());
                 let place = format!("mesh {}, primitive {}", mesh.index(), primitive.index());
-                meshes.push(
-                    read.map_err(|Error(what)| Error::at(&self.path, format!("{place}: {what}")))?,
-                );
+                meshes.push(read.map_err(|what| format!("{place}: {what}"))?);
             }
         }
         if meshes.is_empty() {
-            return Err(Error::at(&self.path, "its scene has no mesh"));
+            return Err("its scene has no mesh".into());
         }
         Ok(meshes)
     }
 
-    fn bones(&self, skin: &gltf::Skin<'_>) -> Result<Bones, Error> {
+    fn bones(&self, skin: &gltf::Skin<'_>) -> Result<Bones, String> {
         let nodes: Vec<_> = skin.joints().map(|joint| joint.index()).collect();
         let Some(accessor) = skin.inverse_bind_matrices() else {
             return Ok(Bones { inverse_binds: vec![IDENTITY; nodes.len()], nodes });
@@ -170,12 +162,12 @@ impl File {
         let read = read::<16>(&self.buffers, &accessor, Dimensions::Mat4)?;
         if read.len() < nodes.len() {
             let (have, need) = (read.len(), nodes.len());
-            return Err(Error(format!("{have} inverse binds for {need} joints")));
+            return Err(format!("{have} inverse binds for {need} joints"));
         }
         let mut inverse_binds = Vec::new();
         for (joint, matrix) in read[..nodes.len()].iter().enumerate() {
             let columns = core::array::from_fn(|c| core::array::from_fn(|r| matrix[4 * c + r]));
-            let place = |Error(what)| Error(format!("inverse bind {joint}: {what}"));
+            let place = |what| format!("inverse bind {joint}: {what}");
             inverse_binds.push(affine(columns).map_err(place)?);
         }
         Ok(Bones { nodes, inverse_binds })
@@ -199,14 +191,14 @@ impl File {
 }
 
 /// All nodes, parents before children.
-fn order(document: &gltf::Document) -> Result<Vec<(usize, Option<usize>)>, Error> {
+fn order(document: &gltf::Document) -> Result<Vec<(usize, Option<usize>)>, String> {
     let count = document.nodes().len();
     let mut parents = vec![None; count];
     for node in document.nodes() {
         for child in node.children() {
             if let Some(other) = parents[child.index()].replace(node.index()) {
                 let (child, node) = (child.index(), node.index());
-                return Err(Error(format!("node {child} is a child of {other} and of {node}")));
+                return Err(format!("node {child} is a child of {other} and of {node}"));
             }
         }
     }
@@ -224,7 +216,7 @@ fn order(document: &gltf::Document) -> Result<Vec<(usize, Option<usize>)>, Error
         reached[node] = true;
     }
     match reached.iter().position(|reached| !reached) {
-        Some(node) => Err(Error(format!("node {node} is an ancestor of itself, or below one"))),
+        Some(node) => Err(format!("node {node} is an ancestor of itself, or below one")),
         None => Ok(order),
     }
 }

@@ -1,7 +1,6 @@
 //! The JSON of a file: what poses vertices, as the crate gltf can read it. The crate refuses much that moves no vertex:
 //! attributes and `extras` of applications, textures without a source, channels without a node, accessors without a view.
 
-use crate::error::Error;
 use crate::refused;
 use gltf::json::validation::{Error as Fault, Validate};
 use gltf::json::{Path, Root, Value, deserialize};
@@ -16,8 +15,8 @@ pub(crate) struct Json {
 
 impl Json {
     /// Structure and indices are checked.
-    pub(crate) fn read(bytes: &[u8]) -> Result<Self, Error> {
-        let fail = |error: gltf::json::Error| Error(error.to_string());
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self, String> {
+        let fail = |error: gltf::json::Error| error.to_string();
         let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
         let mut value: Value = deserialize::from_slice(bytes).map_err(fail)?;
         check_version(&value)?;
@@ -38,7 +37,7 @@ fn array<'v>(value: &'v mut Value, name: &str) -> impl Iterator<Item = &'v mut V
 }
 
 /// The elements of glTF 1.0 are named and not numbered.
-fn check_version(value: &Value) -> Result<(), Error> {
+fn check_version(value: &Value) -> Result<(), String> {
     let version = value.pointer("/asset/version").map(|version| match version {
         Value::String(text) => text.clone(),
         other => other.to_string(),
@@ -49,7 +48,7 @@ fn check_version(value: &Value) -> Result<(), Error> {
         None => return Ok(()),
     };
     let two = version.trim().split('.').next() == Some("2");
-    if two { Ok(()) } else { Err(Error(format!("glTF {version}: only glTF 2.0 is read"))) }
+    if two { Ok(()) } else { Err(format!("glTF {version}: only glTF 2.0 is read")) }
 }
 
 /// Leaves out what moves no joint: channels without a node "should be ignored" (glTF 2.0, §3.11), and those of a pointer are an
@@ -105,7 +104,7 @@ fn strip_extras(value: &mut Value) {
 
 /// But for the bounds of positions, which are not needed, for accessors without a view, which are zeros (glTF 2.0,
 /// §3.6.2.1), and for extensions, of which there is a list of our own.
-fn validate(root: &Root) -> Result<(), Error> {
+fn validate(root: &Root) -> Result<(), String> {
     let mut faults = String::new();
     root.validate(root, Path::new, &mut |path, fault| {
         let path = path().to_string();
@@ -115,5 +114,5 @@ fn validate(root: &Root) -> Result<(), Error> {
             faults += &format!(" {path}: {fault};");
         }
     });
-    if faults.is_empty() { Ok(()) } else { Err(Error(format!("invalid glTF:{faults}"))) }
+    if faults.is_empty() { Ok(()) } else { Err(format!("invalid glTF:{faults}")) }
 }

@@ -12,7 +12,6 @@
 //! X is the share of `dlb`, the default method, in [0, 1]. What else would put vertices somewhere is an error that names the
 //! mesh: weights of morph targets that are not zero, compressed meshes, instances. What moves no vertex (materials, textures,
 //! cameras, data of applications) is not looked at.
-#![allow(clippy::print_stdout, reason = "a program")]
 
 mod accessor;
 mod args;
@@ -37,45 +36,33 @@ mod tube;
 mod uri;
 
 use args::Args;
-use error::Error;
+use error::at;
+use mocap::command;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     // What panics is reported as an error.
     std::panic::set_hook(Box::new(|_| ()));
-    if std::env::args().skip(1).any(|word| word == "-h" || word == "--help") {
-        println!("{}", args::USAGE);
-        return ExitCode::SUCCESS;
-    }
-    let result = Args::parse(std::env::args().skip(1)).and_then(|args| {
+    command::execute("skin", args::USAGE, args::parse, |args| {
         let file = args.file.clone().unwrap_or_default();
-        error::guarded(&file, || run(&args))
-    });
-    match result {
-        Ok(report) => {
-            print!("{report}");
-            ExitCode::SUCCESS
-        }
-        Err(error) => {
-            eprintln!("skin: {error}");
-            ExitCode::FAILURE
-        }
-    }
+        command::print(&error::guarded(&file, || run(args))?)
+    })
 }
 
 /// What is to be printed.
-fn run(args: &Args) -> Result<String, Error> {
+fn run(args: &Args) -> Result<String, String> {
     let Some(path) = &args.file else {
-        let (report, svg) = tube::report()?;
+        let (report, svg) = tube::report().map_err(|error| error.to_string())?;
         let to = args.svg.clone().unwrap_or_else(|| "skin.svg".into());
         error::write(&to, &svg)?;
         return Ok(format!("{report}{} written\n", to.display()));
     };
     let file = file::File::open(path)?;
-    let animation = file.animation(args.animation.as_deref())?;
+    let of_file = |error| at(path, error);
+    let animation = file.animation(args.animation.as_deref()).map_err(of_file)?;
     let times = args.times.clone().unwrap_or_else(|| animation.times());
     if let Some(directory) = &args.obj {
-        std::fs::create_dir_all(directory).map_err(|error| Error::at(directory, error))?;
+        std::fs::create_dir_all(directory).map_err(|error| at(directory, error))?;
     }
     let mut report = String::new();
     if let Some(to) = &args.pack {
@@ -83,15 +70,17 @@ fn run(args: &Args) -> Result<String, Error> {
         error::write(to, packed.as_bytes())?;
         report += &text;
     }
-    let (mut panels, meshes) = (Vec::new(), file.meshes()?);
+    let (mut panels, meshes) = (Vec::new(), file.meshes().map_err(of_file)?);
     for (index, &time) in times.iter().enumerate() {
-        let worlds = file.worlds(&animation, time)?;
+        let worlds = file.worlds(&animation, time).map_err(of_file)?;
         let mut posed = Vec::new();
         for mesh in &meshes {
             posed.push(mesh.pose(&worlds, args.method)?);
         }
         let vertices: usize = posed.iter().map(Vec::len).sum();
-        report += &format!("{time:8.3} s: {vertices} vertices, {}\n", mesh::bounds(&posed));
+        let [low, high] = mesh::corners(posed.iter().flatten())
+            .map(|[x, y, z]| format!("({x:.3}, {y:.3}, {z:.3})"));
+        report += &format!("{time:8.3} s: {vertices} vertices, {low} … {high}\n");
         if let Some(directory) = &args.obj {
             let to = directory.join(format!("pose-{index:03}.obj"));
             error::write(&to, obj::text(time, &meshes, &posed))?;

@@ -1,7 +1,6 @@
 use crate::accessor::read;
 use crate::args::Method;
 use crate::bones::Bones;
-use crate::error::Error;
 use dq8::skinning::{
     Linear, Mixed, Skin, SkinningError, StretchedDualBlend, Surface, SurfaceMut, matrix_palette,
     split_palette,
@@ -29,7 +28,7 @@ impl Mesh {
         primitive: &gltf::Primitive<'_>,
         bones: &Bones,
         skinned: bool,
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, String> {
         let positions = read(buffers, &get(primitive, &Semantic::Positions)?, Dimensions::Vec3)?;
         let (influences, influence_joints, weights) = if skinned {
             influences(buffers, primitive, positions.len())?
@@ -44,7 +43,7 @@ impl Mesh {
             None => (0..positions.len()).collect::<Vec<_>>(),
         };
         if let Some(&index) = indices.iter().find(|&&index| index >= positions.len()) {
-            return Err(Error(format!("index {index} of {} vertices", positions.len())));
+            return Err(format!("index {index} of {} vertices", positions.len()));
         }
         let mesh = Self {
             place: format!("primitive {}", primitive.index()),
@@ -55,7 +54,7 @@ impl Mesh {
             positions,
             triangles: triangles(primitive.mode(), &indices),
         };
-        mesh.skin().map_err(|error| Error(error.to_string()))?;
+        mesh.skin().map_err(|error| error.to_string())?;
         Ok(mesh)
     }
 
@@ -68,8 +67,8 @@ impl Mesh {
         &self,
         worlds: &[Affine<f64>],
         method: Method,
-    ) -> Result<Vec<[f64; 3]>, Error> {
-        self.try_pose(worlds, method).map_err(|error| Error(format!("{}: {error}", self.place)))
+    ) -> Result<Vec<[f64; 3]>, String> {
+        self.try_pose(worlds, method).map_err(|error| format!("{}: {error}", self.place))
     }
 
     fn try_pose(
@@ -109,8 +108,8 @@ impl Mesh {
 fn get<'a>(
     primitive: &gltf::Primitive<'a>,
     semantic: &Semantic,
-) -> Result<gltf::Accessor<'a>, Error> {
-    primitive.get(semantic).ok_or_else(|| Error(format!("no {semantic:?}")))
+) -> Result<gltf::Accessor<'a>, String> {
+    primitive.get(semantic).ok_or_else(|| format!("no {semantic:?}"))
 }
 
 /// How many influences a vertex has, of all their sets, the joints and the weights.
@@ -118,7 +117,7 @@ fn influences(
     buffers: &[Vec<u8>],
     primitive: &gltf::Primitive<'_>,
     vertices: usize,
-) -> Result<(usize, Vec<u16>, Vec<f64>), Error> {
+) -> Result<(usize, Vec<u16>, Vec<f64>), String> {
     let sets = (0..).take_while(|&set| primitive.get(&Semantic::Joints(set)).is_some()).count();
     let sets = u32::try_from(sets.max(1)).unwrap_or(1);
     let influences = 4 * sets as usize;
@@ -127,13 +126,13 @@ fn influences(
     for set in 0..sets {
         let joint = get(primitive, &Semantic::Joints(set))?;
         if !matches!(joint.data_type(), DataType::U8 | DataType::U16) {
-            return Err(Error(format!("JOINTS_{set} of type {:?}", joint.data_type())));
+            return Err(format!("JOINTS_{set} of type {:?}", joint.data_type()));
         }
         let of = read::<4>(buffers, &joint, Dimensions::Vec4)?;
         let by = read::<4>(buffers, &get(primitive, &Semantic::Weights(set))?, Dimensions::Vec4)?;
         for (what, length) in [("JOINTS", of.len()), ("WEIGHTS", by.len())] {
             if length != vertices {
-                return Err(Error(format!("{length} {what}_{set} for {vertices} vertices")));
+                return Err(format!("{length} {what}_{set} for {vertices} vertices"));
             }
         }
         for (vertex, (of, by)) in of.into_iter().zip(by).enumerate() {
@@ -163,13 +162,8 @@ fn triangles(mode: Mode, indices: &[usize]) -> Vec<[usize; 3]> {
 }
 
 /// The bounding box.
-pub(crate) fn bounds(posed: &[Vec<[f64; 3]>]) -> String {
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in posed.iter().flatten() {
-        for c in 0..3 {
-            (low[c], high[c]) = (low[c].min(point[c]), high[c].max(point[c]));
-        }
-    }
-    let corner = |[x, y, z]: [f64; 3]| format!("({x:.3}, {y:.3}, {z:.3})");
-    format!("{} … {}", corner(low), corner(high))
+pub(crate) fn corners<'p>(points: impl Iterator<Item = &'p [f64; 3]>) -> [[f64; 3]; 2] {
+    points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], point| {
+        [[0, 1, 2].map(|c| low[c].min(point[c])), [0, 1, 2].map(|c| high[c].max(point[c]))]
+    })
 }

@@ -1,6 +1,5 @@
 //! An animation packed for the run time: all nodes, 30 frames a second.
 
-use crate::error::Error;
 use crate::file::File;
 use crate::pose::Animation;
 use dq8::hierarchy::{PackedClip, Tolerance};
@@ -8,7 +7,7 @@ use dq8::hierarchy::{PackedClip, Tolerance};
 const RATE: f64 = 30.0;
 
 /// The clip and what there is to say of it. Nodes that scale cannot be packed.
-pub(crate) fn pack(file: &File, animation: &Animation) -> Result<(PackedClip, String), Error> {
+pub(crate) fn pack(file: &File, animation: &Animation) -> Result<(PackedClip, String), String> {
     // From the first frame to the one at or after the end.
     let count = (animation.end() * RATE).ceil() as usize + 1;
     let (mut keys, mut joints) = (Vec::new(), 0);
@@ -18,20 +17,18 @@ pub(crate) fn pack(file: &File, animation: &Animation) -> Result<(PackedClip, St
         for (node, local) in locals.iter().enumerate() {
             let (motion, stretch) = local
                 .try_decompose()
-                .map_err(|error| Error(format!("node {node} in frame {frame}: {error}")))?;
+                .map_err(|error| format!("node {node} in frame {frame}: {error}"))?;
             let scales =
                 (0..3).any(|i| (0..3).any(|k| (stretch[i][k] - f64::from(i == k)).abs() > 1e-4));
             if scales {
-                return Err(Error(format!(
-                    "node {node} scales in frame {frame}: packed clips do not"
-                )));
+                return Err(format!("node {node} scales in frame {frame}: packed clips do not"));
             }
             let ([x, y, z, w], [a, b, c]) = (motion.rotation().to_array(), motion.translation());
             keys.push([x, y, z, w, a, b, c].map(|number| number as f32));
         }
     }
-    let packed = PackedClip::new(joints, &keys, Tolerance::default())
-        .map_err(|error| Error(error.to_string()))?;
+    let packed =
+        PackedClip::new(joints, &keys, Tolerance::default()).map_err(|error| error.to_string())?;
     let report = format!(
         "{count} frames of {joints} nodes at {RATE} a second: {} bytes packed, {} as f32\n",
         packed.as_bytes().len(),

@@ -1,6 +1,5 @@
 use crate::accessor::read;
 use crate::bones::affine;
-use crate::error::Error;
 use crate::sampler::{Sampler, lerp, slerp};
 use dq8::{DualQuat, Quat, representation::Affine};
 use gltf::accessor::Dimensions;
@@ -24,12 +23,10 @@ impl Animation {
         buffers: &[Vec<u8>],
         animation: &gltf::Animation<'_>,
         numbers: &[usize],
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, String> {
         let mut channels = Vec::new();
         for (index, channel) in numbers.iter().zip(animation.channels()) {
-            let place = |Error(what)| {
-                Error(format!("animation {}, channel {index}: {what}", animation.index()))
-            };
+            let place = |what| format!("animation {}, channel {index}: {what}", animation.index());
             let (target, sampler) = (channel.target(), channel.sampler());
             let vector = || Sampler::read(buffers, &sampler, Dimensions::Vec3);
             let read = match target.property() {
@@ -81,7 +78,10 @@ impl Animation {
 }
 
 /// Morph targets move no joints, and no vertices whose weights are all zero.
-fn check_weights(buffers: &[Vec<u8>], channel: &gltf::animation::Channel<'_>) -> Result<(), Error> {
+fn check_weights(
+    buffers: &[Vec<u8>],
+    channel: &gltf::animation::Channel<'_>,
+) -> Result<(), String> {
     let mesh = channel.target().node().mesh();
     let mut primitives = mesh.iter().flat_map(|mesh| mesh.primitives());
     let moves = |primitive: gltf::Primitive<'_>| {
@@ -92,7 +92,7 @@ fn check_weights(buffers: &[Vec<u8>], channel: &gltf::animation::Channel<'_>) ->
     }
     let weights = read::<1>(buffers, &channel.sampler().output(), Dimensions::Scalar)?;
     match weights.iter().find(|weight| **weight != [0.0]) {
-        Some([weight]) => Err(Error(format!("morph targets (weight {weight}) are not done here"))),
+        Some([weight]) => Err(format!("morph targets (weight {weight}) are not done here")),
         None => Ok(()),
     }
 }
@@ -105,12 +105,12 @@ pub(crate) enum Local {
 }
 
 impl Local {
-    pub(crate) fn of(node: &gltf::Node<'_>) -> Result<Self, Error> {
-        let place = |what: &str| Error(format!("node {}: {what}", node.index()));
+    pub(crate) fn of(node: &gltf::Node<'_>) -> Result<Self, String> {
+        let place = |what: &str| format!("node {}: {what}", node.index());
         let local = match node.transform() {
             gltf::scene::Transform::Matrix { matrix } => {
                 let columns = affine(matrix.map(|column| column.map(f64::from)))
-                    .map_err(|Error(what)| place(&format!("its matrix has {what}")))?;
+                    .map_err(|what| place(&format!("its matrix has {what}")))?;
                 let row = |row: usize| columns.map(|column| column[row]);
                 Self::Matrix(Affine::from_matrix3x4([row(0), row(1), row(2)]))
             }

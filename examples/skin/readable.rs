@@ -1,21 +1,8 @@
 //! What moves no vertex is no reason to refuse a file.
 
-use crate::args::Method;
-use crate::error::Error;
 use crate::file::File;
-use crate::tests::{glb, posed};
+use crate::tests::strip;
 use std::path::Path;
-
-/// The strip at half a second, with some of its text changed.
-fn strip(changes: &[(&str, &str)]) -> Result<Vec<[f64; 3]>, Error> {
-    let change = |json: &str| {
-        changes.iter().fold(json.to_owned(), |json, (from, to)| {
-            assert!(json.contains(from), "{from}");
-            json.replacen(from, to, 1)
-        })
-    };
-    posed(&glb(change), 0.5, Method::Dual)
-}
 
 fn same(changes: &[(&str, &str)]) {
     let got = strip(changes).unwrap_or_else(|error| panic!("{changes:?}: {error}"));
@@ -26,20 +13,12 @@ const ATTRIBUTES: &str = r#""WEIGHTS_0":1}"#;
 const PRIMITIVE: &str = r#""WEIGHTS_0":1}}]"#;
 const ASSET: &str = r#""asset":{"version":"2.0"}"#;
 const CHANNELS: &str = r#""channels":["#;
-const MESH_END: &str = "}]}],\n        \"skins\"";
+const MESH_END: &str = "}]}],\n\"skins\"";
 
 #[test]
 fn attributes_of_applications_are_ignored() {
-    for name in [
-        "_HEAT",
-        "_FEATURE_ID_0",
-        "_feature_id_1",
-        "FEATURE_ID_0",
-        "NORMAL",
-        "TEXCOORD_0",
-        "COLOR_0",
-        "BATCHID",
-    ] {
+    let names = "_HEAT _FEATURE_ID_0 _feature_id_1 FEATURE_ID_0 NORMAL TEXCOORD_0 COLOR_0 BATCHID";
+    for name in names.split(' ') {
         same(&[(ATTRIBUTES, &format!(r#""{name}":2,"{name}_0":2,"WEIGHTS_0":1}}"#))]);
         // Not even their accessors must be there.
         same(&[(ATTRIBUTES, &format!(r#""{name}":99,"WEIGHTS_0":1}}"#))]);
@@ -83,7 +62,7 @@ fn channels_that_move_no_joint_are_ignored_and_the_others_keep_their_numbers() {
             (CHANNELS, &format!(r#""channels":[{channel},"#)),
             (r#""path":"scale""#, r#""path":"size""#),
         ]);
-        let error = error.unwrap_err().to_string();
+        let error = error.unwrap_err();
         assert!(error.contains("animation 0, channel 2: its path is unknown"), "{error}");
     }
     same(&[(CHANNELS, &format!(r#""channels":[{},"#, channels.join(",")))]);
@@ -91,26 +70,12 @@ fn channels_that_move_no_joint_are_ignored_and_the_others_keep_their_numbers() {
 
 #[test]
 fn extensions_that_move_no_vertex_may_be_required() {
-    for name in [
-        "KHR_texture_transform",
-        "KHR_texture_basisu",
-        "EXT_texture_webp",
-        "EXT_texture_avif",
-        "MSFT_texture_dds",
-        "KHR_materials_unlit",
-        "KHR_materials_variants",
-        "KHR_materials_clearcoat",
-        "KHR_materials_sheen",
-        "KHR_materials_pbrSpecularGlossiness",
-        "KHR_materials_transmission",
-        "KHR_materials_anisotropy",
-        "KHR_lights_punctual",
-        "EXT_lights_ies",
-        "EXT_mesh_features",
-        "EXT_structural_metadata",
-        "KHR_xmp_json_ld",
-        "KHR_mesh_quantization",
-    ] {
+    let names = "KHR_texture_transform KHR_texture_basisu EXT_texture_webp EXT_texture_avif MSFT_texture_dds \
+                 KHR_materials_unlit KHR_materials_variants KHR_materials_clearcoat KHR_materials_sheen \
+                 KHR_materials_pbrSpecularGlossiness KHR_materials_transmission KHR_materials_anisotropy \
+                 KHR_lights_punctual EXT_lights_ies EXT_mesh_features EXT_structural_metadata KHR_xmp_json_ld \
+                 KHR_mesh_quantization";
+    for name in names.split(' ') {
         let required = format!(
             r#""extensionsRequired":["{name}"],"extensionsUsed":["{name}"],"extensions":{{"{name}":[1]}}"#
         );
@@ -128,16 +93,10 @@ fn extensions_that_move_no_vertex_may_be_required() {
             ),
         ]);
     }
-    for name in [
-        "KHR_animation_pointer",
-        "KHR_other",
-        "CESIUM_RTC",
-        "KHR_physics_rigid_bodies",
-        "texture_x",
-        "MY_mesh_texture_x",
-    ] {
+    let names = "KHR_animation_pointer KHR_other CESIUM_RTC KHR_physics_rigid_bodies texture_x MY_mesh_texture_x";
+    for name in names.split(' ') {
         let required = format!(r#"{ASSET},"extensionsRequired":["KHR_materials_unlit","{name}"]"#);
-        let error = strip(&[(ASSET, &required)]).unwrap_err().to_string();
+        let error = strip(&[(ASSET, &required)]).unwrap_err();
         assert_eq!(error, format!("extensionsRequired: {name} is not done here"));
     }
 }
@@ -176,7 +135,7 @@ fn accessors_without_a_view_are_zeros() {
     same(&[(r#","min":[0,0,0],"max":[1,2,0]"#, "")]);
     let unmoved = strip(&[(r#""bufferView":6,"count":3,"#, r#""count":3,"#)]).unwrap();
     close(&unmoved, &[[0.0, 0.0, 5.0], [0.0, 1.0, 5.0], [1.0, 2.0, 5.0]]);
-    let huge = strip(&[(view, r#""count":4294967295,"#)]).unwrap_err().to_string();
+    let huge = strip(&[(view, r#""count":4294967295,"#)]).unwrap_err();
     assert!(huge.contains("4294967295 elements of nothing"), "{huge}");
 }
 
@@ -192,10 +151,10 @@ fn morph_targets_without_weight_move_nothing() {
     // A node has its own.
     same(&[targets, (MESH_END, &weights("1,0")), (r#""mesh":0"#, r#""mesh":0,"weights":[0,1]"#)]);
     let refused = "mesh 0, primitive 0: morph targets are not done here";
-    let error = strip(&[targets, (MESH_END, &weights("0.1,0"))]).unwrap_err().to_string();
+    let error = strip(&[targets, (MESH_END, &weights("0.1,0"))]).unwrap_err();
     assert_eq!(error, refused);
     let own = (r#""mesh":0"#, r#""mesh":0,"weights":[1]"#);
-    assert_eq!(strip(&[targets, own]).unwrap_err().to_string(), refused);
+    assert_eq!(strip(&[targets, own]).unwrap_err(), refused);
 
     // Channels of weights: those of accessor 3 are 0 and 1, and accessor 7 is zeros.
     let channel = (CHANNELS, r#""channels":[{"sampler":2,"target":{"node":2,"path":"weights"}},"#);
@@ -210,13 +169,13 @@ fn morph_targets_without_weight_move_nothing() {
     same(&[targets, channel, zeros, (samplers, &with(7))]);
     // Without targets there is nothing to weigh.
     same(&[channel, (samplers, &with(3))]);
-    let error = strip(&[targets, channel, (samplers, &with(3))]).unwrap_err().to_string();
+    let error = strip(&[targets, channel, (samplers, &with(3))]).unwrap_err();
     assert!(error.contains("animation 0, channel 0: morph targets (weight 1)"), "{error}");
 }
 
 #[test]
 fn files_of_gltf_1_are_told_so() {
-    let parse = |bytes: &[u8]| File::parse(Path::new("old.gltf"), bytes).unwrap_err().to_string();
+    let parse = |bytes: &[u8]| File::parse(Path::new("old.gltf"), bytes).unwrap_err();
     let mut binary = b"glTF".to_vec();
     binary.extend([1, 0, 0, 0, 24, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0]);
     binary.extend(b"{}  ");

@@ -1,6 +1,5 @@
 //! What changes where vertices are and is not done here: it is refused, because the mesh would be posed wrongly.
 
-use crate::error::Error;
 use gltf::json::Root;
 use gltf::json::mesh::Primitive;
 
@@ -31,14 +30,14 @@ const REQUIRED: [&str; 14] = [
 const LOOKS: [&str; 4] = ["materials_", "texture_", "lights_", "packing_"];
 
 /// Each mesh and primitive of a file that nobody has checked yet: the crate gltf takes what Draco leaves out for a mistake.
-pub(crate) fn check(root: &Root) -> Result<(), Error> {
+pub(crate) fn check(root: &Root) -> Result<(), String> {
     let looks = |name: &str| {
         let kind = name.split_once('_').map_or("", |(_, kind)| kind);
         LOOKS.iter().any(|look| kind.starts_with(look))
     };
     let mut required = root.extensions_required.iter();
     if let Some(name) = required.find(|name| !(REQUIRED.contains(&name.as_str()) || looks(name))) {
-        return Err(Error(format!("extensionsRequired: {name} is not done here")));
+        return Err(format!("extensionsRequired: {name} is not done here"));
     }
     for (mesh, of) in root.meshes.iter().enumerate() {
         let weights = weights(root, mesh);
@@ -49,7 +48,7 @@ pub(crate) fn check(root: &Root) -> Result<(), Error> {
             });
             let morphs = moved.then(|| "morph targets are not done here".into());
             if let Some(what) = morphs.or_else(|| of_primitive(root, of)) {
-                return Err(Error(format!("mesh {mesh}, primitive {primitive}: {what}")));
+                return Err(format!("mesh {mesh}, primitive {primitive}: {what}"));
             }
         }
     }
@@ -58,7 +57,7 @@ pub(crate) fn check(root: &Root) -> Result<(), Error> {
             of.extensions.as_ref().is_some_and(|all| all.others.contains_key(INSTANCES));
         if let (Some(mesh), true) = (of.mesh, instances) {
             let mesh = mesh.value();
-            return Err(Error(format!("node {node}, mesh {mesh}: {INSTANCES} is not done here")));
+            return Err(format!("node {node}, mesh {mesh}: {INSTANCES} is not done here"));
         }
     }
     Ok(())

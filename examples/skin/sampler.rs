@@ -1,5 +1,4 @@
 use crate::accessor::read;
-use crate::error::Error;
 use dq8::Quat;
 use gltf::accessor::Dimensions;
 use gltf::animation::Interpolation;
@@ -17,7 +16,7 @@ impl<const N: usize> Sampler<N> {
         buffers: &[Vec<u8>],
         sampler: &gltf::animation::Sampler<'_>,
         dimensions: Dimensions,
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, String> {
         let place = format!("accessor {}", sampler.input().index());
         let times = read::<1>(buffers, &sampler.input(), Dimensions::Scalar)?;
         let times: Vec<f64> = times.into_iter().map(|[time]| time).collect();
@@ -26,10 +25,10 @@ impl<const N: usize> Sampler<N> {
         let each = if interpolation == Interpolation::CubicSpline { 3 } else { 1 };
         if times.is_empty() || times.len().checked_mul(each) != Some(values.len()) {
             let (times, values) = (times.len(), values.len());
-            return Err(Error(format!("{place}: {times} times for {values} values")));
+            return Err(format!("{place}: {times} times for {values} values"));
         }
         if let Some(late) = times.windows(2).position(|pair| pair[0] >= pair[1]) {
-            return Err(Error(format!("{place}: time {} is not after the one before", late + 1)));
+            return Err(format!("{place}: time {} is not after the one before", late + 1));
         }
         Ok(Self { times, values, interpolation })
     }

@@ -1,7 +1,7 @@
 //! The built-in tube of two joints, twisted and bent, by three methods.
 
-use crate::drawing::{Panel, svg};
-use crate::error::Error;
+use crate::drawing::{Panel, Triangle, svg};
+use dq8::scalar::vector::{cross, dot, norm, sub};
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{DualQuat, Quat};
 
@@ -10,7 +10,7 @@ const AROUND: usize = 32;
 const LENGTH: f64 = 4.0;
 const RADIUS: f64 = 0.6;
 
-/// The mesh at rest, along x, the joints' weights, and how it hangs together.
+/// The mesh at rest, along x, and the weights of the joints.
 struct Tube {
     points: Vec<[f64; 3]>,
     joints: Vec<u8>,
@@ -54,7 +54,7 @@ fn center(points: &[[f64; 3]], ring: usize) -> [f64; 3] {
 }
 
 /// The sides, and the caps with a center each.
-fn triangles(points: &[[f64; 3]]) -> Vec<[[f64; 3]; 3]> {
+fn triangles(points: &[[f64; 3]]) -> Vec<Triangle> {
     let point = |ring: usize, i: usize| points[ring * AROUND + i % AROUND];
     let mut all = Vec::new();
     for i in 0..AROUND {
@@ -69,31 +69,27 @@ fn triangles(points: &[[f64; 3]]) -> Vec<[[f64; 3]; 3]> {
 }
 
 /// A sixth of the sum of the determinants of the corners.
-fn volume(triangles: &[[[f64; 3]; 3]]) -> f64 {
-    let determinant = |[a, b, c]: &[[f64; 3]; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-            + a[1] * (b[2] * c[0] - b[0] * c[2])
-            + a[2] * (b[0] * c[1] - b[1] * c[0])
-    };
+fn volume(triangles: &[Triangle]) -> f64 {
+    let determinants = triangles.iter().map(|&[a, b, c]| dot(a, cross(b, c)));
     // Outward is where the triangles go round clockwise here.
-    triangles.iter().map(determinant).sum::<f64>().abs() / 6.0
+    determinants.sum::<f64>().abs() / 6.0
 }
 
 /// Along the centers of the rings.
 fn length(points: &[[f64; 3]]) -> f64 {
-    let steps = (1..RINGS).map(|ring| {
-        let (a, b) = (center(points, ring - 1), center(points, ring));
-        (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt()
-    });
-    steps.sum()
+    (1..RINGS).map(|ring| norm(sub(center(points, ring), center(points, ring - 1)))).sum()
 }
 
-/// Volume and length of the tube relative to rest.
-pub(crate) fn measured(turn: Quat<f64>, share: f64) -> Result<(f64, f64), Error> {
+/// The triangles of the tube, and its volume and length relative to rest.
+pub(crate) fn measured(
+    turn: Quat<f64>,
+    share: f64,
+) -> Result<(Vec<Triangle>, f64, f64), SkinningError> {
     let tube = Tube::new();
-    let posed = tube.posed(turn, share).map_err(|error| Error(error.to_string()))?;
-    let rest = (volume(&triangles(&tube.points)), length(&tube.points));
-    Ok((volume(&triangles(&posed)) / rest.0, length(&posed) / rest.1))
+    let posed = tube.posed(turn, share)?;
+    let (rest, bent) = (triangles(&tube.points), triangles(&posed));
+    let (volume, length) = (volume(&bent) / volume(&rest), length(&posed) / length(&tube.points));
+    Ok((bent, volume, length))
 }
 
 pub(crate) fn twist() -> Quat<f64> {
@@ -105,19 +101,15 @@ pub(crate) fn bend() -> Quat<f64> {
 }
 
 /// A table, and the pictures.
-pub(crate) fn report() -> Result<(String, String), Error> {
-    let tube = Tube::new();
+pub(crate) fn report() -> Result<(String, String), SkinningError> {
     let mut report = String::from("tube            method  volume  length (rest = 1)\n");
     let mut panels = Vec::new();
     for (what, turn) in [("twisted by 180°", twist()), ("bent by 110°", bend())] {
         for (method, share) in [("LBS", 0.0), ("mix", 0.5), ("DLB", 1.0)] {
-            let (volume, length) = measured(turn, share)?;
+            let (triangles, volume, length) = measured(turn, share)?;
             report += &format!("{what:15} {method:6} {volume:7.3} {length:7.3}\n");
-            let posed = tube.posed(turn, share).map_err(|error| Error(error.to_string()))?;
-            panels.push(Panel {
-                title: format!("{what}, {method}: volume {volume:.3}, length {length:.3}"),
-                triangles: triangles(&posed),
-            });
+            let title = format!("{what}, {method}: volume {volume:.3}, length {length:.3}");
+            panels.push(Panel { title, triangles });
         }
     }
     Ok((report, svg(&panels)))

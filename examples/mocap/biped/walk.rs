@@ -137,16 +137,10 @@ fn sign(side: Side) -> f64 {
 
 /// Where a foot is after so many cycles of the left one.
 fn step(side: Side, cycles: f64) -> Step {
-    let cycles = match side {
-        Side::Left => cycles,
-        Side::Right => cycles + 0.5,
-    };
-    let phase = cycles.rem_euclid(1.0);
     // The pelvis is at STRIDE · cycles of the *left* foot: half a stride less for the right one.
-    let start = match side {
-        Side::Left => cycles.floor(),
-        Side::Right => cycles.floor() - 0.5,
-    };
+    let before = if side == Side::Left { 0.0 } else { 0.5 };
+    let phase = (cycles + before).rem_euclid(1.0);
+    let start = (cycles + before).floor() - before;
     let ground = |start: f64| STRIDE * start + AHEAD;
     let x = TRACK * sign(side);
     let [height, forward, pitch] = if phase < STANCE {

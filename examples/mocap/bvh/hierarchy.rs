@@ -156,7 +156,7 @@ impl Tree {
         let parent = self.open.last().map(|open| open.joint);
         let joint = self.joints.len();
         self.open.push(Open { joint, line: brace.line, has_offset: false, has_channels: end_site });
-        self.joints.push(Joint { name, parent, offset: [0.0; 3], channels: Vec::new(), end_site });
+        self.joints.push(Joint { end_site, ..Joint::new(name, parent, [0.0; 3], Vec::new()) });
         Ok(())
     }
 

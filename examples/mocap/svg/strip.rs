@@ -5,10 +5,10 @@
 use std::fmt::{self, Write};
 use std::ops::Range;
 
-use super::Frame;
 use super::scene::Scene;
 use super::side::Side;
 use super::view::View;
+use super::{FIGURES, Frame};
 
 pub(crate) struct Strip<'a> {
     scene: &'a Scene<'a>,
@@ -25,14 +25,9 @@ pub(crate) struct Strip<'a> {
 
 impl<'a> Strip<'a> {
     /// Takes no more of the area's height than the figures need.
-    pub(crate) fn new(
-        scene: &'a Scene<'a>,
-        frames: Range<usize>,
-        figures: usize,
-        area: Frame,
-    ) -> Self {
+    pub(crate) fn new(scene: &'a Scene<'a>, frames: Range<usize>, area: Frame) -> Self {
         let view = View::of(scene, &frames);
-        let figures = figures.min(frames.len());
+        let figures = FIGURES.min(frames.len());
         // In the middle of equal parts: captures like to begin with a pose that is not part of the
         // motion.
         let moments: Vec<usize> = (0..figures)
@@ -51,15 +46,8 @@ impl<'a> Strip<'a> {
         // A skeleton without extent has no scale; any will do.
         let scale = if wide.min(high).is_finite() { wide.min(high) } else { 1.0 };
         let height = scale * (top - scene.ground);
-        Self {
-            scene,
-            frames,
-            view,
-            moments,
-            area: Frame { height, ..area },
-            scale,
-            balance: (left - right) / 2.0,
-        }
+        let (area, balance) = (Frame { height, ..area }, (left - right) / 2.0);
+        Self { scene, frames, view, moments, area, scale, balance }
     }
 
     /// Where the root stands in the picture at this frame, from left to right.

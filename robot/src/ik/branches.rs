@@ -52,7 +52,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
             #[cfg_attr(not(opt_level_0), inline(always))]
             |units| start[0].re.constant(units * vector::epsilon::<L>()),
         );
-        let size = L::splat(level, geometry.size);
+        let (size, [right, up]) = (L::splat(level, geometry.size), geometry.across);
         Self {
             level,
             geometry,
@@ -60,10 +60,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
             start,
             slack: [size * reach, size * merge, angle, square],
             normal: vector::splat(level, geometry.axes[1]),
-            across: geometry.across.map(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |direction| vector::splat(level, direction),
-            ),
+            across: [vector::splat(level, right), vector::splat(level, up)],
         }
     }
 
@@ -202,16 +199,10 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
                     let second = self.upper_arm(hand, third);
                     let fourth = second.times(third).conj().times(all);
+                    let (third, fourth) = (self.signed(0, third), self.signed(1, fourth));
                     let Some(branch) = rest.next() else { return };
                     *branch = Branch {
-                        turns: [
-                            first,
-                            second,
-                            self.signed(0, third),
-                            self.signed(1, fourth),
-                            fifth,
-                            sixth,
-                        ],
+                        turns: [first, second, third, fourth, fifth, sixth],
                         exists: exists & is_elbow & is_wrist,
                         singular: [shoulder.is_singular, elbow.is_singular, wrist.is_singular],
                     };

@@ -6,13 +6,11 @@ use super::problem::Reach;
 use super::report::{Options, Report};
 use super::scratch::enough;
 use super::search::{Search, Work};
-use dq8::Scalar;
-use dq8::ShapeError;
 use dq8::scalar::DualQuat;
 use dq8::seams::Choice;
 #[cfg(feature = "alloc")]
 use dq8::seams::Rows;
-use dq8::{Backend, Kernel};
+use dq8::{Backend, Kernel, Scalar, ShapeError};
 use dq8_simd::{Level, MAX_LANES};
 
 /// A search for many configurations, as many at a time as there are lanes, with options that all have a default.

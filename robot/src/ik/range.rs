@@ -1,7 +1,6 @@
 //! Joint values within the limits of their joints.
 
-use dq8::batch::half_turns;
-use dq8::batch::vector;
+use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 

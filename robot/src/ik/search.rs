@@ -14,7 +14,7 @@
 //! - *Decisions are scalar, arithmetic is not.* What a lane does next is a page of branches that differ from lane to lane: it
 //!   is taken out of registers once per round, and comes back as masks.
 //! - *What is judged is what is returned*: values are taken into their limits first, whole turns to the side of the start.
-//! - *Idle lanes compute along*, from zeros, so that every call has the same bits.
+//! - *Idle lanes compute along*, from zeros whatever the scratch held, so that every call has the same bits.
 //! - *Restarts are a constant of the type*, so that firmware without them does not hold them.
 
 use super::forward::Of;
@@ -57,19 +57,15 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         Self { model, work, lanes, next: 0, clip: 0 }
     }
 
-    /// The search; with restarts if `AGAIN`: where there are none, firmware need not hold them.
+    /// The search; with restarts if `AGAIN`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn run<const AGAIN: bool>(mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
-        // Idle lanes compute along with the others, and the scratch may hold anything: from zeros, what they compute is the
-        // same in every call.
         self.model.scratch.values.fill(zero);
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
         let mut last = Stepped { left: zero, moved: zero };
         let again = AGAIN && self.work.options.restarts;
-        // Each round: errors of all lanes, a decision per lane, one step of those that go on. Lanes of different age are
-        // in the same round, so none waits for the slowest of a group: the round costs the same, whoever takes part.
         loop {
             self.exchange();
             if !self.is_working() {
@@ -137,8 +133,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         working
     }
 
-    /// Takes the values into their limits, whole turns to where they are nearest to the start: so what is judged is
-    /// what is returned.
+    /// Takes the values into their limits, whole turns to where they are nearest to the start.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn keep_within(&mut self) {
         let (level, reach) = (self.model.level, self.model.reach);

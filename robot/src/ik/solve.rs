@@ -6,10 +6,9 @@ use super::problem::Reach;
 use super::report::{Options, Report};
 use super::scratch::enough;
 use super::search::{Search, Work};
-use dq8::Scalar;
-use dq8::ShapeError;
 use dq8::scalar::DualQuat;
 use dq8::storage::same_length;
+use dq8::{Scalar, ShapeError};
 use dq8_simd::{Lanes, Portable};
 
 impl<R> Reach<'_, R>

@@ -16,6 +16,7 @@ use super::report::Options;
 use super::scratch::{BODY, Scratch};
 use crate::mechanism::step::NONE;
 use dq8::batch::vector::{self, epsilon};
+use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Mask};
 
@@ -28,13 +29,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.scratch.bodies.fill(zero);
         for freedom in reach.freedoms.iter().filter(|freedom| freedom.is_slide()) {
             // In radians, as all changes are.
-            let twist: [L; 6] = self.scratch.twists.record(level, freedom.twist as usize);
-            let length = self.scales.length;
-            let mut scaled = twist;
-            for number in &mut scaled {
-                *number = *number * length;
-            }
-            self.scratch.twists.set_record(freedom.twist as usize, scaled);
+            let at = freedom.twist as usize;
+            let twist = Twist::from_array(self.scratch.twists.record(level, at));
+            self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
         }
         for (position, step) in reach.mechanism.steps.iter().enumerate().rev() {
             if !reach.moves_goal(position) {
@@ -90,25 +87,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let [tx, ty, tz] = vector::cross_onto(end, force, torque);
         let [fx, fy, fz] = force;
         let (ixx, iyy, izz) = (inertia + yy + zz, inertia + xx + zz, inertia + xx + yy);
-        let own = [
-            mass,
-            mx,
-            my,
-            mz,
-            ixx,
-            iyy,
-            izz,
-            -(mx * y),
-            -(mx * z),
-            -(my * z),
-            tx,
-            ty,
-            tz,
-            fx,
-            fy,
-            fz,
-        ];
-        add(body, own);
+        let (ixy, ixz, iyz) = (-(mx * y), -(mx * z), -(my * z));
+        add(body, [mass, mx, my, mz, ixx, iyy, izz, ixy, ixz, iyz, tx, ty, tz, fx, fy, fz]);
     }
 
     /// What a freedom has to do with itself and with those that carry it, and with the errors.

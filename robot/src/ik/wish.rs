@@ -2,8 +2,7 @@
 
 use super::freedom::Freedom;
 use super::model::Model;
-use dq8::batch::half_turns;
-use dq8::batch::vector;
+use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 

@@ -10,13 +10,11 @@ use super::poses::{carries, first_carried, place_of, repeat};
 use super::step::Step;
 use super::values::JointValues;
 use super::walk::{Joined, Task};
-use dq8::Scalar;
-use dq8::ShapeError;
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
 use dq8::seams::Rows;
-use dq8::storage::same_length;
-use dq8::storage::{Element, Layout, Number, Tile, identity};
+use dq8::storage::{Element, Layout, Number, Tile, identity, same_length};
+use dq8::{Scalar, ShapeError};
 use dq8_simd::{Lanes, Level};
 
 impl<R: Scalar> Job<'_, R, &[usize]> {

@@ -8,9 +8,8 @@ use super::job::things;
 use super::step::Step;
 use super::values::JointValues;
 use super::walk::{Joined, Task};
-use dq8::Scalar;
-use dq8::ShapeError;
 use dq8::storage::{Element, Layout, Number};
+use dq8::{Scalar, ShapeError};
 use dq8_simd::Level;
 
 impl<R: Scalar> Job<'_, R> {

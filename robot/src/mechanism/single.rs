@@ -6,11 +6,10 @@ use super::frame::{Frame, JacobianFrame};
 use super::joint::JointKind;
 use super::step::Step;
 use super::tree::Mechanism;
-use dq8::Real;
-use dq8::ShapeError;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, lie_bracket, vector};
 use dq8::storage::same_length;
+use dq8::{Real, ShapeError};
 
 impl<R: Real> Mechanism<'_, R> {
     /// The poses of all links in the frame of the base: pose(j) = pose(parent(j)) · placement(j) ·

@@ -3,10 +3,8 @@ use super::joint::Joint;
 use super::plan::plan;
 use super::step::{NONE, Step};
 use super::values::JointValues;
-use dq8::Real;
-use dq8::ShapeError;
-use dq8::storage::Layout;
-use dq8::storage::whole_instances;
+use dq8::storage::{Layout, whole_instances};
+use dq8::{Real, ShapeError};
 
 /// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
 /// each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.

@@ -2,11 +2,9 @@
 
 use super::group::Group;
 use core::fmt::Debug;
-use dq8::Scalar;
-use dq8::ShapeError;
 use dq8::batch::{cos_sin, farthest};
-use dq8::storage::{AoSoA, Element, Layout};
-use dq8::storage::{same_length, whole_instances};
+use dq8::storage::{AoSoA, Element, Layout, same_length, whole_instances};
+use dq8::{Scalar, ShapeError};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
 /// Joint values, or rates, for poses in the layout `Y`: plain numbers, `[configuration][value]` or in columns,

@@ -9,14 +9,11 @@ use super::joint::JointKind;
 use super::step::Step;
 use super::values::{JointNumbers, JointValues, Numbers, Part};
 use super::walk::{Joined, Task};
-use dq8::Scalar;
-use dq8::ShapeError;
-use dq8::batch::lie_bracket;
-use dq8::batch::vector;
+use dq8::batch::{lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::seams::Rows;
-use dq8::storage::same_length;
-use dq8::storage::{Element, Layout, Number};
+use dq8::storage::{Element, Layout, Number, same_length};
+use dq8::{Scalar, ShapeError};
 use dq8_simd::Level;
 
 impl<R: Scalar> Job<'_, R> {

@@ -10,8 +10,8 @@
 //! # Why it is as it is
 //!
 //! - *A stack laid out beforehand.* Poses that wait for children are kept in numbered slots. Which slot a link takes was
-//!   found when the mechanism was made, the larger subtree last, so that 32 slots carry any tree, nothing is pushed or popped,
-//!   and all of it stays in the first cache.
+//!   found when the mechanism was made, the larger subtree last, which takes over the slot of its parent: so 32 slots carry
+//!   any tree, nothing is pushed or popped, and all of it stays in the first cache.
 //! - *Subtrees follow each other*, so that links nobody asked for are one jump.
 //! - *Half translations.* ½t is what dual parts are made of: it saves a factor in every product.
 //! - *Axes of the frame's own* take half the operations of others, and placements without a turn none ([`Placed`]).
@@ -22,10 +22,9 @@ use super::placed::Placed;
 use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use super::values::{JointNumbers, JointValues, Numbers, Part, half_turn};
-use dq8::Kernel;
-use dq8::Scalar;
 use dq8::batch::{Quat, vector};
 use dq8::storage::Layout;
+use dq8::{Kernel, Scalar};
 use dq8_simd::{Float, Lanes, Level};
 
 /// As many poses wait for children at most: log₂ of the number of joints, and one
@@ -96,9 +95,6 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     fn run<V: Level>(self, level: V) {
         let Self { mechanism, values, elements, mut task } = self;
         let mut numbers = Numbers::<Y, T, V>::new(level, values, mechanism.values);
-        // Depth first with a stack that is laid out beforehand: each step names the slot of its parent and the slot that
-        // it fills, and takes over its parent's slot as the last child. So nothing is pushed or popped, and the slots
-        // stay in the first cache.
         let mut poses = [Placed::<Y::Register<V>>::identity(level); SLOTS];
         let mut carried = [K::base(level); SLOTS];
         let mut state = task.start(level);
@@ -109,7 +105,6 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                 task.begin(level, group, mechanism.steps, &mut state);
                 let mut position = 0;
                 while let Some(step) = mechanism.steps.get(position) {
-                    // The links of a subtree follow each other: one that nobody wants is one jump.
                     if task.skips(mechanism.steps, position) {
                         position += step.size as usize;
                         continue;
@@ -160,8 +155,6 @@ pub(crate) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
     numbers: &mut N,
 ) -> Placed<L> {
     let value = step.value as usize;
-    // Translations are halves here, ½t, which is what dual parts are made of; and `turn` and `slide` know the joints whose
-    // axis is one of the frame's own, which take half the operations.
     match step.kind {
         JointKind::Fixed => before,
         // Those that do not mimic share the cosine and sine of the value, which are computed for four joints at a time.

@@ -27,28 +27,16 @@ pub(crate) struct File {
 #[derive(Debug)]
 pub(crate) struct JointElement {
     pub(crate) name: Name,
-    pub(crate) kind: Kind,
+    /// With an axis of length 1; along x where there is none.
+    pub(crate) kind: JointKind<f64>,
     pub(crate) parent: Name,
     pub(crate) child: Name,
     pub(crate) xyz: [f64; 3],
     pub(crate) rpy: [f64; 3],
-    /// Of length 1; x where there is none.
-    pub(crate) axis: [f64; 3],
     /// Of a revolute or prismatic joint, which must have some.
     pub(crate) limits: Option<[f64; 2]>,
     pub(crate) drive: Drive,
     pub(crate) mimic: Option<MimicElement>,
-}
-
-/// The type of a joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
-    Fixed,
-    Revolute,
-    Continuous,
-    Prismatic,
-    Planar,
-    Floating,
 }
 
 /// `<mimic>`.
@@ -121,7 +109,7 @@ impl JointElement {
     ) -> Result<Self, UrdfError> {
         joint.check(&JOINT, warnings)?;
         let name = Name::of(joint, "name")?;
-        let kind = kind(joint)?;
+        let (mut kind, has_limits) = kind(joint)?;
         let mut end = |element: &str| {
             let end = joint.needed_child(element)?;
             end.check(&END, warnings)?;
@@ -133,52 +121,46 @@ impl JointElement {
             Some(origin) => placement(origin, warnings)?,
         };
         // Joints without an axis have one in many files, of zeros too.
-        let axis = match kind {
-            Kind::Fixed | Kind::Floating => [1.0, 0.0, 0.0],
-            _ => axis(joint, warnings)?,
-        };
-        let limits = match kind {
-            Kind::Revolute | Kind::Prismatic => limits(joint, unsaid, warnings)?,
-            _ => None,
-        };
+        if let JointKind::Revolute { axis: own }
+        | JointKind::Prismatic { axis: own }
+        | JointKind::Planar { normal: own } = &mut kind
+        {
+            *own = axis(joint, warnings)?;
+        }
+        let limits = if has_limits { limits(joint, unsaid, warnings)? } else { None };
         // What does not say where links are, is no error: of two there is none.
         let drive = joint.child("limit").ok().flatten().map_or(Drive::FREE, Drive::of);
         let mut mimic = None;
         if let Some(element) = joint.child("mimic")? {
             // Who locks a joint leaves its other elements as they are.
-            if kind == Kind::Fixed {
+            if kind == JointKind::Fixed {
                 warnings.push(element.warning("a fixed joint mimics nothing"));
             } else {
                 mimic = Some(MimicElement::read(element, warnings)?);
             }
         }
-        Ok(Self { name, kind, parent, child, xyz, rpy, axis, limits, drive, mimic })
+        Ok(Self { name, kind, parent, child, xyz, rpy, limits, drive, mimic })
     }
 
     /// The joint of a mechanism, but for what it mimics.
     pub(crate) fn joint(&self, parent: usize) -> Joint<f64> {
-        let ([roll, pitch, yaw], axis) = (self.rpy, self.axis);
-        let kind = match self.kind {
-            Kind::Fixed => JointKind::Fixed,
-            Kind::Revolute | Kind::Continuous => JointKind::Revolute { axis },
-            Kind::Prismatic => JointKind::Prismatic { axis },
-            Kind::Planar => JointKind::Planar { normal: axis },
-            Kind::Floating => JointKind::Floating,
-        };
+        let [roll, pitch, yaw] = self.rpy;
         let turn = Quat::from_rpy(roll, pitch, yaw);
         let placement = DualQuat::from_rotation_translation(turn, self.xyz);
-        Joint { limits: self.limits, ..Joint::new(Some(parent), placement, kind) }
+        Joint { limits: self.limits, ..Joint::new(Some(parent), placement, self.kind) }
     }
 }
 
-fn kind(joint: Element<'_>) -> Result<Kind, UrdfError> {
+/// What a type of joint is, along x, and whether it must have limits.
+fn kind(joint: Element<'_>) -> Result<(JointKind<f64>, bool), UrdfError> {
+    let axis = [1.0, 0.0, 0.0];
     Ok(match joint.text("type")? {
-        "fixed" => Kind::Fixed,
-        "revolute" => Kind::Revolute,
-        "continuous" => Kind::Continuous,
-        "prismatic" => Kind::Prismatic,
-        "planar" => Kind::Planar,
-        "floating" => Kind::Floating,
+        "fixed" => (JointKind::Fixed, false),
+        "revolute" => (JointKind::Revolute { axis }, true),
+        "continuous" => (JointKind::Revolute { axis }, false),
+        "prismatic" => (JointKind::Prismatic { axis }, true),
+        "planar" => (JointKind::Planar { normal: axis }, false),
+        "floating" => (JointKind::Floating, false),
         "spherical" => {
             let what = format!("{} of type \"spherical\"", joint.title());
             return Err(UrdfError::NotExpressed { line: joint.line(), what });

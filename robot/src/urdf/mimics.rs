@@ -1,7 +1,7 @@
 //! What joints mimic in the end: files have joints that mimic joints that mimic.
 
 use super::error::UrdfError;
-use super::file::{JointElement, Kind};
+use super::file::JointElement;
 use std::collections::HashMap;
 
 /// The joint that has the value, by its number among all joints.
@@ -36,8 +36,8 @@ pub(crate) fn leaders(
             })?;
             way.push((next, leader, mimic));
             // Longer than there are joints is a circle.
-            let valued = |kind| !matches!(kind, Kind::Fixed | Kind::Planar | Kind::Floating);
-            if way.len() > joints.len() || !valued(from.kind) || !valued(joints[leader].kind) {
+            let valued = |joint: &JointElement| joint.kind.values() == 1;
+            if way.len() > joints.len() || !valued(from) || !valued(&joints[leader]) {
                 return Err(refused());
             }
             next = leader;

@@ -11,9 +11,9 @@ use dq8_robot::{Joint, JointKind, MechanismError, OwnedMechanism};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 
-const X: [f64; 3] = [1.0, 0.0, 0.0];
-const Y: [f64; 3] = [0.0, 1.0, 0.0];
-const Z: [f64; 3] = [0.0, 0.0, 1.0];
+pub const X: [f64; 3] = [1.0, 0.0, 0.0];
+pub const Y: [f64; 3] = [0.0, 1.0, 0.0];
+pub const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// A joint as its axis, a point on it, its limits, and the length it slides by radian.
 #[derive(Clone, Copy, Debug)]
@@ -41,18 +41,25 @@ fn down([x, y, z]: [f64; 3]) -> [f64; 3] {
     [-x, -y, -z]
 }
 
+/// Hinges that turn all around: directions, and points on them.
+pub fn turning<const N: usize>(
+    axes: [([f64; 3], [f64; 3]); N],
+    home: ([f64; 3], f64, [f64; 3]),
+) -> Plan<N> {
+    Plan { axes: axes.map(|(direction, through)| hinge(direction, through, [-PI, PI])), home }
+}
+
 /// A UR5: three parallel axes after the first, stretched at zero; every joint turns all around.
 pub fn ur5() -> Plan<6> {
-    let turn = |direction, through| hinge(direction, through, [-PI, PI]);
     let axes = [
-        turn(Z, [0.0; 3]),
-        turn(Y, [0.0, 0.0, 0.089159]),
-        turn(Y, [0.425, 0.0, 0.089159]),
-        turn(Y, [0.81725, 0.0, 0.089159]),
-        turn(down(Z), [0.81725, 0.10915, 0.0]),
-        turn(Y, [0.81725, 0.0, -0.005491]),
+        (Z, [0.0; 3]),
+        (Y, [0.0, 0.0, 0.089159]),
+        (Y, [0.425, 0.0, 0.089159]),
+        (Y, [0.81725, 0.0, 0.089159]),
+        (down(Z), [0.81725, 0.10915, 0.0]),
+        (Y, [0.81725, 0.0, -0.005491]),
     ];
-    Plan { axes, home: (X, -PI / 2.0, [0.81725, 0.19145, -0.005491]) }
+    turning(axes, (X, -PI / 2.0, [0.81725, 0.19145, -0.005491]))
 }
 
 /// A PUMA 560: a shoulder, an elbow and a wrist of three crossing axes, with the limits of its makers.
@@ -87,9 +94,9 @@ pub fn six_of_any_kind(random: &mut Random) -> Plan<6> {
     let mut at = [0.0; 3];
     let axes = core::array::from_fn(|_| {
         at = at.map(|c| c + random.between(-0.3, 0.3));
-        hinge(random.direction(), at, [-PI, PI])
+        (random.direction(), at)
     });
-    Plan { axes, home: (random.direction(), random.signed(), at.map(|c| c + 0.1)) }
+    turning(axes, (random.direction(), random.signed(), at.map(|c| c + 0.1)))
 }
 
 /// Eight joints: a UR5 on a screw of pitch 0.05 on a slide.
@@ -110,11 +117,6 @@ impl Axis {
             self.pitch.map_or((R::ZERO, R::ONE), |pitch| (R::ONE, R::from_f64(pitch)));
         (Screw { axis, angle, slide }, rounded(self.limits))
     }
-}
-
-/// A hinge with limits ±π.
-pub fn turning<R: Real>(axis: [f64; 3], through: [f64; 3]) -> (Screw<R>, [R; 2]) {
-    hinge(axis, through, [-PI, PI]).screw()
 }
 
 /// An arm from screws, whose tool is to be somewhere.

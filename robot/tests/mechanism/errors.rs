@@ -1,9 +1,8 @@
 //! What makes no mechanism, and calls that do not fit one.
 
-use dq8::{Backend, DualQuat, ShapeError, Twist};
+use dq8::{Backend, DualQuat, Quat, ShapeError, Twist};
+use dq8_arms::Z;
 use dq8_robot::{Joint, Mechanism, MechanismError, OwnedMechanism, Step, World};
-
-const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn hinge(parent: Option<usize>) -> Joint<f64> {
     Joint::revolute(parent, DualQuat::IDENTITY, Z)
@@ -47,9 +46,13 @@ fn axes_and_placements_are_unit_and_finite() {
 
 #[test]
 fn what_is_typed_with_four_decimals_is_made_unit() {
-    let axis = [0.6001, 0.7999, 0.0];
-    let owned = OwnedMechanism::new(&[Joint::revolute(None, DualQuat::IDENTITY, axis)]).unwrap();
-    assert!(owned.view().link_pose(&[2.0], 0).unwrap().is_normalized());
+    let turn = Quat::from_array([0.1826, 0.3651, 0.5477, 0.7303]);
+    let placement = DualQuat::from_rotation_translation(turn, [0.3, 0.2, 0.1]);
+    let hinge = Joint::revolute(None, placement, [0.6001, 0.7999, 0.0]);
+    let owned = OwnedMechanism::new(&[hinge]).unwrap();
+    let [there, turned] = [0.0, 2.0].map(|angle| owned.view().link_pose(&[angle], 0).unwrap());
+    assert!(!placement.is_normalized() && turned.is_normalized());
+    assert!(there.abs_diff_eq(placement.normalize(), 1e-15), "{there}");
 }
 
 #[test]

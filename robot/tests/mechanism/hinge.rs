@@ -7,14 +7,7 @@ use dq8_robot::{Joint, OwnedMechanism};
 /// The angles at which a hinge errs most, in `f32`: of all, and up to half a turn, without fused multiply-add and
 /// with it.
 const WORST: [u32; 8] = [
-    0x450d_f5f4,
-    0x47fe_c50a,
-    0x4049_0653,
-    0x4048_a9f3,
-    0x464f_7e0c,
-    0x4635_6077,
-    0x4049_08d8,
-    0x4045_2ee4,
+    0x450df5f4, 0x47fec50a, 0x40490653, 0x4048a9f3, 0x464f7e0c, 0x46356077, 0x404908d8, 0x40452ee4,
 ];
 
 /// What the documentation of mechanisms says: units of 2⁻²⁴, of sine and cosine.

@@ -109,13 +109,11 @@ pub(super) fn alone<R: Real>(
     let Scene { robot, links, points, count } = scene;
     let mut all: Vec<Answer> = Vec::new();
     for at in 0..*count {
-        let of = |all: &'_ [R], each: usize| all[at * each..][..each].to_vec();
-        let (values, rates) = (of(values, robot.values()), of(rates, robot.rates()));
-        let second = of(second, robot.rates());
+        let values = &values[at * robot.values()..][..robot.values()];
+        let [rates, second] = [rates, second].map(|of| &of[at * robot.rates()..][..robot.rates()]);
         let mut poses = vec![DualQuat::IDENTITY; robot.links()];
         let mut twists = vec![Twist::from_array([R::ZERO; 6]); robot.links()];
-        let mut accelerations = twists.clone();
-        let mut one = Vec::new();
+        let (mut changes, mut one) = (twists.clone(), Vec::new());
         let flat = |what, width, numbers: Vec<R>| {
             let numbers = numbers.into_iter().map(Into::into).collect();
             Answer { what, width, numbers }
@@ -126,28 +124,21 @@ pub(super) fn alone<R: Real>(
         let speeds = |what, all: &[Twist<R>]| {
             flat(what, 6, all.iter().flat_map(|twist| twist.to_array()).collect())
         };
-        robot.link_poses(&values, &mut poses).unwrap();
+        robot.link_poses(values, &mut poses).unwrap();
         one.push(motions("poses", &poses));
         let chosen: Vec<_> =
-            links.iter().map(|&link| robot.link_pose(&values, link).unwrap()).collect();
+            links.iter().map(|&link| robot.link_pose(values, link).unwrap()).collect();
         one.push(motions("chosen", &chosen));
-        robot.link_velocities(&values, &rates, &mut poses, &mut twists).unwrap();
+        robot.link_velocities(values, rates, &mut poses, &mut twists).unwrap();
         one.push(speeds("velocities", &twists));
         robot
-            .link_accelerations(
-                &values,
-                &rates,
-                &second,
-                &mut poses,
-                &mut twists,
-                &mut accelerations,
-            )
+            .link_accelerations(values, rates, second, &mut poses, &mut twists, &mut changes)
             .unwrap();
         one.push(motions("poses", &poses));
         one.push(speeds("velocities", &twists));
-        one.push(speeds("accelerations", &accelerations));
+        one.push(speeds("accelerations", &changes));
         let mut places = vec![[R::NAN; 3]; points.len()];
-        robot.link_points(&values, points, &mut places).unwrap();
+        robot.link_points(values, points, &mut places).unwrap();
         one.push(flat("places", 3, places.concat()));
         macro_rules! jacobians {
             ($($what:literal $frame:expr),*) => {$(
@@ -155,7 +146,7 @@ pub(super) fn alone<R: Real>(
                 let each = links.iter().zip(columns.chunks_exact_mut(robot.rates().max(1)));
                 let chosen: Vec<_> = each
                     .map(|(&link, columns)| {
-                        robot.link_jacobian($frame, &values, link, columns).unwrap()
+                        robot.link_jacobian($frame, values, link, columns).unwrap()
                     })
                     .collect();
                 one.push(motions("chosen", &chosen));

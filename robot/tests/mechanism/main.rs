@@ -12,4 +12,3 @@ mod reach;
 mod single;
 mod solutions;
 mod tree;
-mod twists;

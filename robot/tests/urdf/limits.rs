@@ -16,18 +16,11 @@ fn limits(version: &str, kind: &str, limit: &str) -> Option<[f64; 2]> {
 }
 
 #[test]
-fn zeros_that_are_written_lock_the_joint() {
+fn limits_that_are_not_written_are_zero_and_none_since_version_1_2_and_zeros_lock_the_joint() {
     for kind in ["revolute", "prismatic"] {
-        let locked = robot("", kind, r#"<limit lower="0" upper="0" effort="1" velocity="1"/>"#);
-        let locked = locked.unwrap();
+        let locked = robot("", kind, r#"<limit lower="0" upper="0" effort="1"/>"#).unwrap();
         assert_eq!(locked.value_limits(), [Some([0.0, 0.0])], "{kind}");
         assert_eq!(locked.mechanism().limits(1), Some([0.0, 0.0]), "{kind}");
-    }
-}
-
-#[test]
-fn limits_that_are_not_written_are_zero_and_none_since_version_1_2() {
-    for kind in ["revolute", "prismatic"] {
         for version in ["", r#" version="1.0""#, r#" version=" 1.1""#] {
             assert_eq!(limits(version, kind, r#"effort="1" velocity="1""#), Some([0.0, 0.0]));
             assert_eq!(limits(version, kind, r#"lower="-2""#), Some([-2.0, 0.0]));

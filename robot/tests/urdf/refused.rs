@@ -11,6 +11,8 @@ const MISSPELT: &str = r#"
 <limit | <Limits | 11: <Limits> of <joint name="hinge">: such an element is unknown here; is "limit" meant?
 <origin | <Origin | 9: <Origin> of <joint name="hinge">: such an element is unknown here; is "origin" meant?
 <origin | <orgin | 9: <orgin> of <joint name="hinge">: such an element is unknown here; is "origin" meant?
+<origin | <orgn | 9: <orgn> of <joint name="hinge">: such an element is unknown here; is "origin" meant?
+<origin | <ORIGINS | 9: <ORIGINS> of <joint name="hinge">: such an element is unknown here; is "origin" meant?
 <origin | <orign | 9: <orign> of <joint name="hinge">: such an element is unknown here; is "origin" meant?
 <axis | <axes | 10: <axes> of <joint name="hinge">: such an element is unknown here; is "axis" meant?
 <axis | <axsi | 10: <axsi> of <joint name="hinge">: such an element is unknown here; is "axis" meant?
@@ -27,6 +29,8 @@ const MISSPELT: &str = r#"
 <link name="base"/> | <link name="base"><link name="x"/></link> | 3: <link name="x">: such an element is unknown here
 <child link="tip"/> | <child link="tip"><origin/></child> | 8: <origin> of <child> of <joint name="hinge">: such an element is unknown here
 lower | lowr | 11: <limit> of <joint name="hinge">: the attribute "lowr" is unknown; is "lower" meant?
+lower | loewr | 11: <limit> of <joint name="hinge">: the attribute "loewr" is unknown; is "lower" meant?
+lower | kower | 11: <limit> of <joint name="hinge">: the attribute "kower" is unknown; is "lower" meant?
 lower | LOWER | 11: <limit> of <joint name="hinge">: the attribute "LOWER" is unknown; is "lower" meant?
 lower | min | 11: <limit> of <joint name="hinge">: the attribute "min" is unknown
 upper | uper | 11: <limit> of <joint name="hinge">: the attribute "uper" is unknown; is "upper" meant?
@@ -38,6 +42,8 @@ rpy | quat | 9: <origin> of <joint name="hinge">: the attribute "quat" is unknow
 rpy | yaw | 9: <origin> of <joint name="hinge">: the attribute "yaw" is unknown
 xyz="0 0 1" | xzy="0 0 1" | 10: <axis> of <joint name="hinge">: the attribute "xzy" is unknown; is "xyz" meant?
 xyz="0 0 1" | zyx="0 0 1" | 10: <axis> of <joint name="hinge">: the attribute "zyx" is unknown; is "xyz" meant?
+xyz="0 0 1" | xyzw="0 0 1" | 10: <axis> of <joint name="hinge">: the attribute "xyzw" is unknown; is "xyz" meant?
+xyz="0 0 1" | xyz="0 0 1" X="1" | 10: <axis> of <joint name="hinge">: the attribute "X" is unknown; is "x" meant?
 xyz="0 0 1" | xyz="0 0 1" x="1" | 10: <axis> of <joint name="hinge">: the attribute "x" is unknown
 <parent link | <parent lnik | 7: <parent> of <joint name="hinge">: the attribute "lnik" is unknown; is "link" meant?
 type | typ | 6: <joint name="hinge">: the attribute "typ" is unknown; is "type" meant?

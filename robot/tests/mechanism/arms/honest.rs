@@ -109,23 +109,6 @@ fn targets_typed_with_four_decimals_are_reached_as_often_as_computed_ones() {
     typed_targets_are_reached_as_computed_ones::<f32>();
 }
 
-#[test]
-fn a_target_farther_from_unit_than_a_thousandth_is_invalid() {
-    let plan = six_of_any_kind(&mut Random(16));
-    let arm = plan.arm::<f64>();
-    let target = arm.forward(&[0.1; 6]);
-    for (factor, wanted) in [
-        (1.0009, Outcome::Converged),
-        (0.9991, Outcome::Converged),
-        (1.0011, Outcome::Invalid),
-        (0.9989, Outcome::Invalid),
-    ] {
-        let mut values = [0.2; 6];
-        let report = arm.reach(target.scale(factor), &mut values, &Options::default());
-        assert_eq!(report.outcome, wanted, "{factor}");
-    }
-}
-
 /// Arms whose axes are as long as `change` makes them. What they are turns about the same axes at length 1.
 fn with_axes<R: Scalar>(change: impl Fn([f64; 3]) -> [f64; 3]) -> Tally {
     let off =

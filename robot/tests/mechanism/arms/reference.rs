@@ -3,6 +3,7 @@
 //! in the library because nobody needs a second, slower search; the lanes need a second opinion.
 
 use dq8::geometry::Screw;
+use dq8::scalar::lie_bracket;
 use dq8::{DualQuat, Twist};
 use dq8_arms::{Arm, Plan, Random, gantry, puma, seven, ur5};
 use dq8_robot::ik::{Options, Outcome};
@@ -154,7 +155,7 @@ impl<const N: usize> Search<'_, N> {
         let mut moved = Twist::from_array([0.0; 6]);
         let mut bent = Vec::new();
         for (&column, change) in here.columns.iter().zip(first.changes) {
-            bent.push(column + bracket(moved, column).scale(0.5));
+            bent.push(column + lie_bracket(moved, column).scale(0.5));
             moved = moved + column.scale(change);
         }
         self.step(values, &bent, here, damping)
@@ -213,17 +214,6 @@ impl<const N: usize> Search<'_, N> {
             !self.wraps(j) && (best[j] <= low || best[j] >= high)
         });
         if at_limit { Outcome::AtLimits } else { Outcome::Stalled }
-    }
-}
-
-/// [a, b] of spatial twists: a as a velocity of b.
-fn bracket(a: Twist<f64>, b: Twist<f64>) -> Twist<f64> {
-    let cross =
-        |[a, b, c]: [f64; 3], [x, y, z]: [f64; 3]| [b * z - c * y, c * x - a * z, a * y - b * x];
-    let (first, second) = (cross(a.angular, b.linear), cross(a.linear, b.angular));
-    Twist {
-        angular: cross(a.angular, b.angular),
-        linear: core::array::from_fn(|i| first[i] + second[i]),
     }
 }
 

@@ -1,15 +1,13 @@
 //! Arms of any size, stretched, and with fewer ways to move than a pose has.
 
-use dq8::{Backend, DualQuat, Real, Scalar};
-use dq8_arms::{Arm, Random, rounded, turning};
+use dq8::{Backend, Real, Scalar};
+use dq8_arms::{Arm, Random, X, Z, rounded, turning};
 use dq8_robot::ik::{Options, Outcome, Report};
 
 /// A planar arm of unit links, in this unit of length.
 fn planar<R: Real, const N: usize>(length: f64) -> Arm<R, N> {
-    let joints =
-        core::array::from_fn(|i| turning([0.0, 0.0, 1.0], [i as f64 * length, 0.3 * length, 0.0]));
-    let end = rounded([N as f64 * length, 0.3 * length, 0.0]);
-    Arm::new(&joints, DualQuat::from_translation(end)).expect("an arm")
+    let axes = core::array::from_fn(|i| (Z, [i as f64 * length, 0.3 * length, 0.0]));
+    turning(axes, (X, 0.0, [N as f64 * length, 0.3 * length, 0.0])).arm()
 }
 
 /// Long arms and tiny ones at full stretch, which rounding puts a little beyond their length.
@@ -51,11 +49,8 @@ fn rank_deficient_arms_converge<R: Scalar, const N: usize>() {
     let once = Options { restarts: false, ..Options::default() };
     for _ in 0..50 {
         let axis = random.direction();
-        let joints = core::array::from_fn(|_| {
-            turning(axis, core::array::from_fn(|_| 2.0 * random.signed()))
-        });
-        let home = DualQuat::from_translation(rounded(random.vector()));
-        let arm = Arm::new(&joints, home).expect("an arm");
+        let axes = core::array::from_fn(|_| (axis, random.vector().map(|c| 2.0 * c)));
+        let arm = turning(axes, (X, 0.0, random.vector())).arm();
         let (mut targets, mut values) = (Vec::new(), Vec::new());
         for _ in 0..16 {
             let goal: [f64; N] = core::array::from_fn(|_| random.between(-2.5, 2.5));

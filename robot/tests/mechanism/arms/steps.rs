@@ -2,12 +2,12 @@
 
 use dq8::geometry::Screw;
 use dq8::{DualQuat, Line, Quat};
-use dq8_arms::{Arm, Random, puma, ur5};
+use dq8_arms::{Arm, Random, ur5};
 use dq8_robot::ik::{Options, Outcome};
 
 /// A number of about 1 that nothing but its limits or its target decides.
 const LAST_BITS: f64 = 1e-15;
-/// The same steps in another unit, or with a joint that does not move: each rounds what came before.
+/// The same steps with a joint that does not move: each rounds what came before.
 const SAME_STEPS: f64 = 1e-12;
 
 /// Beyond the bound in every direction, from just beyond to as far as numbers go.
@@ -117,32 +117,4 @@ fn damping_keeps_steps_short_in_front_of_singular_poses() {
         undamped_longest = undamped_longest.max(turns(target, &once).1 * (2.0 * 0.05) / error);
     }
     assert!(undamped_longest > 2.0, "{undamped_longest}");
-}
-
-/// In millimetres an arm is the same arm.
-#[test]
-fn the_unit_of_length_does_not_matter() {
-    let scale = 1000.0;
-    let metres = puma();
-    let mut millimetres = metres;
-    for axis in &mut millimetres.axes {
-        axis.through = axis.through.map(|c| c * scale);
-    }
-    millimetres.home.2 = metres.home.2.map(|c| c * scale);
-    let (small, large) = (metres.arm::<f64>(), millimetres.arm::<f64>());
-    let mut random = Random(9);
-    for _ in 0..20 {
-        let (goal, start) = (metres.draw(&mut random), metres.draw(&mut random));
-        let (mut a, mut b) = (start, start);
-        let once = Options { restarts: false, ..Options::default() };
-        let finer = Options { linear_tolerance: 1e-5 * scale, ..once };
-        let in_metres = small.reach(small.forward(&goal), &mut a, &once);
-        let in_millimetres = large.reach(large.forward(&goal), &mut b, &finer);
-        if in_metres.outcome == Outcome::Converged {
-            assert_eq!(in_metres.iterations, in_millimetres.iterations);
-            for (a, b) in a.into_iter().zip(b) {
-                assert!((a - b).abs() < SAME_STEPS, "{a} {b}");
-            }
-        }
-    }
 }

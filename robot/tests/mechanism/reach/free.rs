@@ -1,7 +1,7 @@
 //! Goals that leave something free, several goals, and weights.
 
 use super::{
-    REACHED, Z, apart, at, draw, pose, problem, seven, solve, solve_everywhere, solve_with, turned,
+    REACHED, Y, Z, apart, at, draw, pose, problem, seven, solve, solve_with, solved, turned,
 };
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
@@ -19,7 +19,7 @@ fn left(goal: Goal<f64>, free: impl Fn(&mut Random) -> DualQuat<f64>) -> Vec<Dua
         starts.extend(draw(&mut random, &joints));
     }
     let mut left = Vec::new();
-    for (_, values, reports) in solve_everywhere(&arm, &targets, &starts, &Options::default()) {
+    for (_, values, reports) in solved(&arm, &targets, &starts, &Options::default()) {
         let (mut converged, mut iterations) = (0, 0.0);
         for ((values, target), report) in values.chunks(7).zip(&targets).zip(&reports) {
             if report.is_converged() {
@@ -62,13 +62,12 @@ fn what_a_goal_does_not_ask_for_is_free() {
 
 /// Two arms on a trunk that turns.
 fn two_arms() -> Vec<Joint<f64>> {
-    let y = [0.0, 1.0, 0.0];
     let mut joints = vec![Joint::revolute(None, at(0.0, 0.0, 1.0), Z).with_limits([-1.0, 1.0])];
     for side in [-1.0, 1.0] {
         let first = joints.len();
-        joints.push(Joint::revolute(Some(0), at(0.0, 0.2 * side, 0.0), y));
+        joints.push(Joint::revolute(Some(0), at(0.0, 0.2 * side, 0.0), Y));
         joints.push(Joint::revolute(Some(first), DualQuat::IDENTITY, Z));
-        joints.push(Joint::revolute(Some(first + 1), at(0.3, 0.0, 0.0), y));
+        joints.push(Joint::revolute(Some(first + 1), at(0.3, 0.0, 0.0), Y));
         joints.push(Joint::fixed(Some(first + 2), at(0.3, 0.0, 0.0)));
     }
     joints
@@ -84,7 +83,7 @@ fn two_hands_come_to_two_targets_at_once() {
         targets.extend([4, 8].map(|link| pose(&body, &goal, link)));
         starts.extend((0..7).map(|_| random.signed()));
     }
-    for (_, values, reports) in solve_everywhere(&body, &targets, &starts, &Options::default()) {
+    for (_, values, reports) in solved(&body, &targets, &starts, &Options::default()) {
         for (index, report) in reports.iter().enumerate() {
             assert!(report.is_converged(), "{index}: {report:?}");
             for (link, target) in [4, 8].into_iter().zip(&targets[2 * index..]) {

@@ -1,7 +1,7 @@
 //! Targets that can be reached, for joints of every kind.
 
 use super::super::tree::{tree, values};
-use super::{REACHED, ROUNDING, apart, at, pose, problem, solve, solve_everywhere, turned};
+use super::{REACHED, ROUNDING, apart, at, pose, problem, solve, solved, turned};
 use dq8_fixtures::random::Random;
 use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
@@ -18,9 +18,7 @@ fn random_trees_of_joints_of_every_kind_come_back_to_where_they_were() {
         let goal = values(&mut random, &joints);
         let target = pose(&reach, &goal, link);
         let starts: Vec<f64> = goal.iter().map(|value| value + 0.1 * random.signed()).collect();
-        for (_, values, reports) in
-            solve_everywhere(&reach, &[target], &starts, &Options::default())
-        {
+        for (_, values, reports) in solved(&reach, &[target], &starts, &Options::default()) {
             let [turn, distance] = apart(pose(&reach, &values, link), target);
             let report = reports[0];
             assert!((report.angular_error - turn).abs() < ROUNDING, "{turn} {report:?}");

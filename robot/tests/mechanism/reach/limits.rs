@@ -1,14 +1,12 @@
 //! Limits: of one end, of none, and of what mimics a joint.
 
-use super::{LAST_BITS, REACHED, Z, at, near, planar, pose, problem, solve, solve_with, turned};
+use super::{LAST_BITS, REACHED, X, Y, Z, at, near, pose, problem, solve, solve_with};
 use dq8::DualQuat;
 use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 const HERE: DualQuat<f64> = DualQuat::IDENTITY;
-const X: [f64; 3] = [1.0, 0.0, 0.0];
-const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const OPEN: f64 = f64::INFINITY;
 
 /// A slide with one end, and a hinge with one end: it counts as endless.
@@ -30,15 +28,6 @@ fn limits_may_be_open_at_one_end() {
     let (values, report) = solve_with(&machine, &[behind], values, &options);
     assert_eq!(report.outcome, Outcome::AtLimits, "{report:?}");
     assert!(values[0] == 0.0 && values[2] == 0.0, "{values:?}");
-}
-
-#[test]
-fn endless_hinges_end_within_half_a_turn_of_the_start() {
-    let arm = problem(&planar(&[1.0, 1.0, 0.5]), [Goal::pose(3)]);
-    let start = [60.0, -75.0, 1000.0];
-    let (values, report) = solve(&arm, turned(Z, 1.0, [1.2, 0.8, 0.0]), start);
-    assert!(report.is_converged(), "{report:?}");
-    assert!(values.iter().zip(start).all(|(a, b)| (a - b).abs() <= PI), "{values:?}");
 }
 
 /// The second finger has the narrower limits.

@@ -7,8 +7,6 @@ mod kinds;
 mod limits;
 mod outcomes;
 mod owned;
-#[cfg(feature = "rayon")]
-mod parallel;
 mod posture;
 mod rates;
 mod refused;
@@ -18,10 +16,11 @@ mod units;
 
 use dq8::{Backend, DualQuat, Quat, Real, Scalar};
 use dq8_fixtures::random::Random;
+use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
-use dq8_robot::{Joint, OwnedMechanism};
 
-pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
+pub(crate) use super::tree::mechanism;
+pub(crate) use dq8_arms::{X, Y, Z};
 
 /// What [`Options::default`] calls reached, radians and lengths, and what measuring it is rounded by.
 pub(crate) const REACHED: f64 = 1.001e-5;
@@ -57,16 +56,15 @@ pub(crate) fn planar(lengths: &[f64]) -> Vec<Joint<f64>> {
 
 /// Seven axes of our own dimensions: shoulder, elbow and wrist, with limits.
 pub(crate) fn seven() -> Vec<Joint<f64>> {
-    let x = [1.0, 0.0, 0.0];
     let quarter = core::f64::consts::FRAC_PI_2;
     let frames = [
-        (turned(x, 0.0, [0.0, 0.0, 0.34]), [-2.8, 2.8]),
-        (turned(x, -quarter, [0.0, 0.0, 0.0]), [-1.7, 1.7]),
-        (turned(x, quarter, [0.0, -0.32, 0.0]), [-2.8, 2.8]),
-        (turned(x, quarter, [0.08, 0.0, 0.0]), [-3.0, -0.1]),
-        (turned(x, -quarter, [-0.08, 0.39, 0.0]), [-2.8, 2.8]),
-        (turned(x, quarter, [0.0, 0.0, 0.0]), [0.0, 3.7]),
-        (turned(x, quarter, [0.09, 0.0, 0.0]), [-2.8, 2.8]),
+        (turned(X, 0.0, [0.0, 0.0, 0.34]), [-2.8, 2.8]),
+        (turned(X, -quarter, [0.0, 0.0, 0.0]), [-1.7, 1.7]),
+        (turned(X, quarter, [0.0, -0.32, 0.0]), [-2.8, 2.8]),
+        (turned(X, quarter, [0.08, 0.0, 0.0]), [-3.0, -0.1]),
+        (turned(X, -quarter, [-0.08, 0.39, 0.0]), [-2.8, 2.8]),
+        (turned(X, quarter, [0.0, 0.0, 0.0]), [0.0, 3.7]),
+        (turned(X, quarter, [0.09, 0.0, 0.0]), [-2.8, 2.8]),
     ];
     let mut joints: Vec<_> = frames
         .into_iter()
@@ -137,7 +135,7 @@ pub(crate) fn near(a: &[f64], b: &[f64], bound: f64) -> bool {
 pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R>>);
 
 /// The same on all backends.
-pub(crate) fn solve_everywhere<R: Scalar>(
+pub(crate) fn solved<R: Scalar>(
     reach: &OwnedReach<R>,
     targets: &[DualQuat<R>],
     starts: &[R],
@@ -166,8 +164,4 @@ pub(crate) fn apart<R: Real>(a: DualQuat<R>, b: DualQuat<R>) -> [f64; 2] {
     let (a, b) = (a.translation().map(Into::<f64>::into), b.translation().map(Into::<f64>::into));
     let distance = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
     [angle, distance]
-}
-
-pub(crate) fn mechanism<R: Real>(joints: &[Joint<f64>]) -> OwnedMechanism<R> {
-    super::tree::mechanism(joints)
 }

@@ -62,11 +62,11 @@ fn what_can_be_reached_converges_and_a_start_at_the_target_keeps_its_bits() {
     let (values, report) = solve_with(&arm, &[target], START, &options);
     assert_eq!((report.outcome, report.iterations), (Outcome::Unfinished, 2));
     let turn = DualQuat::from_rotation(Quat::from_axis_angle(Z, core::f64::consts::PI));
-    let off = DualQuat::from_array(target.to_array().map(|number| number * (1.0 + 5e-4)));
     for (target, start, there) in [
         (target, values, target),
         (target, START, target),
-        (off, START, target),
+        (target.scale(1.0009), START, target),
+        (target.scale(0.9991), START, target),
         (target * turn, THERE, target * turn),
     ] {
         let (values, report) = solve(&arm, target, start);

@@ -90,15 +90,19 @@ fn lengths_that_do_not_fit_are_errors_and_nothing_is_touched() {
         [(3, 7, 0, "targets"), (2, 6, 0, "values"), (2, 8, 0, "values"), (2, 7, 1, "scratch")]
     {
         let targets = vec![target; targets];
-        for batch in [false, true] {
+        for way in 0..3 {
             let mut own = vec![0.125; values];
-            let mut memory = vec![0.5; enough[usize::from(batch)] - scratch];
-            let mut reports = [Report::default()];
-            let done = if batch {
-                let job = reach.job();
-                job.solve_in(&mut memory, &targets, &mut own, &mut reports, &options)
-            } else {
-                reach.solve(&targets, &mut own, &mut memory, &options).map(|_| ())
+            let mut memory = vec![0.5; enough[way.min(1)] - scratch];
+            let (mut reports, job) = ([Report::default()], reach.job());
+            let done = match way {
+                0 => reach.solve(&targets, &mut own, &mut memory, &options).map(|_| ()),
+                1 => job.solve_in(&mut memory, &targets, &mut own, &mut reports, &options),
+                _ if what == "scratch" => continue,
+                _ => {
+                    #[cfg(feature = "rayon")]
+                    let job = job.threads(usize::MAX);
+                    job.solve(&targets, &mut own, &mut reports, &options)
+                }
             };
             let Err(ShapeError::Length { what: found, .. }) = done else { panic!("{done:?}") };
             assert_eq!(found, what);
@@ -133,7 +137,8 @@ fn what_is_not_a_target_or_not_a_start_is_invalid_and_its_values_are_untouched()
         (with(0, f64::NAN), START),
         (with(6, f64::NAN), START),
         (with(5, f64::INFINITY), START),
-        (good.scale(1.01), START),
+        (good.scale(1.0011), START),
+        (good.scale(0.9989), START),
         (good.scale(0.0), START),
         (with(7, good.to_array()[7] + 0.01), START),
         (good, start(f64::NAN)),
@@ -145,14 +150,14 @@ fn what_is_not_a_target_or_not_a_start_is_invalid_and_its_values_are_untouched()
     let targets = cases.map(|(target, _)| [target, good]).concat();
     let before = cases.map(|(_, start)| [start, START].concat()).concat();
     for backend in Backend::available() {
-        let (mut values, mut reports) = (before.clone(), [Report::default(); 18]);
+        let (mut values, mut reports) = (before.clone(), [Report::default(); 20]);
         let job = problem.job().backend(backend);
         job.solve(&targets, &mut values, &mut reports, &Options::default()).expect("lengths fit");
         for (index, report) in reports.iter().enumerate() {
             let of = |all: &[f64]| bits(&all[7 * index..][..7]);
             let (what, outcome) = (format!("{backend}: {index}"), report.outcome);
             match index {
-                16 => assert_eq!(outcome, Outcome::OutOfReach, "{what}"),
+                18 => assert_eq!(outcome, Outcome::OutOfReach, "{what}"),
                 _ if index % 2 == 1 => assert_eq!(outcome, Outcome::Converged, "{what}"),
                 _ => {
                     assert_eq!((outcome, of(&values)), (Outcome::Invalid, of(&before)), "{what}");

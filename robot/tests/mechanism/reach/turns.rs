@@ -1,6 +1,6 @@
 //! Whole turns: of all values that are the same pose, the one within the limits that is nearest to the start.
 
-use super::{REACHED, Z, apart, at, pose, problem, solve_everywhere, turned};
+use super::{REACHED, X, Z, apart, at, pose, problem, solved, turned};
 use dq8::simd::{Float, Lanes, Portable};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_fixtures::random::Random;
@@ -8,7 +8,6 @@ use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
 use std::f64::consts::{PI, TAU};
 
-const X: [f64; 3] = [1.0, 0.0, 0.0];
 const OPEN: f64 = f64::INFINITY;
 /// Numbers of one configuration are those of all lanes but for rounding: values of a few turns, in `f32`.
 const SINGLE: f64 = 2e-5;
@@ -29,7 +28,7 @@ where
     let mut all = vec![(values, report)];
     // More of them than lanes, each alone in its values.
     let (targets, starts) = (vec![target; 17], start.repeat(17));
-    for (_, values, reports) in solve_everywhere(&reach, &targets, &starts, &options) {
+    for (_, values, reports) in solved(&reach, &targets, &starts, &options) {
         for (values, report) in values.chunks(start.len()).zip(reports) {
             all.push((values.to_vec(), report));
         }
@@ -101,7 +100,7 @@ fn a_path_past_half_a_turn_has_no_jump() {
 
 /// The largest that is no farther from the start than any other within the limits.
 #[test]
-fn limits_of_more_than_a_turn_are_used_to_their_ends() {
+fn limits_of_more_or_less_than_a_turn_are_used_to_their_ends() {
     // (limits, pose, start, answer)
     for (limits, there, start, to) in [
         ([-4.0, 4.0], 3.8, 3.5, 3.8),
@@ -124,15 +123,7 @@ fn limits_of_more_than_a_turn_are_used_to_their_ends() {
         ([-OPEN, -20.0], 0.0, -40.0, -6.0 * TAU),
         // A hundred turns are as many limits as none.
         ([0.0, 100.0 * TAU], 1.0, 45.0, 1.0 + 7.0 * TAU),
-    ] {
-        leads(&hinge(limits), [there], [start], [to]);
-    }
-}
-
-/// Less than a turn between the limits: the value is a turn away, or the way leads across the gap.
-#[test]
-fn values_that_fit_the_limits_a_turn_less_are_found() {
-    for (limits, there, start, to) in [
+        // Less than a turn between the limits: the value is a turn away, or the way leads across the gap.
         ([0.0, 6.0], 0.8, 7.0, 0.8),
         ([0.0, 6.0], 5.0, -0.5, 5.0),
         ([6.0, 9.0], 0.5, 0.3, 0.5 + TAU),
@@ -212,9 +203,7 @@ fn no_whole_turn_nearer_to_the_start_is_within_the_limits_after_restarts() {
         targets.push(pose(&problem, &there, 7));
         starts.extend((0..7).map(|_| random.between(-40.0, 40.0)));
     }
-    for (backend, values, reports) in
-        solve_everywhere(&problem, &targets, &starts, &Options::default())
-    {
+    for (backend, values, reports) in solved(&problem, &targets, &starts, &Options::default()) {
         let converged = reports.iter().filter(|report| report.is_converged()).count();
         assert!(converged >= 198, "{backend}: {converged}");
         assert!(reports.iter().any(|report| report.restarts > 0), "{backend}");

@@ -1,6 +1,6 @@
 //! The unit of length is the caller's.
 
-use super::{Solved, at, draw, planar, pose, problem, seven, solve_everywhere, turned};
+use super::{Solved, at, draw, planar, pose, problem, seven, solved, turned};
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
 use dq8_robot::ik::{Goal, Options};
@@ -91,7 +91,7 @@ fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
                     length_per_radian: length_per_radian.map(|length| length * scale),
                     ..Options::default()
                 };
-                let solved = solve_everywhere(&reach, &targets, &in_unit(&starts, scale), &options);
+                let solved = solved(&reach, &targets, &in_unit(&starts, scale), &options);
                 let in_metres = |(backend, values, mut reports): Solved<f64>| {
                     reports.iter_mut().for_each(|report| report.linear_error /= scale);
                     (backend, in_unit(&values, 1.0 / scale), reports)

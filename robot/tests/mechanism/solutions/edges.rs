@@ -1,9 +1,8 @@
 //! Singular poses, limits, and targets out of reach.
 
-use super::{Poses, free, iiwa_held, plan};
-use super::{X, Y, Z};
+use super::{Poses, free, iiwa_held};
 use dq8::{Backend, DualQuat};
-use dq8_arms::{Axis, Plan, Random, puma, six_of_any_kind, ur5};
+use dq8_arms::{Axis, Plan, Random, X, Y, Z, puma, six_of_any_kind, turning, ur5};
 use dq8_robot::ik::{Family, Solutions};
 use std::f64::consts::{PI, TAU};
 
@@ -78,7 +77,7 @@ fn a_wrist_on_the_first_axis_leaves_that_the_angle_of_the_start() {
     }
     // The same where the second and third axis are parallel, and nothing is beside the first.
     let up = [0.0, 0.0, 1.0];
-    let elbow = plan(
+    let elbow = turning(
         [
             (Z, [0.0; 3]),
             (Y, [0.0; 3]),

@@ -6,23 +6,13 @@ mod near;
 mod refused;
 
 use dq8::{DualQuat, Quat, Scalar};
-use dq8_arms::{Arm, Axis, Plan, Random, puma, rounded, ur5};
-use dq8_robot::ik::{SixAxisArm, Solutions};
+use dq8_arms::{Arm, Axis, Plan, Random, X, Y, Z, puma, rounded, turning, ur5};
+use dq8_robot::ik::{Family, SixAxisArm, Solutions};
 use std::f64::consts::PI;
-
-const X: [f64; 3] = [1.0, 0.0, 0.0];
-const Y: [f64; 3] = [0.0, 1.0, 0.0];
-const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Hinges that turn all around.
 fn free(plan: Plan<6>) -> Plan<6> {
     plan.with_axes(|axis| Axis { limits: [-PI, PI], ..axis })
-}
-
-fn plan(axes: [([f64; 3], [f64; 3]); 6], home: ([f64; 3], f64, [f64; 3])) -> Plan<6> {
-    let turning =
-        |(direction, through)| Axis { direction, through, limits: [-PI, PI], pitch: Some(0.0) };
-    Plan { axes: axes.map(turning), home }
 }
 
 /// An arm with a spherical wrist whose first two axes do not meet, in the measures of an ABB IRB 6640 (Elias and Wen, IK-Geo).
@@ -30,7 +20,7 @@ fn irb6640() -> Plan<6> {
     let wrist = [1.4625, 0.0, 2.055];
     let arm = [(Z, [0.0; 3]), (Y, [0.32, 0.0, 0.78]), (Y, [0.32, 0.0, 1.855])];
     let [a, b, c] = arm;
-    plan([a, b, c, (X, wrist), (Y, wrist), (X, wrist)], (X, 0.0, [1.6625, 0.0, 2.055]))
+    turning([a, b, c, (X, wrist), (Y, wrist), (X, wrist)], (X, 0.0, [1.6625, 0.0, 2.055]))
 }
 
 /// A KUKA LBR iiwa R800 whose third joint is held at 30 degrees (ibid.): the second and third axis are not parallel.
@@ -44,7 +34,7 @@ fn iiwa_held() -> Plan<6> {
         (turned, [0.0, 0.0, 1.14]),
         (Z, [0.0; 3]),
     ];
-    plan(axes, (Z, PI / 6.0, [0.0, 0.0, 1.266]))
+    turning(axes, (Z, PI / 6.0, [0.0, 0.0, 1.266]))
 }
 
 /// The same arm on a base that stands askew, so that no axis is one of the frame.
@@ -64,14 +54,15 @@ fn askew(plan: Plan<6>) -> Plan<6> {
     Plan { axes: plan.axes.map(moved), home: (axis, angle, home.translation()) }
 }
 
-fn families() -> [(&'static str, Plan<6>); 6] {
+fn families() -> [(&'static str, Plan<6>, Family); 6] {
+    use Family::{SphericalWrist, ThreeParallel};
     [
-        ("UR5", ur5()),
-        ("PUMA", puma()),
-        ("IRB 6640", irb6640()),
-        ("iiwa", iiwa_held()),
-        ("UR5 askew", askew(ur5())),
-        ("PUMA askew", askew(free(puma()))),
+        ("UR5", ur5(), ThreeParallel),
+        ("PUMA", puma(), SphericalWrist),
+        ("IRB 6640", irb6640(), SphericalWrist),
+        ("iiwa", iiwa_held(), SphericalWrist),
+        ("UR5 askew", askew(ur5()), ThreeParallel),
+        ("PUMA askew", askew(free(puma())), SphericalWrist),
     ]
 }
 

@@ -22,7 +22,7 @@ fn missed(plan: &Plan<6>, by: f64) -> Plan<6> {
 #[test]
 fn arms_nearly_of_a_family_have_what_many_starts_find_and_it_is_not_said_to_be_all() {
     let (mut all, mut first) = (0, 0);
-    for (name, plan) in families() {
+    for (name, plan, _) in families() {
         // A quarter turn with four decimals, and with two.
         for by in [3.7e-6, 4e-4] {
             let near = missed(&plan, by);

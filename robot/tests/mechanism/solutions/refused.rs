@@ -2,8 +2,7 @@
 
 use super::Poses;
 use dq8::{DualQuat, ShapeError};
-use dq8_arms::{Plan, Random};
-use dq8_arms::{gantry, seven, six_of_any_kind, ur5};
+use dq8_arms::{Random, gantry, seven, six_of_any_kind, ur5};
 use dq8_robot::ik::{Goal, OwnedReach, ReachError, SixAxisArm, Solutions, SolutionsError};
 use dq8_robot::{Joint, OwnedMechanism};
 
@@ -13,13 +12,9 @@ fn refused(joints: &[Joint<f64>], goals: &[Goal<f64>]) -> SolutionsError {
     SixAxisArm::new(reach.expect("goals").view()).map(|_| ()).expect_err("no arm of six hinges")
 }
 
-fn links<const N: usize>(plan: &Plan<N>) -> Vec<Joint<f64>> {
-    plan.links()
-}
-
 #[test]
 fn what_is_no_arm_of_six_hinges_is_named() {
-    let (six, seven, eight) = (links(&ur5()), links(&seven()), links(&gantry()));
+    let (six, seven, eight) = (ur5().links(), seven().links(), gantry().links());
     assert_eq!(refused(&seven, &[Goal::pose(7)]), SolutionsError::Hinges { hinges: 7 });
     assert_eq!(refused(&six, &[Goal::pose(3)]), SolutionsError::Hinges { hinges: 4 });
     assert_eq!(refused(&eight, &[Goal::pose(8)]), SolutionsError::Joint { joint: 0 });
