@@ -14,19 +14,6 @@ use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestRunner};
 use std::cell::RefCell;
 
-/// Where both ways between two motions are equally long up to rounding, either is right.
-fn is_a_tie(on: On, name: &str, case: &Case) -> bool {
-    let apart = |other: &[f64; 8]| {
-        let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
-        dot.abs() < 16.0 * on.roundoff()
-    };
-    match name {
-        "nlerp" | "sclerp" | "sclerp_long" => apart(&case.b),
-        "dlb" => apart(&case.b) || apart(&case.c),
-        _ => false,
-    }
-}
-
 /// Compares operations on all `cases`, as many at a time as there are lanes.
 fn agree(on: On, operations: &[&Operation], cases: &[Case]) -> Result<(), String> {
     for operation in operations {
@@ -34,7 +21,7 @@ fn agree(on: On, operations: &[&Operation], cases: &[Case]) -> Result<(), String
         for chunk in cases.chunks(on.lanes) {
             let answers = operation.answer(on, chunk);
             for (lane, case) in chunk.iter().enumerate() {
-                if is_a_tie(on, operation.name, case) {
+                if operation.is_a_tie(on, case) {
                     continue;
                 }
                 let (numbers, masks) = answers.lane(lane);

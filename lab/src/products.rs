@@ -131,15 +131,15 @@ pub fn section() -> Result<Section, Box<dyn std::error::Error>> {
     let [never, exact, _, _, _, real_only, newton] = last;
     let longest = LENGTHS[LENGTHS.len() - 1];
     Ok(Section {
-        title: "Long products and normalizing".to_owned(),
+        title: "Long products and normalizing",
         tried: format!(
             "Random unit motions (turns up to π, translations up to 1) are multiplied in single precision, \
              {longest} in a chain, with several ways of normalizing, and compared with the product of the \
              same motions in double precision; {CHAINS} chains."
         ),
         claimed: vec![
-            "Kenwright §8: long chains have to be normalized now and then.".to_owned(),
-            "Fabisch, Mistakes: an approximation of the norm is good enough for most use cases.".to_owned(),
+            "Kenwright §8: long chains have to be normalized now and then.",
+            "Fabisch, Mistakes: an approximation of the norm is good enough for most use cases.",
         ],
         found: vec![
             format!(
@@ -165,8 +165,7 @@ pub fn section() -> Result<Section, Box<dyn std::error::Error>> {
         ],
         verdict: "Normalizing keeps the norm, as claimed, but does not make the rotation more exact. Scaling \
                   by the real part alone leaves what q has along p, which grows; one step of Newton's method \
-                  always errs to the same side, and shortens the way that was travelled."
-            .to_owned(),
+                  always errs to the same side, and shortens the way that was travelled.",
         body,
     })
 }

@@ -169,6 +169,19 @@ impl Operation {
         !restricted && domains().any(|d| d == Domain::Any)
     }
 
+    /// Whether both ways between two motions of the case are equally long up to rounding: either is right.
+    pub fn is_a_tie(&self, on: On, case: &Case) -> bool {
+        let apart = |other: &[f64; 8]| {
+            let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
+            dot.abs() < 16.0 * on.roundoff()
+        };
+        match self.name {
+            "nlerp" | "sclerp" | "sclerp_long" | "slerp_lerp" | "twist_to" => apart(&case.b),
+            "dlb" => apart(&case.b) || apart(&case.c),
+            _ => false,
+        }
+    }
+
     /// The bounds against the scalar path in `f64`, and how they are measured.
     pub fn double(&self) -> Option<(Inputs, Sign, &'static [Bound])> {
         self.bounds.iter().find_map(|held| match *held {

@@ -194,7 +194,7 @@ fn is_held(operation: &Operation, on: On, question: &Question) -> bool {
     in_domain
         && !whole_turn
         && (!of_a_cluster || question.draw == Draw::Close)
-        && !is_a_tie(on, name, case)
+        && !operation.is_a_tie(on, case)
         && has_room(name, on, case)
         && half_angle(name, case) < 0.999 * limit(on)
 }
@@ -218,19 +218,6 @@ fn half_angle(name: &str, case: &Case) -> f64 {
         }
         _ if name.contains("jacobian") => 0.5 * case.angle(),
         _ => 0.0,
-    }
-}
-
-/// Where both ways between two motions are equally long up to rounding, either is right.
-fn is_a_tie(on: On, name: &str, case: &Case) -> bool {
-    let apart = |other: &[f64; 8]| {
-        let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
-        dot.abs() < 16.0 * on.roundoff()
-    };
-    match name {
-        "nlerp" | "sclerp" | "sclerp_long" | "slerp_lerp" | "twist_to" => apart(&case.b),
-        "dlb" => apart(&case.b) || apart(&case.c),
-        _ => false,
     }
 }
 
