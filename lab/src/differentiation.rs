@@ -101,9 +101,10 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     };
     Ok(Section {
         title: "Dual numbers differentiate",
-        tried: "Interpolations of dq8, written for every number type, computed with t + ε and with \
+        tried:
+            "Interpolations of dq8, written for every number type, computed with t + ε and with \
                 t + ε₁ + ε₂: velocities and accelerations of the motion between two poses."
-            .to_owned(),
+                .to_owned(),
         claimed: vec![
             "Jia §2 (eq. 10), Kenwright §5.1 (Taylor series): f(a + εb) = f(a) + ε b f′(a).",
             "Jia §10: ScLERP moves with constant rotation and translation speeds.",

@@ -30,7 +30,8 @@ pub struct Section {
 impl Section {
     fn opening(&self) -> String {
         fn list(entries: &[impl AsRef<str>]) -> String {
-            let items = entries.iter().map(|entry| format!("<li>{}</li>\n", escape(entry.as_ref())));
+            let items =
+                entries.iter().map(|entry| format!("<li>{}</li>\n", escape(entry.as_ref())));
             format!("<ul>\n{}</ul>\n", items.collect::<String>())
         }
         format!(

@@ -2,6 +2,7 @@
 
 use super::{Provable, lane, lanes};
 use dq8::{Real, batch, scalar};
+use dq8_contract::bound::roundoff;
 use dq8_contract::on_every_lane_type;
 
 type Double = scalar::Dual<f64>;
@@ -58,7 +59,7 @@ fn edges_agree<L: Provable>() {
             let found = lane(on_lanes(batch::Dual::new(lanes::<L>(&[x]), lanes(&[0.0]))).real, 0);
             let wanted = by_the_book(scalar::Dual::new(as_stored::<L>(x), 0.0)).real;
             let wanted = as_stored::<L>(wanted);
-            let close = (found - wanted).abs() <= 8.0 * super::roundoff::<L>() * wanted.abs();
+            let close = (found - wanted).abs() <= 8.0 * roundoff::<L::Real>() * wanted.abs();
             let same = found == wanted || found.is_nan() && wanted.is_nan() || close;
             assert!(same, "{name}({x:e}) is {found:e}, by the book {wanted:e}");
             if wanted == 0.0 {
@@ -71,7 +72,7 @@ fn edges_agree<L: Provable>() {
             let number = |real: f64| batch::Dual::new(lanes::<L>(&[real]), lanes(&[0.0]));
             let found = lane(number(y).atan2(number(x)).real, 0);
             let wanted = as_stored::<L>(y).atan2(as_stored::<L>(x));
-            let close = (found - wanted).abs() <= 8.0 * super::roundoff::<L>() * wanted.abs();
+            let close = (found - wanted).abs() <= 8.0 * roundoff::<L::Real>() * wanted.abs();
             let same = found == wanted || found.is_nan() && wanted.is_nan() || close;
             // What is below the smallest number of the lanes is zero to them.
             let vanishes = found == 0.0 && wanted.abs() < 1e-30;
@@ -94,10 +95,10 @@ fn exponentials_keep_their_range<L: Provable>() {
         let (found, wanted) = (lane(found.real, 0), x.exp());
         // The last place of subnormal numbers is that of the smallest.
         let last = if single { f64::from(f32::from_bits(1)) } else { f64::from_bits(1) };
-        assert!((found - wanted).abs() <= 4.0 * super::roundoff::<L>() * wanted + last, "exp {x}");
+        assert!((found - wanted).abs() <= 4.0 * roundoff::<L::Real>() * wanted + last, "exp {x}");
         let back = batch::Dual::new(lanes::<L>(&[found]), lanes(&[0.0])).ln();
         let (back, wanted) = (lane(back.real, 0), found.ln());
-        let close = (back - wanted).abs() <= 4.0 * super::roundoff::<L>() * wanted.abs();
+        let close = (back - wanted).abs() <= 4.0 * roundoff::<L::Real>() * wanted.abs();
         assert!(close, "ln {found:e} is {back}, not {wanted}");
     }
 }
@@ -114,7 +115,7 @@ fn far_angles<L: Provable>() {
         let found = batch::Dual::new(lanes::<L>(&[x]), lanes(&[1.0])).sin();
         let [sin, cos] = [lane(found.real, 0), lane(found.dual, 0)];
         let error = (sin - x.sin()).abs().max((cos - x.cos()).abs());
-        assert!(error <= 4.0 * super::roundoff::<L>(), "sin {x}: {error:e}");
+        assert!(error <= 4.0 * roundoff::<L::Real>(), "sin {x}: {error:e}");
     }
     let beyond = if single { 65_537.0 } else { 35_184_372_088_833.0 };
     let found = batch::Dual::new(lanes::<L>(&[beyond]), lanes(&[1.0]));

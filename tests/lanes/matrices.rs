@@ -2,9 +2,10 @@
 //! error.
 
 use super::scene::{cases, motion, quat};
-use super::{Provable, columns, exact, holds, lanes, measure, rounded, row};
+use super::{Provable, columns, holds, lanes, measure, row};
 use dq8::simd::{Lanes, Mask, f32x4};
 use dq8::{DualQuat, Quat, Real, batch};
+use dq8_contract::bound::{exact, rounded, roundoff};
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::on_every_lane_type;
 use dq8_contract::sample::Proof;
@@ -141,7 +142,7 @@ fn checked_matrices<L: Provable>() {
                         let off =
                             got.iter().zip(exact(wanted.to_array())).map(|(a, b)| (a - b).abs());
                         let worst = off.fold(0.0, f64::max);
-                        assert!(worst < 64.0 * super::roundoff::<L>(), "{rows:?}: {worst:e}");
+                        assert!(worst < 64.0 * roundoff::<L::Real>(), "{rows:?}: {worst:e}");
                     }
                 }
             }

@@ -1,7 +1,8 @@
 //! Axes, angles and directions.
 
-use super::{Provable, exact, lane, lanes, rounded, row};
+use super::{Provable, lane, lanes, row};
 use dq8::{Quat, batch};
+use dq8_contract::bound::{exact, rounded, roundoff};
 use dq8_contract::on_every_lane_type;
 
 fn axes_at_the_edges<L: Provable>() {
@@ -26,7 +27,7 @@ fn axes_at_the_edges<L: Provable>() {
             assert!(got.is_nan() && wanted.is_nan(), "{q:?}");
         } else {
             assert_eq!(row(axis, 0), exact(by_axis), "{q:?}");
-            assert!((got - wanted).abs() <= 4.0 * super::roundoff::<L>() * wanted, "{q:?}");
+            assert!((got - wanted).abs() <= 4.0 * roundoff::<L::Real>() * wanted, "{q:?}");
         }
     }
     for (from, to) in [([1.0, 0.0, 0.0], [-2.0, 0.0, 0.0]), ([0.0, 3.0, 0.0], [0.0, 3.0, 0.0])] {

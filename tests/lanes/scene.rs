@@ -1,7 +1,7 @@
 //! Motions and vectors for everything here: [`Case`].
 
-use super::rounded;
 use dq8::{DualQuat, Quat, Real};
+use dq8_contract::bound::rounded;
 use dq8_contract::inputs;
 
 /// A motion, another one, and vectors.
