@@ -19,6 +19,8 @@ pub struct Operation {
     /// can have.
     pub scale: fn(&Case) -> Scale,
     pub bounds: &'static [Held],
+    /// The kind of its answer, as the table calls it.
+    pub answers: &'static str,
     pub(crate) index: usize,
 }
 
@@ -160,6 +162,12 @@ impl Operation {
             Sign::Kept => with_sign(1.0),
             Sign::Either => with_sign(1.0).min(with_sign(-1.0)),
         }
+    }
+
+    /// Whether its answers are unit, or NaN.
+    pub fn answers_units(&self) -> bool {
+        self.name == "normalize_checked"
+            || matches!(self.answers, "unit" | "small_motion" | "blend" | "mean")
     }
 
     /// Whether all dual quaternions among its arguments may be any, and there are some.

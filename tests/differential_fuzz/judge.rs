@@ -23,29 +23,6 @@ pub(crate) struct Question {
     pub(crate) masks_about: [Vec<bool>; 2],
 }
 
-/// Interpolations and constructors, whose answers are unit, or NaN.
-const UNIT: [&str; 19] = [
-    "dib",
-    "dlb",
-    "dlb_running",
-    "exp",
-    "from_matrix3x4",
-    "from_twist",
-    "integrate_body",
-    "integrate_spatial",
-    "nlerp",
-    "normalize",
-    "normalize_checked",
-    "pow",
-    "sclerp",
-    "sclerp_long",
-    "slerp_lerp",
-    "sqrt",
-    "squad",
-    "squad_control",
-    "from_screw",
-];
-
 /// What is wrong with an answer, and by how much, in units of what is allowed.
 pub(crate) fn judge(
     operation: &Operation,
@@ -76,7 +53,7 @@ pub(crate) fn judge(
         "normalize" | "normalize_checked" | "inverse" | "inverse_checked" => {
             case.a[..4].iter().all(|c| *c == 0.0)
         }
-        "exp" | "from_twist" | "integrate_spatial" | "integrate_body" => {
+        name if name == "exp" || name == "from_twist" || name.starts_with("integrate") => {
             on.name.starts_with("lanes") && half_angle(operation.name, case) > 1.001 * limit(on)
         }
         _ => false,
@@ -92,7 +69,7 @@ pub(crate) fn judge(
         return (error > 1.0).then_some((error, "beyond its bound"));
     }
     let normalizes = matches!(operation.name, "normalize" | "normalize_checked" | "nlerp" | "dlb");
-    if UNIT.contains(&operation.name)
+    if operation.answers_units()
         && (normalizes || question.draw.is_unit())
         && (operation.name != "squad" || has_room("squad", on, case))
     {
@@ -212,7 +189,7 @@ fn half_angle(name: &str, case: &Case) -> f64 {
         "from_screw" => 0.5 * case.screw[6].abs(),
         "from_twist" => 0.5 * case.angle(),
         // The length of the twist itself may be no number.
-        "integrate_spatial" | "integrate_body" => {
+        _ if name.starts_with("integrate") => {
             let [x, y, z, ..] = case.x;
             length(&[x, y, z].map(|rate| 0.5 * rate * case.dt))
         }
