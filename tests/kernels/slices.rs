@@ -3,7 +3,7 @@
 
 use crate::inputs::{BETWEEN, HEAVIER, Inputs, LONG};
 use crate::memory::{Memory, lay, read, round};
-use crate::records::{equal, is_finite, same_bits};
+use crate::records::{entries, equal, is_finite, same_bits};
 use crate::scene::rounded;
 use crate::subject::for_every_subject;
 use dq8::storage::Aos;
@@ -176,19 +176,6 @@ fn numbers(motion: DualQuat<f64>) -> Vec<f64> {
 
 fn halves([a, b, c, d, e, f]: [f64; 6]) -> ([f64; 3], [f64; 3]) {
     ([a, b, c], [d, e, f])
-}
-
-/// The numbers of a matrix of this many, row after row or column after column.
-fn entries(motion: DualQuat<f64>, order: MatrixOrder, count: usize) -> Vec<f64> {
-    let (rows, matrix) = (count / 4, motion.to_matrix4());
-    let by_columns = |k: usize| matrix[k % rows][k / rows];
-    let by_rows = |k: usize| matrix[k / 4][k % 4];
-    let each = 0..count;
-    if order == MatrixOrder::Columns {
-        each.map(by_columns).collect()
-    } else {
-        each.map(by_rows).collect()
-    }
 }
 
 /// Every kernel over slices whose elements do not see each other.
