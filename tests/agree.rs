@@ -218,33 +218,6 @@ fn masks_agree(on: On, cases: &[Case]) -> Result<(), String> {
     Ok(())
 }
 
-/// Motions that are not quite unit: |p| off by `off`, and q off by `along` along p.
-fn nearly_unit(motion: [f64; 8], off: f64, along: f64) -> [f64; 8] {
-    let [px, py, pz, pw, qx, qy, qz, qw] = motion.map(|c| c * (1.0 + off));
-    let tilted = [qx + along * px, qy + along * py, qz + along * pz, qw + along * pw];
-    let [qx, qy, qz, qw] = tilted;
-    [px, py, pz, pw, qx, qy, qz, qw]
-}
-
-#[test]
-fn is_unit_draws_its_line_where_scalar_does() {
-    let motion = inputs::edge_motions()[60];
-    let tolerance = 1e-3;
-    let mut cases = Vec::new();
-    for (off, along) in [(0.0, 0.0), (0.9, 0.0), (1.1, 0.0), (-0.9, 0.0), (-1.1, 0.0)] {
-        cases.push((nearly_unit(motion, off * tolerance, along * tolerance), off.abs() < 1.0));
-    }
-    for on in implementations() {
-        for chunk in cases.chunks(on.lanes) {
-            let gathered: Vec<_> = (0..on.lanes).map(|i| chunk[i % chunk.len()].0).collect();
-            let bits = on.gather(&gathered).is_unit(on.splat(tolerance));
-            for (lane, (motion, unit)) in chunk.iter().enumerate() {
-                assert_eq!(bits >> lane & 1 == 1, *unit, "{on:?}, lane {lane}: {motion:?}");
-            }
-        }
-    }
-}
-
 #[test]
 fn a_lane_does_not_know_its_place_or_its_neighbours() {
     let edges = inputs::unit_cases();
