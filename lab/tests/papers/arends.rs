@@ -2,10 +2,8 @@
 
 use crate::{add, assert_close, assert_far, cross, dot, motions, point, pure, quat};
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
-use dq8::{DualQuat, Quat, geometry::DualVector, scalar::MatrixError};
+use dq8::{DualQuat, Quat, scalar::MatrixError};
 use lab::arends::{side_by_side, slerp, slerp_formula};
-
-type Matrix = [[f64; 4]; 4];
 
 /// Equations 8 to 10: e v e⁻¹ mirrors v in the line e, so half the sum and half the difference with v
 /// are its parts along and across e.
@@ -129,54 +127,4 @@ fn chapter_6_erratum_quaternions_with_equal_vector_parts_need_not_be_equal() {
     assert_far(a.sclerp(b, 0.5).to_array(), a.to_array());
     let y = [0.0, 1.0, 0.0];
     assert_far(a.transform_vector(y), b.transform_vector(y));
-}
-
-/// The 4×4 logarithm of a motion: [ω]× and v, where a + εb = log σ gives ω = 2a and v = 2b.
-fn twist(log: DualVector<f64>) -> Matrix {
-    let ([x, y, z], [a, b, c]) = (log.real.map(|c| 2.0 * c), log.dual.map(|c| 2.0 * c));
-    [[0.0, -z, y, a], [z, 0.0, -x, b], [-y, x, 0.0, c], [0.0; 4]]
-}
-
-/// The matrix exponential by its series, Σ Mⁿ/n!.
-fn exp(matrix: Matrix) -> Matrix {
-    let mut term: Matrix = core::array::from_fn(|i| core::array::from_fn(|j| f64::from(i == j)));
-    let mut sum = term;
-    for n in 1..40 {
-        let entry = |i: usize, j: usize| {
-            (0..4).map(|k| term[i][k] * matrix[k][j]).sum::<f64>() / f64::from(n)
-        };
-        term = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
-        sum = core::array::from_fn(|i| core::array::from_fn(|j| sum[i][j] + term[i][j]));
-    }
-    sum
-}
-
-fn assert_is(motion: DualQuat<f64>, wanted: Matrix) {
-    let rows = motion.to_matrix4();
-    (0..4).for_each(|row| assert_close(rows[row], wanted[row], 1e-13));
-}
-
-/// Chapter 2, keyframing: α ⊙ A = e^(α ln A) and A ⊕ B = e^(ln A + ln B), with the exponential and
-/// logarithm of matrices, as Alexa means them. In dq8 they are `pow` and `exp` of a sum of `log`s.
-#[test]
-fn chapter_2_keyframing_alexas_operations_are_those_of_the_matrix_logarithm() {
-    let [a, b] = motions();
-    assert_is(a, exp(twist(a.log())));
-    for alpha in [0.0, 0.25, 1.0, -2.0] {
-        let scaled = twist(a.log()).map(|row| row.map(|c| alpha * c));
-        assert_is(a.pow(alpha), exp(scaled));
-    }
-    let sum = |a: DualVector<f64>, b: DualVector<f64>| DualVector {
-        real: add(a.real, b.real),
-        dual: add(a.dual, b.dual),
-    };
-    let (ta, tb) = (twist(a.log()), twist(b.log()));
-    let both = DualQuat::exp(sum(a.log(), b.log()));
-    let together = core::array::from_fn(|i| core::array::from_fn(|j| ta[i][j] + tb[i][j]));
-    assert_is(both, exp(together));
-    // ⊕ commutes, where the product does not.
-    assert_close(DualQuat::exp(sum(b.log(), a.log())).to_array(), both.to_array(), 1e-15);
-    // Along one axis ⊕ is the product: (½ ⊙ A) ⊕ (¼ ⊙ A) = ¾ ⊙ A.
-    let parts = sum(a.pow(0.5).log(), a.pow(0.25).log());
-    assert_close(DualQuat::exp(parts).to_array(), a.pow(0.75).to_array(), 1e-14);
 }
