@@ -4,31 +4,22 @@
 
 use dq8::storage::{Aos, Element};
 use dq8::{Backend, DualQuat, Quat, Real, Scalar, Twist, scalar::MatrixError};
-use dq8_contract::bound::unit_roundoff;
+use dq8_contract::bound::{largest, largest_half_angle, unit_roundoff};
 use dq8_contract::case::Case;
 use dq8_contract::implementation::{On, implementations, scalar_f64};
 use dq8_contract::operation::{Argument, Domain, Operation};
 use dq8_contract::operations::{OPERATIONS, operation};
 
-/// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
-fn limit(single: bool) -> f64 {
-    2f64.powi(if single { 16 } else { 45 })
-}
-
-fn largest(single: bool) -> f64 {
-    if single { f32::MAX.into() } else { f64::MAX }
-}
-
 /// Half angles from 0.7 to the largest number, none at the limit itself.
 fn half_angles(single: bool) -> impl Iterator<Item = f64> {
     let rising = std::iter::successors(Some(0.7), |half| Some(1.37 * half));
     let all = rising.take_while(move |&half| half <= largest(single)).chain([largest(single)]);
-    all.filter(move |half| (half / limit(single) - 1.0).abs() > 1e-3)
+    all.filter(move |half| (half / largest_half_angle(single) - 1.0).abs() > 1e-3)
 }
 
 /// Unit, or wholly NaN if it may be.
 fn assert_unit_or_nan(what: &str, single: bool, half: f64, pose: [f64; 8]) {
-    if half > limit(single) {
+    if half > largest_half_angle(single) {
         assert!(pose.iter().all(|c| c.is_nan()), "{what} of {half:e}: {pose:?}");
         return;
     }
@@ -251,7 +242,7 @@ fn judge(on: On, operation: &Operation, case: &Case, half: f64, motion: [f64; 8]
         // weights cancel. The parameter of the last screw of `squad` grows with t², and its turn with t.
         let t = 2.0 * case.t.abs() + 1.0;
         let t = if *name == "squad" { t.powi(3) } else { t };
-        let limit = limit(on.single);
+        let limit = largest_half_angle(on.single);
         let square = if on.single { 1e19 } else { 1e154 };
         let twist = case.x[..3].iter().map(|c| c * c).sum::<f64>().sqrt() / 2.0;
         let turn = case.a[..3].iter().map(|c| c * c).sum::<f64>().sqrt().asin();

@@ -64,13 +64,7 @@ impl Fuzz {
     }
     /// A rigid motion.
     fn motion(&mut self) -> DualQuat<f32> {
-        loop {
-            let turn = Quat::from_array([(); 4].map(|()| self.signed()));
-            if turn.norm() > 0.1 {
-                let translation = [(); 3].map(|()| 3.0 * self.signed());
-                return DualQuat::from_rotation_translation(turn.normalize(), translation);
-            }
-        }
+        self.random.motion(3.0).cast()
     }
     fn any(&mut self) -> DualQuat<f32> {
         if self.below(2) == 0 { self.motion() } else { DualQuat::from_array(self.numbers()) }

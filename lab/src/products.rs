@@ -62,15 +62,11 @@ fn motion(random: &mut Random) -> DualQuat<f32> {
     let t = motion.translation();
     let longest = t.iter().fold(1.0_f64, |longest, c| longest.max(c.abs()));
     let short = DualQuat::from_rotation_translation(motion.rotation(), t.map(|c| c / longest));
-    DualQuat::from_array(short.to_array().map(|c| c as f32))
-}
-
-fn wide(motion: DualQuat<f32>) -> DualQuat<f64> {
-    DualQuat::from_array(motion.to_array().map(f64::from))
+    short.cast()
 }
 
 fn squares(product: DualQuat<f32>, exact: DualQuat<f64>) -> Errors {
-    let product = wide(product);
+    let product = product.cast::<f64>();
     let norm = product.norm();
     let difference = exact.conjugate() * product.normalize();
     let [x, y, z] = difference.real().xyz();
@@ -97,7 +93,7 @@ pub fn errors(lengths: &[usize]) -> Vec<[Errors; METHODS.len()]> {
                 *product = (method.keep)(*product * next, n);
             }
             // The factors are unit to 2⁻²⁴ only, and the exact product is that of the motions they mean.
-            exact = (exact * wide(next).normalize()).normalize();
+            exact = (exact * next.cast().normalize()).normalize();
             if let Some(row) = lengths.iter().position(|&length| length == n) {
                 for (sums, product) in sums[row].iter_mut().zip(products) {
                     let squares = squares(product, exact);

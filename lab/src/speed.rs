@@ -86,10 +86,7 @@ pub type Timed = (&'static str, f64);
 pub fn times() -> Vec<Timed> {
     let mut random = Random(1);
     let motions: Vec<DualQuat<f32>> = (0..2 * PRODUCTS)
-        .map(|_| {
-            let motion = DualQuat::from_array(random.vector()).normalize();
-            DualQuat::from_array(motion.to_array().map(|c| c as f32))
-        })
+        .map(|_| DualQuat::<f64>::from_array(random.vector()).normalize().cast())
         .collect();
     let (left, right) = motions.split_at(PRODUCTS);
     let four = |motions: &[DualQuat<f32>]| -> Vec<Matrix<f32, 4, 4>> {

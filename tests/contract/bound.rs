@@ -91,6 +91,16 @@ pub const fn unit_roundoff(single: bool) -> f64 {
     if single { f32::EPSILON as f64 / 2.0 } else { f64::EPSILON / 2.0 }
 }
 
+/// The largest number.
+pub fn largest(single: bool) -> f64 {
+    if single { f32::MAX.into() } else { f64::MAX }
+}
+
+/// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
+pub fn largest_half_angle(single: bool) -> f64 {
+    2f64.powi(if single { 16 } else { 45 })
+}
+
 /// The unit roundoff of a number type.
 pub fn roundoff<R: Real>() -> f64 {
     R::EPSILON.into() / 2.0

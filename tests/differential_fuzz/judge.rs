@@ -2,7 +2,7 @@
 //! and elsewhere what is promised for any input.
 
 use crate::draw::Draw;
-use dq8_contract::bound::{Kind, Scale, distance};
+use dq8_contract::bound::{Kind, Scale, distance, largest, largest_half_angle};
 use dq8_contract::case::{Case, length};
 use dq8_contract::implementation::On;
 use dq8_contract::operation::{Held, Operation, Sign};
@@ -36,15 +36,16 @@ pub(crate) fn judge(
     // How many steps a mean takes is a matter of rounding; what has no room in the type fails.
     let sizes = [&case.a[..4], &case.a[4..]].map(length);
     let said = operation.name != "dib"
-        && scale.length.max(scale.plain).max(sizes[0] * sizes[1]) <= 0.25 * largest(on);
-    if said && less == more && got.1 != *less && !is_at_the_end(on, case) {
+        && scale.length.max(scale.plain).max(sizes[0] * sizes[1]) <= 0.25 * largest(on.single);
+    if said && less == more && got.1 != *less && !case.is_at_the_end(on.single) {
         return Some((f64::INFINITY, "another truth value"));
     }
     let any = |numbers: &[(Kind, f64)]| numbers.iter().any(|(_, number)| !number.is_finite());
     if !question.finite {
         // An infinity may be a sum of finite numbers that overflowed, and NaN twice a number that is nearly the largest,
         // times nothing.
-        let doubled = case.a[..4].iter().any(|c| c.is_finite() && c.abs() > 0.5 * largest(on));
+        let doubled =
+            case.a[..4].iter().any(|c| c.is_finite() && c.abs() > 0.5 * largest(on.single));
         let lost = truth.iter().any(|(_, number)| number.is_nan()) && !any(&got.0) && !doubled;
         return lost.then_some((f64::INFINITY, "finite, of what is not"));
     }
@@ -54,7 +55,8 @@ pub(crate) fn judge(
             case.a[..4].iter().all(|c| *c == 0.0)
         }
         name if name == "exp" || name == "from_twist" || name.starts_with("integrate") => {
-            on.name.starts_with("lanes") && half_angle(operation.name, case) > 1.001 * limit(on)
+            on.name.starts_with("lanes")
+                && half_angle(operation.name, case) > 1.001 * largest_half_angle(on.single)
         }
         _ => false,
     };
@@ -80,15 +82,6 @@ pub(crate) fn judge(
         return (off > 1.0 && !any(&got.0)).then_some((off, "neither unit nor NaN"));
     }
     None
-}
-
-/// |p| itself may be no number though p is one: scalar has nothing to divide by then.
-fn is_at_the_end(on: On, case: &Case) -> bool {
-    case.a[..4].iter().any(|c| c.abs() > 0.5 * largest(on))
-}
-
-fn largest(on: On) -> f64 {
-    if on.single { f32::MAX.into() } else { f64::MAX }
 }
 
 /// In units of u · scale. Bounds are one and a half times the worst of 10⁵ answers; so many more reach farther.
@@ -142,8 +135,10 @@ fn has_room(name: &str, on: On, case: &Case) -> bool {
     match name {
         "squad" => (0.0..=1.0).contains(&case.t),
         // They fail as a whole where a component of the answer is none.
-        "normalize" | "normalize_checked" => fits(q) && q / p < largest(on) / 64.0,
-        "inverse" | "inverse_checked" => fits(q) && (q / p / p).max(1.0 / p) < largest(on) / 64.0,
+        "normalize" | "normalize_checked" => fits(q) && q / p < largest(on.single) / 64.0,
+        "inverse" | "inverse_checked" => {
+            fits(q) && (q / p / p).max(1.0 / p) < largest(on.single) / 64.0
+        }
         "dlb" | "dlb_running" | "dib" => {
             let sizes = [case.a, case.b, case.c, case.d].map(|motion| length(&motion[4..]));
             let weights = &case.weights;
@@ -173,12 +168,7 @@ fn is_held(operation: &Operation, on: On, question: &Question) -> bool {
         && (!of_a_cluster || question.draw == Draw::Close)
         && !operation.is_a_tie(on, case)
         && has_room(name, on, case)
-        && half_angle(name, case) < 0.999 * limit(on)
-}
-
-/// The largest half angle that is known: 2¹⁶ and 2⁴⁵.
-fn limit(on: On) -> f64 {
-    2.0_f64.powi(if on.single { 16 } else { 45 })
+        && half_angle(name, case) < 0.999 * largest_half_angle(on.single)
 }
 
 /// How far the operation turns.
@@ -208,7 +198,9 @@ fn error(
 ) -> f64 {
     let with_sign = |sign: f64| {
         let pairs = got.iter().zip(truth).filter(|((kind, _), (_, truth))| {
-            *kind != Kind::Count && truth.is_finite() && scale.of(*kind) <= largest(on) / 64.0
+            *kind != Kind::Count
+                && truth.is_finite()
+                && scale.of(*kind) <= largest(on.single) / 64.0
         });
         pairs.fold(0.0, |worst: f64, (&(kind, got), &(_, truth))| {
             worst.max(distance(sign * got, truth, scale.of(kind), on.single))

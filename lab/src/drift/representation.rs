@@ -76,17 +76,13 @@ impl<R: Real> Representation for DualQuat<R> {
         self * other
     }
     fn to_matrix(self) -> Matrix<f64, 3, 4> {
-        wide(self).to_matrix3x4()
+        self.cast::<f64>().to_matrix3x4()
     }
     fn norm_error(self) -> f64 {
-        let [p, q] = [wide(self).real(), wide(self).dual()];
+        let exact = self.cast::<f64>();
+        let (p, q) = (exact.real(), exact.dual());
         (p.norm() - 1.0).abs().max(p.dot(q).abs())
     }
-}
-
-/// The same numbers in double precision.
-fn wide<R: Real>(motion: DualQuat<R>) -> DualQuat<f64> {
-    DualQuat::from_array(motion.to_array().map(Into::into))
 }
 
 /// A dual quaternion that is read by the matrix of Kenwright §13.1, w² + x² − y² − z² and so on, without his
@@ -109,7 +105,7 @@ impl<R: Real> Representation for Listing<R> {
         Self(self.0 * other.0)
     }
     fn to_matrix(self) -> Matrix<f64, 3, 4> {
-        let motion = wide(self.0);
+        let motion = self.0.cast::<f64>();
         let [w, x, y, z] = motion.real().to_wxyz();
         let [tx, ty, tz] = motion.translation();
         [
@@ -144,22 +140,18 @@ impl<R: Real> Representation for RotationTranslation<R> {
         self * other
     }
     fn to_matrix(self) -> Matrix<f64, 3, 4> {
-        let turned = wide_rotation(self).to_matrix3();
+        let turned = self.rotation.cast::<f64>().to_matrix3();
         core::array::from_fn(|i| {
             let [x, y, z] = turned[i];
             [x, y, z, self.translation[i].into()]
         })
     }
     fn norm_error(self) -> f64 {
-        (wide_rotation(self).norm() - 1.0).abs()
+        (self.rotation.cast::<f64>().norm() - 1.0).abs()
     }
 }
 
 /// With a unit quaternion.
 pub fn with_unit_rotation<R: Real>(pose: RotationTranslation<R>) -> RotationTranslation<R> {
     RotationTranslation { rotation: pose.rotation.normalize(), ..pose }
-}
-
-fn wide_rotation<R: Real>(pose: RotationTranslation<R>) -> Quat<f64> {
-    Quat::from_array(pose.rotation.to_array().map(Into::into))
 }
