@@ -345,6 +345,20 @@ fn what_is_no_motion_is_seen_in_its_own_place_only() {
     });
 }
 
+/// Without optimisation each value of a kernel, and of what it inlines, has a place of its own: `tests/stack.rs`.
+#[test]
+#[cfg(not(target_family = "wasm"))]
+fn every_kernel_needs_one_mebibyte_of_stack() {
+    dq8_contract::stack::within(1024, |backend| {
+        let inputs = Inputs::new(37);
+        for_every_subject(|subject, on| {
+            for index in (0..kernels::<Aos<f64>>().len()).filter(|_| on == backend) {
+                subject.slices(backend, index, &inputs);
+            }
+        });
+    });
+}
+
 #[test]
 fn slices_of_different_lengths_are_refused_and_the_output_is_untouched() {
     for_every_subject(|subject, backend| subject.slices_are_as_long(backend, &Inputs::new(35)));
