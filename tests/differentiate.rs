@@ -69,7 +69,6 @@ fn dual_numbers_of_dual_numbers_give_second_derivatives() {
     }
 }
 
-/// The derivative of a motion by `derivative_spatial` is what differentiating `from_twist` gives.
 #[test]
 fn a_dual_number_whose_real_part_is_infinitesimal_has_no_inverse() {
     for real in [Dual::EPSILON, -Dual::EPSILON, Dual::ZERO, Dual::new(f64::NAN, 0.0)] {
@@ -79,6 +78,7 @@ fn a_dual_number_whose_real_part_is_infinitesimal_has_no_inverse() {
     assert!(tiny.inverse().is_ok(), "as of the smallest float");
 }
 
+/// The derivative of a motion by `derivative_spatial` is what differentiating `from_twist` gives.
 #[test]
 fn twists_are_what_differentiation_finds() {
     let twist = Twist { angular: [0.3, -1.1, 0.7], linear: [2.0, 0.5, -1.0] };

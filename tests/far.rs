@@ -3,118 +3,84 @@
 //! do lanes keep what these lack of unit length.
 
 use dq8::storage::{Aos, Element};
-use dq8::{
-    Backend, DualQuat, Lanes, Quat, Real, Scalar, Twist, batch, geometry::DualVector,
-    scalar::MatrixError, simd::Float,
-};
+use dq8::{Backend, DualQuat, Quat, Real, Scalar, Twist, scalar::MatrixError};
+use dq8_contract::bound::{largest, largest_half_angle, unit_roundoff};
 use dq8_contract::case::Case;
 use dq8_contract::implementation::{On, implementations, scalar_f64};
-use dq8_contract::on_every_lane_type;
 use dq8_contract::operation::{Argument, Domain, Operation};
-use dq8_contract::operations::OPERATIONS;
-use dq8_contract::sample::Proof;
-use dq8_contract::textbook::Textbook;
-
-/// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
-fn limit<R: Real>() -> f64 {
-    2f64.powi(if R::EPSILON.into() > 1e-10 { 16 } else { 45 })
-}
+use dq8_contract::operations::{OPERATIONS, operation};
 
 /// Half angles from 0.7 to the largest number, none at the limit itself.
-fn half_angles<R: Real>() -> impl Iterator<Item = f64> {
-    let largest = if R::EPSILON.into() > 1e-10 { f64::from(f32::MAX) } else { f64::MAX };
-    let mut next = 0.7;
-    std::iter::from_fn(move || {
-        let half = next;
-        next *= 1.37;
-        (half.is_finite() && half <= largest).then_some(half)
-    })
-    .chain([largest])
-    .filter(|half| (half / limit::<R>() - 1.0).abs() > 1e-3)
+fn half_angles(single: bool) -> impl Iterator<Item = f64> {
+    let rising = std::iter::successors(Some(0.7), |half| Some(1.37 * half));
+    let all = rising.take_while(move |&half| half <= largest(single)).chain([largest(single)]);
+    all.filter(move |half| (half / largest_half_angle(single) - 1.0).abs() > 1e-3)
 }
 
 /// Unit, or wholly NaN if it may be.
-fn assert_unit_or_nan<R: Real>(what: &str, half: f64, pose: DualQuat<R>) {
-    let components = pose.to_array().map(Into::<f64>::into);
-    if half > limit::<R>() {
-        assert!(components.iter().all(|c| c.is_nan()), "{what} of {half:e}: {pose:?}");
+fn assert_unit_or_nan(what: &str, single: bool, half: f64, pose: [f64; 8]) {
+    if half > largest_half_angle(single) {
+        assert!(pose.iter().all(|c| c.is_nan()), "{what} of {half:e}: {pose:?}");
         return;
     }
-    let [p, q] = [&components[..4], &components[4..]];
+    let [p, q] = [&pose[..4], &pose[4..]];
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let epsilon: f64 = R::EPSILON.into();
+    let epsilon = 2.0 * unit_roundoff(single);
     let (norm, along, size) = (dot(p, p).sqrt(), dot(p, q), dot(q, q).sqrt());
     assert!((norm - 1.0).abs() < 8.0 * epsilon, "{what} of {half:e}: |p| = {norm}");
     assert!(along.abs() < 16.0 * epsilon * size.max(1.0), "{what} of {half:e}: p·q = {along:e}");
 }
 
-fn first<L: Lanes>(pose: batch::DualQuat<L>) -> DualQuat<L::Real>
-where
-    L::Real: Real,
-{
-    DualQuat::from_array(pose.to_array().map(|lanes| lanes.to_array().as_ref()[0]))
+const AXIS: [f64; 3] = [0.36, 0.48, 0.8];
+const MOMENT: [f64; 3] = [0.3, -0.5, 0.1];
+
+/// A turn whose half angle is 1.
+fn radian() -> DualQuat<f64> {
+    DualQuat::from_rotation_translation(Quat::from_axis_angle(AXIS, 2.0), MOMENT)
 }
 
-fn every_far_turn_is_unit_or_nan<L: Lanes<Level: Proof, Real: Real>>() {
-    let level = L::Level::proof();
-    let real = <L::Real as Real>::from_f64;
-    let lanes = |x: f64| L::splat(level, real(x));
-    let axis = [0.36, 0.48, 0.8];
-    let moment = [0.3, -0.5, 0.1];
-    let by_half = |half: f64| {
-        let angular = axis.map(|c| 2.0 * half * c);
-        Twist { angular: angular.map(lanes), linear: moment.map(lanes) }
-    };
-    let start = batch::DualQuat::from_translation([0.2, 0.1, -0.4].map(lanes));
-    let turn = batch::Quat::from_axis_angle(axis.map(lanes), lanes(2.0));
-    let radian = batch::DualQuat::from_rotation_translation(turn, moment.map(lanes));
-    for half in half_angles::<L::Real>() {
-        let log = DualVector { real: axis.map(|c| lanes(half * c)), dual: moment.map(lanes) };
-        let exp = first(batch::DualQuat::exp(log));
-        assert_unit_or_nan("exp", half, exp);
-        if half <= limit::<L::Real>() {
-            // Not the quicker forms that floats have: those are lanes.
-            let by_the_book = |x: f64| Textbook(real(x));
-            let log = DualVector {
-                real: axis.map(|c| by_the_book(half * c)),
-                dual: moment.map(by_the_book),
-            };
-            let book = DualQuat::exp(log).to_array().map(|component| component.0);
-            let apart: f64 = exp.angle_to(DualQuat::from_array(book)).into();
-            let epsilon: f64 = <L::Real as Real>::EPSILON.into();
-            assert!(apart < 4.0 * epsilon * half.max(1.0), "{apart:e} at {half:e}");
-        }
-        // Twice the half angle may be infinite.
-        if 2.0 * half * 0.8 < 1e38 || !L::Real::SINGLE && half < 1e307 {
-            assert_unit_or_nan(
-                "from_twist",
-                half,
-                first(batch::DualQuat::from_twist(by_half(half))),
-            );
-            let spin = batch::Quat::from_axis_angle(axis.map(lanes), lanes(2.0 * half));
-            let spun = batch::DualQuat::from_rotation(spin) * start;
-            assert_unit_or_nan("from_axis_angle", half, first(spun));
-        }
-        let log = DualVector { real: axis.map(|c| real(half * c)), dual: moment.map(real) };
-        assert_unit_or_nan("exp of one", half, DualQuat::exp(log));
-        // Half the angle of `radian` is 1.
-        assert_unit_or_nan("pow", half, first(radian.pow(lanes(half))));
-        let identity = batch::DualQuat::identity(level);
-        assert_unit_or_nan("sclerp", half, first(identity.sclerp(radian, lanes(half))));
-        assert_unit_or_nan("sclerp_long", half, first(identity.sclerp_long(radian, lanes(half))));
-        let twist = by_half(1.0);
-        for (what, pose) in [
-            ("integrate_spatial", start.integrate_spatial(twist, lanes(half))),
-            ("integrate_body", start.integrate_body(twist, lanes(half))),
-        ] {
-            assert_unit_or_nan(what, half, first(pose));
-        }
-    }
-}
-
+/// Of whole operations; `differential_fuzz` holds them to the scalar path up to there.
 #[test]
 fn lanes_turn_as_far_as_numbers_are_known_and_no_farther() {
-    on_every_lane_type!(every_far_turn_is_unit_or_nan());
+    let identity = DualQuat::IDENTITY.to_array();
+    for on in implementations() {
+        for half in half_angles(on.single) {
+            let [x, y, z] = AXIS.map(|c| half * c);
+            let [mx, my, mz] = MOMENT;
+            let case = Case {
+                t: half,
+                v: [x, y, z],
+                w: MOMENT,
+                x: [2.0 * x, 2.0 * y, 2.0 * z, mx, my, mz],
+                dt: 1.0,
+                screw: [AXIS[0], AXIS[1], AXIS[2], -0.48, 0.36, 0.0, 2.0 * half, 0.1],
+                ..Case::of_motions(identity, radian().to_array(), identity)
+            };
+            let power = Case { a: case.b, ..case };
+            for (name, case) in [
+                ("exp", case),
+                ("pow", power),
+                ("sclerp", case),
+                ("sclerp_long", case),
+                ("from_twist", case),
+                ("from_screw", case),
+                ("integrate_spatial", power),
+                ("integrate_body", power),
+            ] {
+                // Twice the half angle may be infinite, and the reference of single numbers knows every angle.
+                let is_number = 2.0 * half < largest(on.single);
+                let lanes = on.name.starts_with("lanes");
+                if !matches!(name, "exp" | "pow" | "sclerp" | "sclerp_long") && !is_number
+                    || !lanes && (name != "exp" || on.name.starts_with("textbook"))
+                {
+                    continue;
+                }
+                let (numbers, _) = operation(name).answer(on, &[case]).lane(0);
+                let pose = std::array::from_fn(|c| numbers[c].1);
+                assert_unit_or_nan(&format!("{on:?} {name}"), on.single, half, pose);
+            }
+        }
+    }
 }
 
 /// The slice kernel, whose lanes are those of the CPU.
@@ -123,18 +89,19 @@ where
     R: Scalar + Element<1, Layout = Aos<R>>,
 {
     let real = <R as Real>::from_f64;
-    let turn = Quat::from_axis_angle([0.36, 0.48, 0.8].map(real), R::TWO);
-    let radian = DualQuat::from_rotation_translation(turn, [0.3, -0.5, 0.1].map(real));
-    let parameters: Vec<R> = half_angles::<R>().map(real).collect();
+    let turn = Quat::from_axis_angle(AXIS.map(real), R::TWO);
+    let radian = DualQuat::from_rotation_translation(turn, MOMENT.map(real));
+    let parameters: Vec<R> = half_angles(R::SINGLE).map(real).collect();
     let (from, to) = (vec![DualQuat::IDENTITY; parameters.len()], vec![radian; parameters.len()]);
     let last = DualQuat::from_rotation_translation(turn, [0.1, 0.2, 0.3].map(real));
     for backend in Backend::available() {
         let mut poses = from.clone();
         let mut hold = |what: &str, limited: bool, run: &dyn Fn(&mut [DualQuat<R>])| {
             run(&mut poses);
-            for (pose, half) in poses.iter().zip(half_angles::<R>()) {
+            for (pose, half) in poses.iter().zip(half_angles(R::SINGLE)) {
                 let half = if limited { half } else { 0.0 };
-                assert_unit_or_nan(&format!("{backend} {what}"), half, *pose);
+                let pose = pose.to_array().map(Into::into);
+                assert_unit_or_nan(&format!("{backend} {what}"), R::SINGLE, half, pose);
             }
         };
         let fits = "lengths fit";
@@ -142,16 +109,19 @@ where
             backend.sclerp_each(&from, &to, &parameters, out).expect(fits);
         });
         hold("pow_each", true, &|out| backend.pow_each(&to, &parameters, out).expect(fits));
-        for (i, &t) in parameters.iter().enumerate() {
-            let mut one = [DualQuat::IDENTITY];
-            backend.sclerp(&from[..1], &to[..1], t, &mut one).expect(fits);
-            let half = half_angles::<R>().nth(i).expect("one for each");
-            assert_unit_or_nan(&format!("{backend} sclerp"), half, one[0]);
+        hold("sclerp", true, &|out| {
+            for (i, &t) in parameters.iter().enumerate() {
+                backend.sclerp(&from[..1], &to[..1], t, &mut out[i..=i]).expect(fits);
+            }
+        });
+        hold("integrate_body", true, &|out| {
             // Half of ω is 1.
             let twist = Twist { angular: [0.72, 0.96, 1.6].map(real), linear: [R::ZERO; 3] };
-            backend.integrate_body(&from[..1], &[twist.to_array()], t, &mut one).expect(fits);
-            assert_unit_or_nan(&format!("{backend} integrate_body"), half, one[0]);
-        }
+            for (i, &t) in parameters.iter().enumerate() {
+                let twists = [twist.to_array()];
+                backend.integrate_body(&from[..1], &twists, t, &mut out[i..=i]).expect(fits);
+            }
+        });
         // Times before the first pose and after the last have those.
         hold("resample", false, &|out| {
             let (times, poses) = ([R::ONE, R::TWO], [radian, last]);
@@ -229,7 +199,7 @@ fn every_operation_with_a_parameter_is_unit_or_nan_however_far_it_goes() {
     assert_eq!(names[..6], known, "{names:?}");
     assert_eq!(names[6..], ["integrate_spatial", "integrate_body"], "{names:?}");
     for on in implementations() {
-        let largest = if on.single { f64::from(f32::MAX) } else { f64::MAX };
+        let largest = largest(on.single);
         let factor = if on.single { 1.9 } else { 7.1 };
         let sizes = std::iter::successors(Some(0.5), |t| Some(factor * t));
         let sizes: Vec<f64> = sizes.take_while(|&t| t < largest).chain([largest]).collect();
@@ -272,7 +242,7 @@ fn judge(on: On, operation: &Operation, case: &Case, half: f64, motion: [f64; 8]
         // weights cancel. The parameter of the last screw of `squad` grows with t², and its turn with t.
         let t = 2.0 * case.t.abs() + 1.0;
         let t = if *name == "squad" { t.powi(3) } else { t };
-        let limit = if on.single { 65_536.0 } else { limit::<f64>() };
+        let limit = largest_half_angle(on.single);
         let square = if on.single { 1e19 } else { 1e154 };
         let twist = case.x[..3].iter().map(|c| c * c).sum::<f64>().sqrt() / 2.0;
         let turn = case.a[..3].iter().map(|c| c * c).sum::<f64>().sqrt().asin();

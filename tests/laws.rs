@@ -6,7 +6,8 @@ use dq8_contract::bound::Kind;
 use dq8_contract::case::Case;
 use dq8_contract::inputs;
 use dq8_contract::lanes::{Motions, Reals};
-use dq8_contract::law::{self, Sides, cross, dot, norm, vectors};
+use dq8_contract::law::{self, Sides, norm, vectors};
+use dq8_contract::vector::{cross, dot};
 use dq8_contract::{laws, scale};
 
 /// Dual numbers, one a lane.

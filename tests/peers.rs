@@ -23,14 +23,12 @@ fn from_peer(motion: UnitDualQuaternion<f32>) -> DualQuat<f64> {
 }
 
 fn exact(motion: DualQuat<f32>) -> DualQuat<f64> {
-    DualQuat::from_array(motion.to_array().map(f64::from)).normalize()
+    motion.cast::<f64>().normalize()
 }
 
 fn pose(axis: [f64; 3], angle: f64, translation: [f64; 3]) -> DualQuat<f32> {
     let rotation = dq8::Quat::from_axis_angle(axis, angle);
-    let motion = DualQuat::from_rotation_translation(rotation, translation);
-    #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
-    DualQuat::from_array(motion.to_array().map(|c| c as f32))
+    DualQuat::from_rotation_translation(rotation, translation).cast()
 }
 
 /// ScLERP by the scalar reference and by every lane.

@@ -10,7 +10,7 @@ macro_rules! kernels {
         use super::{pose, within};
         use dq8::hierarchy::{Clip, Layered, Locals, Sampled};
         use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
-        use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Bones, law::Sclerp};
+        use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, hierarchy::Bones, law::Sclerp};
 
         const INSTANCES: usize = 37;
         const PARENTS: [u32; 3] = [Hierarchy::ROOT, 0, 1];
@@ -99,22 +99,14 @@ macro_rules! kernels {
         }
 
         #[test]
-        fn slices_need_one_mebibyte() {
+        fn blends_of_four_and_trajectories_need_one_mebibyte() {
             within(1024, |backend| {
                 let (poses, t) = (vec![pose::<$real>(); INSTANCES], vec![[0.5]; INSTANCES]);
                 let mut out = poses.clone();
-                let mut twists = vec![Twist::default(); INSTANCES];
-                backend.sclerp_each(&poses, &poses, &t, &mut out).unwrap();
-                backend.pow_each(&poses, &t, &mut out).unwrap();
-                backend.log(&poses, &mut twists).unwrap();
-                backend.exp(&twists, &mut out).unwrap();
-                backend.integrate_body(&poses, &twists, 0.5, &mut out).unwrap();
                 backend.dlb([(&poses[..], &t[..]); 4], &mut out).unwrap();
                 backend.dib_windows(&poses, &[1.0; 5], 1e-6, 4, &mut out[..INSTANCES - 4]).unwrap();
                 let times: [$real; INSTANCES] = core::array::from_fn(|i| i as $real);
                 backend.resample(&times, &poses, &times, &mut out).unwrap();
-                let crowd = Crowd::<$real, $lanes>::from_slice(1, &poses).unwrap();
-                backend.sclerp(crowd.blocks(), crowd.blocks(), 0.5, crowd.clone().blocks_mut()).unwrap();
             });
         }
     })*};

@@ -80,7 +80,7 @@ fn twists_of_samples_lead_along_the_trajectory() {
         backend.resample(&times, &poses, &at, &mut alone).unwrap();
         assert_eq!(now, alone, "samples are the same without twists");
         for (i, at) in at.iter().enumerate() {
-            let there = now[i].integrate_body(twists[i], step);
+            let there = now[i] * DualQuat::from_twist(twists[i].scale(step));
             let same =
                 there.abs_diff_eq(later[i], SAMPLED) || there.abs_diff_eq(-later[i], SAMPLED);
             assert!(same, "{backend}, at {at}: {there} {}", later[i]);

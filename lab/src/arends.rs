@@ -3,6 +3,7 @@
 use crate::HyperDualQuat;
 use crate::matrix;
 use dq8::{DualQuat, Quat, Real};
+use dq8_fixtures::vector::dot;
 
 /// Degrees that `animate` of the appendix adds to `rotate_angle` in every frame, by which three of his four
 /// vectors turn.
@@ -130,8 +131,4 @@ fn sandwiched(e: [f64; 3], p: [f64; 3]) -> Quat<f64> {
 
 fn pure(v: [f64; 3]) -> Quat<f64> {
     Quat::from_parts(v, 0.0)
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -100,21 +100,21 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         series,
     };
     Ok(Section {
-        title: "Dual numbers differentiate".to_owned(),
-        tried: "Interpolations of dq8, written for every number type, computed with t + ε and with \
+        title: "Dual numbers differentiate",
+        tried:
+            "Interpolations of dq8, written for every number type, computed with t + ε and with \
                 t + ε₁ + ε₂: velocities and accelerations of the motion between two poses."
-            .to_owned(),
+                .to_owned(),
         claimed: vec![
-            "Jia §2 (eq. 10), Kenwright §5.1 (Taylor series): f(a + εb) = f(a) + ε b f′(a).".to_owned(),
-            "Jia §10: ScLERP moves with constant rotation and translation speeds.".to_owned(),
+            "Jia §2 (eq. 10), Kenwright §5.1 (Taylor series): f(a + εb) = f(a) + ε b f′(a).",
+            "Jia §10: ScLERP moves with constant rotation and translation speeds.",
         ],
         found,
         verdict: "Right. The derivative of ScLERP by t is the constant twist 2 log(a*b) at every t, and \
                   the second derivative is negligible compared with it. NLERP is fastest in the middle; SLERP \
                   with LERP turns evenly but its twist is not constant, because the translation is not \
                   that of the screw. One limit: at t = 0 itself the power of the screw has no turn and so \
-                  no axis, and dual numbers give no number."
-            .to_owned(),
+                  no axis, and dual numbers give no number.",
         body: table.to_html() + &chart.to_svg()?,
     })
 }

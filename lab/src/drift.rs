@@ -11,7 +11,7 @@ pub use chain::{Chain, LINKS, Order, Steps};
 pub use experiment::{Findings, METHODS, Measure, Method, ROUNDS, Sample, findings, trace};
 pub use ideal::{Deviation, Frames, Loop, Repair, against_ideal};
 pub use representation::{
-    Homogeneous, Listing, Representation, RotationTranslation, kenwright_normalize,
+    Homogeneous, Listing, Representation, kenwright_normalize, with_unit_rotation,
 };
 pub use target::{ARRIVAL, Miss, follow};
 
@@ -57,7 +57,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     );
     body += &ideal_table(&rows);
     Ok(Section {
-        title: "Drift: a chain that follows a target".to_owned(),
+        title: "Drift: a chain that follows a target",
         tried: format!(
             "A chain of {LINKS} links of length 1 follows a target of six degrees of freedom for {FRAMES} \
              frames. Damped least squares in double precision find the small turn of each joint; this is \
@@ -72,7 +72,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
             scientific(missed.position),
             scientific(missed.angle),
         ),
-        claimed: [
+        claimed: vec![
             "Kenwright §10.1: concatenated matrices show skewing and scaling.",
             "Kenwright §10.1: making them orthonormal between updates removes both, but the joints show \
              discontinuities and the end effector is not where it should be.",
@@ -80,9 +80,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
              repairing a matrix is much more complicated.",
             "Kenwright §12: the problem and cost of drifting and normalizing is less with dual quaternions.",
             "Kenwright §13.1: Normalize, which divides by the square of the norm.",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
+        ],
         found: found(&state_step, &step_state, &rows),
         verdict: "That matrices skew and scale is true. Dual quaternions that nobody normalizes scale and lose the \
                   end no less, here rather more; they skew where they are taken for unit, and not by the matrix \
@@ -93,8 +91,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   without repair. Gram–Schmidt costs about as much as normalizing a dual quaternion \
                   (see the operation counts). Where steps carry the links, normalizing mends the translation \
                   too: these keep their length, and the links of orthonormal matrices do not: errors of \
-                  another form, as he says. Kenwright's Normalize keeps nothing normalized."
-            .to_owned(),
+                  another form, as he says. Kenwright's Normalize keeps nothing normalized.",
         body,
     })
 }

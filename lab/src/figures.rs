@@ -47,27 +47,24 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     body += &vectors::windows();
     body += &vectors::angles()?;
     Ok(Section {
-        title: "Figures of the papers".to_owned(),
+        title: "Figures of the papers",
         tried: "What the papers show in figures is computed and drawn: a chain that follows a target, ideal, \
                 drifted and repaired; the biped in its stance with the limits of its joints; a line and a \
                 screw in their coordinates; four vectors that turn by four representations."
             .to_owned(),
-        claimed: [
+        claimed: vec![
             "Kenwright, figures 2 to 4: drifted matrices skew and scale the links; orthonormal ones leave the end \
              off the ideal one, and joints jump.",
             "Kenwright, figure 5: 16 links with 36 degrees of freedom, with joint limits.",
             "Jia, figures 1 and 2: Plücker coordinates; every motion is a turn about a line and a slide along it.",
             "Arends, chapter 6: the vector of SLERP turns much faster than the others.",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
+        ],
         found: deviations.into_iter().chain(vectors::found()).collect(),
         verdict: "The pictures of the chain are as Kenwright's, but only a thousand times enlarged: what is drawn \
                   skewed is, at its worst, a thousandth of a right angle. Made orthonormal, links are boxes again, \
                   and the end is still beside the ideal one, nearer than before. No joint jumps (see the first \
                   section). Arends' vector of SLERP is faster because it is told to be; told the same, all four \
-                  are equally fast."
-            .to_owned(),
+                  are equally fast.",
         body,
     })
 }

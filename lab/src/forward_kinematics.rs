@@ -77,7 +77,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         series,
     };
     Ok(Section {
-        title: "Derivatives of forward kinematics".to_owned(),
+        title: "Derivatives of forward kinematics",
         tried: "An arm of six joints, one of them a lead screw, as a product of exponentials of joint \
                 screws, written once for every number type: all first and second derivatives of the \
                 position of its effector, by hyper-dual numbers, by central differences, and by screws \
@@ -85,9 +85,8 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
             .to_owned(),
         claimed: vec![
             "Fike & Alonso (2011, cited by Arends §5.1): first and second derivatives by hyper-dual \
-             numbers are exact, whatever the step."
-                .to_owned(),
-            "Arends §5.5 uses the numbers for transformations and does not mention derivatives.".to_owned(),
+             numbers are exact, whatever the step.",
+            "Arends §5.5 uses the numbers for transformations and does not mention derivatives.",
         ],
         found,
         verdict: "Right. Hyper-dual numbers give every second derivative of the arm to rounding, with any \
@@ -95,8 +94,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   until rounding, divided by h or h², takes over, and the best step leaves about two \
                   thirds of the digits of first derivatives and half of those of second ones. The screws \
                   are as exact and cheaper, where somebody has worked out the formula; the numbers need \
-                  none."
-            .to_owned(),
+                  none.",
         body: paragraph(
             "A Hessian by hyper-dual numbers takes one pose for each pair of joints, ε₁ on the one and \
              ε₂ on the other. A product of hyper-dual numbers costs nine of plain ones.",

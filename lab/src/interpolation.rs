@@ -41,14 +41,14 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         )
         + &cases();
     Ok(Section {
-        title: "Interpolations".to_owned(),
+        title: "Interpolations",
         tried: format!(
             "{} ways between {} pairs of poses, in double precision, with a point of the body that is not \
              its origin; and SLERP as Arends prints it, where it breaks.",
             METHODS.len(),
             pairs().len()
         ),
-        claimed: [
+        claimed: vec![
             "Jia §10: ScLERP moves with constant rotation and translation speeds.",
             "Kenwright §4: shortest path interpolation, in a single invariant coordinate frame.",
             "Kenwright §3.5.2: the axes in a matrix cannot be interpolated.",
@@ -56,9 +56,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
             "Tarini, slide 127: LERP with the sign of the shortest path, then re-unit and re-orthogonalise.",
             "Arends §6: SLERP of equal quaternions lengthens them, to 2√2; an if mends it. At Ω = π or 2π \
              objects are suddenly stretched.",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
+        ],
         found: found(&measured),
         verdict: "Jia is right: ScLERP turns and moves every point of the body at constant speed, and is \
                   the only one here that does so and stays rigid. It and NLERP do not depend on the frame, \
@@ -68,8 +66,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   Matrix LERP and LERP without normalizing are not rigid on the way, as Kenwright says of \
                   the first. The shortest path is no gift of dual quaternions: the sign has to be \
                   turned, as Tarini says. Arends' example gives √2, not 2√2; his if mends it, but also takes \
-                  rotations for equal that differ in w alone, and at Ω = π what comes out is rounding."
-            .to_owned(),
+                  rotations for equal that differ in w alone, and at Ω = π what comes out is rounding.",
         body,
     })
 }

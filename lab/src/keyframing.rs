@@ -35,19 +35,17 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         )
         + &elements;
     Ok(Section {
-        title: "Keyframes after Alexa".to_owned(),
+        title: "Keyframes after Alexa",
         tried: "s ⊙ A = exp(s log A), A ⊕ B = exp(log A + log B) and C(t) = ((1 − t) ⊙ A) ⊕ (t ⊙ B), with \
                 the exponential and the logarithm of matrices, compared with ScLERP; and with those of each \
                 element."
             .to_owned(),
-        claimed: [
+        claimed: vec![
             "Arends §2.4 (after Alexa 2002): C(½) lies exactly on the arc between A and B.",
             "Arends §2.4: e and ln are taken of each element; elements must be positive, else translate \
              A and B and the result back.",
             "Arends §2.6, conclusion: logarithms are not defined for all numbers and make trouble.",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
+        ],
         found: found(&rows, worst_element, detour)?,
         verdict: "With matrix functions the operators do what Alexa says: s ⊙ A is the power of the screw, \
                   ⊕ commutes, rigid keys give rigid motions, and scale and shear are interpolated too, \
@@ -58,8 +56,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   on both sides go the long way round, however near each other. ScLERP asks only for the \
                   turn from key to key. Element by element it is no interpolation of rotations at all, and \
                   the result depends on a number that nobody gives. His complaint about logarithms is \
-                  about those of elements."
-            .to_owned(),
+                  about those of elements.",
         body,
     })
 }

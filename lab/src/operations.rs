@@ -35,27 +35,24 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     });
     let found = headlines.collect::<Result<_, _>>()?;
     Ok(Section {
-        title: "Operation counts".to_owned(),
+        title: "Operation counts",
         tried: "The scalar code of dq8, and the sources' formulas where dq8 has none, are computed with a \
                 number that counts its own operations. Nothing in the columns of numbers is typed in."
             .to_owned(),
-        claimed: [
+        claimed: vec![
             "Kenwright §11: 4×4 matrices take 64 multiplications and 48 additions, 4×3 matrices 48 and 32, \
              dual quaternions 42 and 38.",
             "Arends §2.6, §3.4, §4.5, §5.5 and ch. 7: a table of operations for Euler angles, keyframes, \
              quaternions, dual quaternions, hyper-dual quaternions and SLERP.",
             "Kenwright §4: dual quaternions are the most compact form for rigid transforms, 8 floats to 12.",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
+        ],
         found,
         verdict: "The dual quaternion product takes more multiplications than Kenwright prints, and more \
                   than the product of 3×4 matrices, which takes fewer than he prints: by this count \
                   matrices, and a quaternion with a vector, are cheaper to concatenate. Arends' table is \
                   right for 4×4 matrices, quaternion products, SLERP and element-wise keyframes; he counts \
                   negations as multiplications, sines once a component, and forgets the sums in dual parts. \
-                  A dual quaternion is smaller than a matrix, but a quaternion with a vector is smaller still."
-            .to_owned(),
+                  A dual quaternion is smaller than a matrix, but a quaternion with a vector is smaller still.",
         body,
     })
 }

@@ -62,15 +62,11 @@ fn motion(random: &mut Random) -> DualQuat<f32> {
     let t = motion.translation();
     let longest = t.iter().fold(1.0_f64, |longest, c| longest.max(c.abs()));
     let short = DualQuat::from_rotation_translation(motion.rotation(), t.map(|c| c / longest));
-    DualQuat::from_array(short.to_array().map(|c| c as f32))
-}
-
-fn wide(motion: DualQuat<f32>) -> DualQuat<f64> {
-    DualQuat::from_array(motion.to_array().map(f64::from))
+    short.cast()
 }
 
 fn squares(product: DualQuat<f32>, exact: DualQuat<f64>) -> Errors {
-    let product = wide(product);
+    let product = product.cast::<f64>();
     let norm = product.norm();
     let difference = exact.conjugate() * product.normalize();
     let [x, y, z] = difference.real().xyz();
@@ -97,7 +93,7 @@ pub fn errors(lengths: &[usize]) -> Vec<[Errors; METHODS.len()]> {
                 *product = (method.keep)(*product * next, n);
             }
             // The factors are unit to 2⁻²⁴ only, and the exact product is that of the motions they mean.
-            exact = (exact * wide(next).normalize()).normalize();
+            exact = (exact * next.cast().normalize()).normalize();
             if let Some(row) = lengths.iter().position(|&length| length == n) {
                 for (sums, product) in sums[row].iter_mut().zip(products) {
                     let squares = squares(product, exact);
@@ -131,15 +127,15 @@ pub fn section() -> Result<Section, Box<dyn std::error::Error>> {
     let [never, exact, _, _, _, real_only, newton] = last;
     let longest = LENGTHS[LENGTHS.len() - 1];
     Ok(Section {
-        title: "Long products and normalizing".to_owned(),
+        title: "Long products and normalizing",
         tried: format!(
             "Random unit motions (turns up to π, translations up to 1) are multiplied in single precision, \
              {longest} in a chain, with several ways of normalizing, and compared with the product of the \
              same motions in double precision; {CHAINS} chains."
         ),
         claimed: vec![
-            "Kenwright §8: long chains have to be normalized now and then.".to_owned(),
-            "Fabisch, Mistakes: an approximation of the norm is good enough for most use cases.".to_owned(),
+            "Kenwright §8: long chains have to be normalized now and then.",
+            "Fabisch, Mistakes: an approximation of the norm is good enough for most use cases.",
         ],
         found: vec![
             format!(
@@ -165,8 +161,7 @@ pub fn section() -> Result<Section, Box<dyn std::error::Error>> {
         ],
         verdict: "Normalizing keeps the norm, as claimed, but does not make the rotation more exact. Scaling \
                   by the real part alone leaves what q has along p, which grows; one step of Newton's method \
-                  always errs to the same side, and shortens the way that was travelled."
-            .to_owned(),
+                  always errs to the same side, and shortens the way that was travelled.",
         body,
     })
 }

@@ -14,31 +14,32 @@ use core::fmt::Write;
 #[derive(Clone, Debug)]
 pub struct Section {
     /// What stands in the table of contents.
-    pub title: String,
+    pub title: &'static str,
     /// What is tried.
     pub tried: String,
     /// What the sources claim, each with its section.
-    pub claimed: Vec<String>,
+    pub claimed: Vec<&'static str>,
     /// What was found, with numbers; also printed while the laboratory runs.
     pub found: Vec<String>,
     /// Whether the claims hold.
-    pub verdict: String,
+    pub verdict: &'static str,
     /// HTML: paragraphs, tables, charts.
     pub body: String,
 }
 
 impl Section {
     fn opening(&self) -> String {
-        let list = |entries: &[String]| {
-            let items = entries.iter().map(|entry| format!("<li>{}</li>\n", escape(entry)));
+        fn list(entries: &[impl AsRef<str>]) -> String {
+            let items =
+                entries.iter().map(|entry| format!("<li>{}</li>\n", escape(entry.as_ref())));
             format!("<ul>\n{}</ul>\n", items.collect::<String>())
-        };
+        }
         format!(
             "<h3>Tried</h3>\n{}<h3>Claimed</h3>\n{}<h3>Found</h3>\n{}<h3>Verdict</h3>\n{}",
             paragraph(&self.tried),
             list(&self.claimed),
             list(&self.found),
-            paragraph(&self.verdict),
+            paragraph(self.verdict),
         )
     }
 }
@@ -53,7 +54,7 @@ pub fn page(sections: &[Section]) -> String {
     let mut contents = String::new();
     let mut chapters = String::new();
     for (number, section) in (1..).zip(sections) {
-        let title = escape(&section.title);
+        let title = escape(section.title);
         let _ = writeln!(contents, "<li><a href=\"#s{number}\">{title}</a></li>");
         let _ = writeln!(
             chapters,

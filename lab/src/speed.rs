@@ -86,10 +86,7 @@ pub type Timed = (&'static str, f64);
 pub fn times() -> Vec<Timed> {
     let mut random = Random(1);
     let motions: Vec<DualQuat<f32>> = (0..2 * PRODUCTS)
-        .map(|_| {
-            let motion = DualQuat::from_array(random.vector()).normalize();
-            DualQuat::from_array(motion.to_array().map(|c| c as f32))
-        })
+        .map(|_| DualQuat::<f64>::from_array(random.vector()).normalize().cast())
         .collect();
     let (left, right) = motions.split_at(PRODUCTS);
     let four = |motions: &[DualQuat<f32>]| -> Vec<Matrix<f32, 4, 4>> {
@@ -167,20 +164,18 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
          RUSTFLAGS=\"-C no-vectorize-slp -C no-vectorize-loops\" before the command above."
     };
     Ok(Section {
-        title: "Times of products".to_owned(),
+        title: "Times of products",
         tried: format!(
             "{PRODUCTS} products each of random motions, over and over; the quickest of {RUNS} runs. Plain code \
              is what the formula says, in Rust, and what the compiler makes of it, which was given: {flags}. {simd} \
              These numbers, unlike all others on this page, are those of this machine and change a little from \
              run to run."
         ),
-        claimed: [
+        claimed: vec![
             "Kenwright §11: dual quaternion products are ten percent faster than those of matrices, without SIMD.",
             "Kenwright §11: SIMD makes both faster (Mehrotra).",
             "Arends §6: hyper-dual quaternions look no slower, perhaps as 0 times 0 costs the processor little.",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
+        ],
         found: vec![
             format!(
                 "Plain dual quaternion products take {dual:.2} ns, 4×4 matrices {:.2} ns ({:.2} times as long), \
@@ -205,8 +200,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   the table has this one's. A 3×4 product takes fewer operations than either (see the counts), \
                   and is what transforms need. SIMD makes more of a difference than the representation, and is \
                   why there is dq8. A zero costs a processor as much as another number: hyper-dual quaternions \
-                  are slower, by what their nine products take, and a screen does not show it."
-            .to_owned(),
+                  are slower, by what their nine products take, and a screen does not show it.",
         body: paragraph("Nanoseconds per product; one thread.") + &table.to_html(),
     })
 }

@@ -1,33 +1,7 @@
 //! Random inputs: vectors of a length, some with components that are equal, tiny or zero.
 
 use crate::operations::Operation;
-
-/// xorshift64 (Marsaglia 2003).
-#[derive(Clone, Debug)]
-pub struct Random(u64);
-
-impl Random {
-    /// From any seed but 0.
-    #[must_use]
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-    /// 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-    /// In [0, 1).
-    pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    /// In [−1, 1).
-    pub fn signed(&mut self) -> f64 {
-        2.0 * self.unit() - 1.0
-    }
-}
+use dq8_fixtures::random::Random;
 
 /// Each argument a vector of about the length in `lengths`, in order of the groups.
 pub fn draw(operation: &Operation, lengths: &[f64], random: &mut Random) -> Vec<f64> {

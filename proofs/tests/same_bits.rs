@@ -2,9 +2,10 @@
 //! portable lanes, fused as AVX2.
 
 use dq8::{Backend, Kernel, Level, Real};
+use dq8_fixtures::random::Random;
 use dq8_proofs::operations::{Form, Number, functions, lanes};
 use dq8_proofs::record::Record;
-use dq8_proofs::sample::{Random, draw};
+use dq8_proofs::sample::draw;
 use dq8_proofs::tape::{Computed, Tape};
 use dq8_simd::{Float, Lanes};
 
@@ -57,7 +58,7 @@ fn code<F: Number + Lanes>(record: &Record, inputs: &[Vec<F>]) -> Vec<Vec<F>> {
 
 fn check<F: Number + Lanes + Computed>(record: &Record) {
     let (name, tape) = (record.name(), &record.tapes[usize::from(!F::SINGLE)]);
-    let mut random = Random::new(0x9e37_79b9_7f4a_7c15);
+    let mut random = Random(1);
     let mut draw = || draw(record.operation, &[1.0, 3.0], &mut random);
     let inputs = (0..count()).map(|_| draw().into_iter().map(<F as Real>::from_f64).collect());
     let inputs: Vec<Vec<F>> = inputs.collect();

@@ -47,6 +47,7 @@ macro_rules! take {
 /// An answer, hashed.
 macro_rules! put {
     ($deal:ident, motion $of:expr) => { $deal.put(&crate::sample::Sample::components($of)) };
+    ($deal:ident, unit $of:expr) => { put!($deal, motion $of) };
     ($deal:ident, small_motion $of:expr) => { put!($deal, motion $of) };
     ($deal:ident, checked $of:expr) => {{
         let (motion, failed) = $of;

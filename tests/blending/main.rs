@@ -56,13 +56,6 @@ proptest! {
     ) {
         on_every_implementation(&clusters, |on, chunk| common_motion(on, chunk, common));
     }
-
-    #[test]
-    fn the_mean_of_a_lane_does_not_depend_on_its_neighbours(
-        clusters in vec(cluster(), CLUSTERS),
-    ) {
-        on_every_implementation(&clusters, neighbours);
-    }
 }
 
 /// Smaller steps than this are rounding.
@@ -182,18 +175,4 @@ fn common_motion(on: On, clusters: &[Case], common: [f64; 8]) {
     same("c sclerp", c * a.sclerp(b, x.t), la.sclerp(lb, x.t));
     same("sclerp c", a.sclerp(b, x.t) * c, ra.sclerp(rb, x.t));
     same("c slerp_lerp", c * a.slerp_lerp(b, x.t), la.slerp_lerp(lb, x.t));
-}
-
-fn neighbours(on: On, clusters: &[Case]) {
-    let mean = |clusters: &[Case]| {
-        let influences = Arguments::new(on, clusters).influences();
-        on.dib(&influences, tolerance(on), 32).expect("there are influences")
-    };
-    let together = mean(clusters);
-    for (lane, &cluster) in clusters.iter().enumerate() {
-        let alone = mean(&vec![cluster; on.lanes]);
-        assert_eq!(together.motion.scatter()[lane], alone.motion.scatter()[lane], "{on:?}");
-        let [with, without] = [together, alone].map(|mean| mean.iterations.lanes()[lane]);
-        assert_eq!(with.to_bits(), without.to_bits(), "{on:?}: {with} and {without} iterations");
-    }
 }

@@ -5,6 +5,8 @@
 //! or not is less than a factor of two. Bounds are about one and a half times the worst that has been
 //! measured; where one is large, the reason says what it is made of.
 
+use dq8::Real;
+
 /// One line of a table.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
@@ -87,6 +89,31 @@ pub fn distance(left: f64, right: f64, scale: f64, single: bool) -> f64 {
 /// The unit roundoff: half the distance from 1 to the next number.
 pub const fn unit_roundoff(single: bool) -> f64 {
     if single { f32::EPSILON as f64 / 2.0 } else { f64::EPSILON / 2.0 }
+}
+
+/// The largest number.
+pub fn largest(single: bool) -> f64 {
+    if single { f32::MAX.into() } else { f64::MAX }
+}
+
+/// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
+pub fn largest_half_angle(single: bool) -> f64 {
+    2f64.powi(if single { 16 } else { 45 })
+}
+
+/// The unit roundoff of a number type.
+pub fn roundoff<R: Real>() -> f64 {
+    R::EPSILON.into() / 2.0
+}
+
+/// What `R` makes of numbers.
+pub fn rounded<R: Real, const N: usize>(numbers: [f64; N]) -> [R; N] {
+    numbers.map(R::from_f64)
+}
+
+/// Numbers as `f64`, exact.
+pub fn exact<R: Real, const N: usize>(numbers: [R; N]) -> [f64; N] {
+    numbers.map(Into::into)
 }
 
 /// How far two dual quaternions lie apart as motions, whatever their sign: the components of the

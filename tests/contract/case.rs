@@ -1,6 +1,7 @@
 //! [`Case`]: one element of input, what any operation may ask for; [`Arguments`]: cases dealt out to
 //! the lanes of an implementation.
 
+use crate::bound::largest;
 use crate::implementation::On;
 use crate::lanes::{Motions, Reals};
 use dq8::{
@@ -88,6 +89,11 @@ impl Case {
 
     pub fn poses(&self) -> [[f64; 8]; 4] {
         [self.a, self.b, self.c, self.d]
+    }
+
+    /// |p| itself may be no number though p is one: scalar has nothing to divide by then.
+    pub fn is_at_the_end(&self, single: bool) -> bool {
+        self.a[..4].iter().any(|c| c.abs() > 0.5 * largest(single))
     }
 
     /// |ω| of the first twist.

@@ -22,6 +22,7 @@ macro_rules! operations {
             }),*],
             scale: $scale,
             bounds: &[$($held),*],
+            answers: stringify!($result),
             index: Place::$name as usize,
         }),*];
 

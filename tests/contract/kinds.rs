@@ -139,6 +139,7 @@ macro_rules! read {
 /// The type of an answer under the names of [`lanes`](crate::lanes).
 macro_rules! answer {
     (motion) => { Motions };
+    (unit) => { Motions };
     (small_motion) => { Motions };
     (checked) => { (Motions, u32) };
     (blend) => { Option<Motions> };
@@ -164,6 +165,7 @@ macro_rules! answer {
 #[rustfmt::skip]
 macro_rules! receive {
     ($M:ident, motion $of:expr) => { motion::<$M>($of) };
+    ($M:ident, unit $of:expr) => { motion::<$M>($of) };
     ($M:ident, small_motion $of:expr) => { small_motion::<$M>($of) };
     ($M:ident, checked $of:expr) => {{
         let (motion_, failed) = $of;

@@ -257,11 +257,3 @@ pub fn vectors(vector: [Reals; 3]) -> Vec<[f64; 3]> {
     let [x, y, z] = vector.map(|reals| reals.lanes());
     (0..x.len()).map(|lane| [x[lane], y[lane], z[lane]]).collect()
 }
-
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}

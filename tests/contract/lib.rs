@@ -26,4 +26,4 @@ pub mod worst;
 
 #[cfg(not(target_family = "wasm"))]
 pub use dq8_fixtures::stack;
-pub use dq8_fixtures::{fuzz, kinematics, random, textbook};
+pub use dq8_fixtures::{fuzz, kinematics, random, textbook, vector};

@@ -19,6 +19,8 @@ pub struct Operation {
     /// can have.
     pub scale: fn(&Case) -> Scale,
     pub bounds: &'static [Held],
+    /// The kind of its answer, as the table calls it.
+    pub answers: &'static str,
     pub(crate) index: usize,
 }
 
@@ -162,11 +164,30 @@ impl Operation {
         }
     }
 
+    /// Whether its answers are unit, or NaN.
+    pub fn answers_units(&self) -> bool {
+        self.name == "normalize_checked"
+            || matches!(self.answers, "unit" | "small_motion" | "blend" | "mean")
+    }
+
     /// Whether all dual quaternions among its arguments may be any, and there are some.
     pub fn is_algebra(&self) -> bool {
         let domains = || self.arguments.iter().map(|argument| argument.domain);
         let restricted = domains().any(|d| matches!(d, Domain::Unit | Domain::Rotation));
         !restricted && domains().any(|d| d == Domain::Any)
+    }
+
+    /// Whether both ways between two motions of the case are equally long up to rounding: either is right.
+    pub fn is_a_tie(&self, on: On, case: &Case) -> bool {
+        let apart = |other: &[f64; 8]| {
+            let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
+            dot.abs() < 16.0 * on.roundoff()
+        };
+        match self.name {
+            "nlerp" | "sclerp" | "sclerp_long" | "slerp_lerp" | "twist_to" => apart(&case.b),
+            "dlb" => apart(&case.b) || apart(&case.c),
+            _ => false,
+        }
     }
 
     /// The bounds against the scalar path in `f64`, and how they are measured.

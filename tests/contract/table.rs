@@ -16,7 +16,7 @@ operations! {
         agrees(8.0, "as mul; (q + ½pt)r in lanes, q·r + p·(½tr) in scalar"),
         digits("mul_rotation_translation", &["a", "r", "t"], of_digits::product_with_rotation, &[
             within(3.0, "half a product with a translation, and two with a rotation")])];
-    from_matrix3x4(rows rows) -> motion, scale::of_rows, [
+    from_matrix3x4(rows rows) -> unit, scale::of_rows, [
         agrees(7.0, "a quaternion normalized, a product with the translation"),
         digits_of_either_sign("from_matrix3x4", &["rows"], &[
             within(3.0, "rounded on the way in; divided by its largest sum, normalized, and a product")])];
@@ -63,7 +63,7 @@ operations! {
         agrees(9.0, "scalar sums the squares of ratios to the largest component"),
         digits("norm", &["a"], of_digits::norm, &[
             within(2.0, "a sum of squares, half of whose error the root takes away")])];
-    normalize(any a) -> motion, scale::quotient, [
+    normalize(any a) -> unit, scale::quotient, [
         agrees(12.5, "another length; the part of q along p is a difference"),
         digits("normalize", &["a"], of_digits::plain, &[
             within(3.5, "norm, reciprocal, product, and the part of q along p")])];
@@ -102,7 +102,7 @@ operations! {
             within(6.5, "a vector and its product with a translation, over 1 + |n|")])];
 
     // Blends.
-    nlerp(unit a, unit b, real t) -> motion, scale::nlerp, [
+    nlerp(unit a, unit b, real t) -> unit, scale::nlerp, [
         agrees(12.5, "a fused sum, then as normalize"),
         digits("nlerp", &["a", "b", "t"], of_digits::plain, &[within(3.0, "as dlb, of two")])];
     dlb(influences weights a b c) -> blend, scale::dlb, [
@@ -116,15 +116,15 @@ operations! {
             within(13.0, "steps within 16 u are none; then a product and a mean of logs")]),
         digits_of_either_sign("dib", &["s w", "", ""], &[
             within(8.0, "the poses are rounded on the way in and normalized; then as above")])];
-    slerp_lerp(unit a, unit b, real t) -> motion, scale::poses, [
+    slerp_lerp(unit a, unit b, real t) -> unit, scale::poses, [
         double(Clusters, Either, &[within(6.0, "two sines over a third, and two translations")]),
         digits("slerp_lerp", &["a", "b", "t"], of_digits::plain, &[
             within(6.0, "both ends normalized; a slerp, two translations and a product")])];
-    squad(unit a, unit b, unit c, unit d, real t) -> motion, scale::poses, [
+    squad(unit a, unit b, unit c, unit d, real t) -> unit, scale::poses, [
         double(Clusters, Either, &[within(7.5, "three screw interpolations")]),
         digits("squad", &["a", "b", "c", "d", "t"], of_digits::plain, &[
             within(5.5, "four ends normalized; three screw interpolations")])];
-    squad_control(unit a, unit b, unit c) -> motion, scale::poses, [
+    squad_control(unit a, unit b, unit c) -> unit, scale::poses, [
         double(Clusters, Either, &[within(3.0, "two logarithms, an exponential and a product")]),
         digits("squad_control", &["a", "b", "c"], of_digits::plain, &[
             within(4.5, "three ends normalized; two logarithms, an exponential and a product")])];
@@ -149,12 +149,12 @@ operations! {
         digits_of_either_sign("sqrt", &["a"], &[
             on(SMALL, 1.5, "no cancellation: the vector part keeps its relative precision"),
             within(3.0, "normalized first; one root, or, by the book, half a screw")])];
-    sclerp(unit a, unit b, real t) -> motion, scale::sclerp, [
+    sclerp(unit a, unit b, real t) -> unit, scale::sclerp, [
         agrees(8.5, "slerp about the middle in lanes, a(a*b)ᵗ in scalar"),
         digits_of_either_sign("sclerp", &["a", "b", "t"], &[
             on(SMALL, 5.0, "both ends normalized; slerp about their middle"),
             within(8.0, "both ends normalized; the scalar reference has two more products")])];
-    sclerp_long(unit a, unit b, real t) -> motion, scale::sclerp_long, [
+    sclerp_long(unit a, unit b, real t) -> unit, scale::sclerp_long, [
         agrees(10.5, "as sclerp; the scale already holds how near the antipode is"),
         digits("sclerp_long", &["a", "b", "t"], of_digits::sclerp_long, &[
             on(&["opposite"], 2.0, "the scale holds how near the antipode is"),
@@ -208,7 +208,7 @@ operations! {
         double(Twists, Kept, &[within(5.5, "lanes go through the spatial twist")]),
         digits("velocity", &["a", "derivative"], of_digits::twist_of_derivative, &[
             within(5.0, "normalized first; lanes go through the spatial twist")])];
-    from_twist(twist x) -> motion, scale::from_twist, [
+    from_twist(twist x) -> unit, scale::from_twist, [
         double(Twists, Kept, &[within(2.0, "exp of the half")]),
         digits("from_twist", &["angular:3 linear:3"], of_digits::from_twist, &[
             within(1.0, "exp of the half")])];
@@ -221,11 +221,11 @@ operations! {
         double(Clusters, Kept, &[within(13.0, "a product, and twice a log, over π and the lengths")]),
         digits("twist_to", &["a", "b"], of_digits::plain, &[
             within(9.0, "both ends normalized; a product, and twice a log")])];
-    integrate_spatial(unit a, twist x, real dt) -> motion, scale::integrate, [
+    integrate_spatial(unit a, twist x, real dt) -> unit, scale::integrate, [
         double(Twists, Kept, &[within(3.5, "exp and a product")]),
         digits("integrate_spatial", &["a", "angular:3 linear:3", "dt"], of_digits::integrate, &[
             within(4.0, "normalized first; exp and a product")])];
-    integrate_body(unit a, twist x, real dt) -> motion, scale::integrate, [
+    integrate_body(unit a, twist x, real dt) -> unit, scale::integrate, [
         double(Twists, Kept, &[within(3.0, "exp and a product")]),
         digits("integrate_body", &["a", "angular:3 linear:3", "dt"], of_digits::integrate, &[
             within(3.0, "normalized first; exp and a product")])];

@@ -1,9 +1,9 @@
-//! Where formulas break: no motion, half and whole turns, numbers that are none, and neighbours.
+//! Where formulas break: no motion, half and whole turns, numbers that are all but none.
 
 use dq8::Twist;
-use dq8_contract::case::{Arguments, Case, NUMBERS};
-use dq8_contract::implementation::{On, implementations, scalar_f64};
-use dq8_contract::inputs::{twist_case as case, twist_cases as cases};
+use dq8_contract::case::{Arguments, Case};
+use dq8_contract::implementation::{On, implementations};
+use dq8_contract::inputs::twist_case as case;
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::operation::{Inputs, Operation, Sign};
 use dq8_contract::operations::{OPERATIONS, operation};
@@ -138,31 +138,6 @@ fn towards_a_whole_turn_only_the_amplification_grows() {
     });
 }
 
-/// NaN or an infinity in any place: lanes answer with finite numbers where the scalar path does.
-#[test]
-fn what_is_no_number_is_passed_on() {
-    let ordinary = case(&mut Random(6), 2.0, 1.0);
-    for on in implementations() {
-        for place in 0..NUMBERS {
-            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-                let mut spoilt = ordinary.to_numbers();
-                spoilt[place] = bad;
-                let case = Case::of_numbers(&spoilt);
-                for operation in twists() {
-                    let got = numbers(on, operation, &case);
-                    let wanted = numbers(scalar_f64(), operation, &case);
-                    assert_eq!(
-                        is_finite(&got),
-                        is_finite(&wanted),
-                        "{on:?}, {}, {bad} at {place}: {got:?}, scalar {wanted:?}",
-                        operation.name
-                    );
-                }
-            }
-        }
-    }
-}
-
 /// Twists scaled down to where all is subnormal: every step then rounds to the same last place,
 /// however small its operands, and that is all.
 #[test]
@@ -184,31 +159,6 @@ fn subnormal_numbers_are_numbers() {
             }
         }
     });
-}
-
-/// The value of a lane does not depend on its neighbours, be they far, infinite or NaN.
-#[test]
-fn lanes_do_not_see_their_neighbours() {
-    let cases = cases();
-    let mut strangers = vec![case(&mut Random(7), 50.0, 1e3), case(&mut Random(8), 0.0, 0.0)];
-    for bad in [f64::NAN, f64::INFINITY] {
-        strangers.push(Case::of_numbers(&[bad; NUMBERS]));
-    }
-    for on in implementations() {
-        for (i, &case) in cases.iter().enumerate() {
-            let mut crowd: Vec<_> = strangers.iter().cycle().take(on.lanes).copied().collect();
-            // Every lane has its turn.
-            let lane = i.checked_rem(crowd.len()).unwrap_or(0);
-            crowd[lane] = case;
-            for operation in twists() {
-                let wanted = numbers(on, operation, &case);
-                let got = operation.answer(on, &crowd).lane(lane).0;
-                let got: Vec<_> = got.iter().map(|(_, number)| number.to_bits()).collect();
-                let wanted: Vec<_> = wanted.iter().map(|number| number.to_bits()).collect();
-                assert_eq!(got, wanted, "{on:?}, {}, lane {lane}, {case:?}", operation.name);
-            }
-        }
-    }
 }
 
 #[test]

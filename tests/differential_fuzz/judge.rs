@@ -2,7 +2,7 @@
 //! and elsewhere what is promised for any input.
 
 use crate::draw::Draw;
-use dq8_contract::bound::{Kind, Scale, distance};
+use dq8_contract::bound::{Kind, Scale, distance, largest, largest_half_angle};
 use dq8_contract::case::{Case, length};
 use dq8_contract::implementation::On;
 use dq8_contract::operation::{Held, Operation, Sign};
@@ -23,29 +23,6 @@ pub(crate) struct Question {
     pub(crate) masks_about: [Vec<bool>; 2],
 }
 
-/// Interpolations and constructors, whose answers are unit, or NaN.
-const UNIT: [&str; 19] = [
-    "dib",
-    "dlb",
-    "dlb_running",
-    "exp",
-    "from_matrix3x4",
-    "from_twist",
-    "integrate_body",
-    "integrate_spatial",
-    "nlerp",
-    "normalize",
-    "normalize_checked",
-    "pow",
-    "sclerp",
-    "sclerp_long",
-    "slerp_lerp",
-    "sqrt",
-    "squad",
-    "squad_control",
-    "from_screw",
-];
-
 /// What is wrong with an answer, and by how much, in units of what is allowed.
 pub(crate) fn judge(
     operation: &Operation,
@@ -59,15 +36,16 @@ pub(crate) fn judge(
     // How many steps a mean takes is a matter of rounding; what has no room in the type fails.
     let sizes = [&case.a[..4], &case.a[4..]].map(length);
     let said = operation.name != "dib"
-        && scale.length.max(scale.plain).max(sizes[0] * sizes[1]) <= 0.25 * largest(on);
-    if said && less == more && got.1 != *less && !is_at_the_end(on, case) {
+        && scale.length.max(scale.plain).max(sizes[0] * sizes[1]) <= 0.25 * largest(on.single);
+    if said && less == more && got.1 != *less && !case.is_at_the_end(on.single) {
         return Some((f64::INFINITY, "another truth value"));
     }
     let any = |numbers: &[(Kind, f64)]| numbers.iter().any(|(_, number)| !number.is_finite());
     if !question.finite {
         // An infinity may be a sum of finite numbers that overflowed, and NaN twice a number that is nearly the largest,
         // times nothing.
-        let doubled = case.a[..4].iter().any(|c| c.is_finite() && c.abs() > 0.5 * largest(on));
+        let doubled =
+            case.a[..4].iter().any(|c| c.is_finite() && c.abs() > 0.5 * largest(on.single));
         let lost = truth.iter().any(|(_, number)| number.is_nan()) && !any(&got.0) && !doubled;
         return lost.then_some((f64::INFINITY, "finite, of what is not"));
     }
@@ -76,8 +54,9 @@ pub(crate) fn judge(
         "normalize" | "normalize_checked" | "inverse" | "inverse_checked" => {
             case.a[..4].iter().all(|c| *c == 0.0)
         }
-        "exp" | "from_twist" | "integrate_spatial" | "integrate_body" => {
-            on.name.starts_with("lanes") && half_angle(operation.name, case) > 1.001 * limit(on)
+        name if name == "exp" || name == "from_twist" || name.starts_with("integrate") => {
+            on.name.starts_with("lanes")
+                && half_angle(operation.name, case) > 1.001 * largest_half_angle(on.single)
         }
         _ => false,
     };
@@ -92,7 +71,7 @@ pub(crate) fn judge(
         return (error > 1.0).then_some((error, "beyond its bound"));
     }
     let normalizes = matches!(operation.name, "normalize" | "normalize_checked" | "nlerp" | "dlb");
-    if UNIT.contains(&operation.name)
+    if operation.answers_units()
         && (normalizes || question.draw.is_unit())
         && (operation.name != "squad" || has_room("squad", on, case))
     {
@@ -103,15 +82,6 @@ pub(crate) fn judge(
         return (off > 1.0 && !any(&got.0)).then_some((off, "neither unit nor NaN"));
     }
     None
-}
-
-/// |p| itself may be no number though p is one: scalar has nothing to divide by then.
-fn is_at_the_end(on: On, case: &Case) -> bool {
-    case.a[..4].iter().any(|c| c.abs() > 0.5 * largest(on))
-}
-
-fn largest(on: On) -> f64 {
-    if on.single { f32::MAX.into() } else { f64::MAX }
 }
 
 /// In units of u · scale. Bounds are one and a half times the worst of 10⁵ answers; so many more reach farther.
@@ -165,8 +135,10 @@ fn has_room(name: &str, on: On, case: &Case) -> bool {
     match name {
         "squad" => (0.0..=1.0).contains(&case.t),
         // They fail as a whole where a component of the answer is none.
-        "normalize" | "normalize_checked" => fits(q) && q / p < largest(on) / 64.0,
-        "inverse" | "inverse_checked" => fits(q) && (q / p / p).max(1.0 / p) < largest(on) / 64.0,
+        "normalize" | "normalize_checked" => fits(q) && q / p < largest(on.single) / 64.0,
+        "inverse" | "inverse_checked" => {
+            fits(q) && (q / p / p).max(1.0 / p) < largest(on.single) / 64.0
+        }
         "dlb" | "dlb_running" | "dib" => {
             let sizes = [case.a, case.b, case.c, case.d].map(|motion| length(&motion[4..]));
             let weights = &case.weights;
@@ -194,14 +166,9 @@ fn is_held(operation: &Operation, on: On, question: &Question) -> bool {
     in_domain
         && !whole_turn
         && (!of_a_cluster || question.draw == Draw::Close)
-        && !is_a_tie(on, name, case)
+        && !operation.is_a_tie(on, case)
         && has_room(name, on, case)
-        && half_angle(name, case) < 0.999 * limit(on)
-}
-
-/// The largest half angle that is known: 2¹⁶ and 2⁴⁵.
-fn limit(on: On) -> f64 {
-    2.0_f64.powi(if on.single { 16 } else { 45 })
+        && half_angle(name, case) < 0.999 * largest_half_angle(on.single)
 }
 
 /// How far the operation turns.
@@ -212,25 +179,12 @@ fn half_angle(name: &str, case: &Case) -> f64 {
         "from_screw" => 0.5 * case.screw[6].abs(),
         "from_twist" => 0.5 * case.angle(),
         // The length of the twist itself may be no number.
-        "integrate_spatial" | "integrate_body" => {
+        _ if name.starts_with("integrate") => {
             let [x, y, z, ..] = case.x;
             length(&[x, y, z].map(|rate| 0.5 * rate * case.dt))
         }
         _ if name.contains("jacobian") => 0.5 * case.angle(),
         _ => 0.0,
-    }
-}
-
-/// Where both ways between two motions are equally long up to rounding, either is right.
-fn is_a_tie(on: On, name: &str, case: &Case) -> bool {
-    let apart = |other: &[f64; 8]| {
-        let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
-        dot.abs() < 16.0 * on.roundoff()
-    };
-    match name {
-        "nlerp" | "sclerp" | "sclerp_long" | "slerp_lerp" | "twist_to" => apart(&case.b),
-        "dlb" => apart(&case.b) || apart(&case.c),
-        _ => false,
     }
 }
 
@@ -244,7 +198,9 @@ fn error(
 ) -> f64 {
     let with_sign = |sign: f64| {
         let pairs = got.iter().zip(truth).filter(|((kind, _), (_, truth))| {
-            *kind != Kind::Count && truth.is_finite() && scale.of(*kind) <= largest(on) / 64.0
+            *kind != Kind::Count
+                && truth.is_finite()
+                && scale.of(*kind) <= largest(on.single) / 64.0
         });
         pairs.fold(0.0, |worst: f64, (&(kind, got), &(_, truth))| {
             worst.max(distance(sign * got, truth, scale.of(kind), on.single))

@@ -9,37 +9,13 @@ mod parts;
 
 use dq8::{DualQuat, Quat, geometry::DualVector, scalar::MatrixError};
 use dq8_contract::bound::{Bound, within};
-use dq8_contract::case::{Case, NUMBERS};
+use dq8_contract::case::Case;
 use dq8_contract::implementation::{On, implementations};
-use dq8_contract::inputs::{any_number, proptest_config, turn_and_move};
+use dq8_contract::inputs::turn_and_move;
 use dq8_contract::lanes::Motions;
 use dq8_contract::operations::OPERATIONS;
-use proptest::prelude::*;
-use proptest::test_runner::TestRunner;
 use std::error::Error;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
-
-/// All methods of the contract and its operators, whatever they answer.
-fn do_everything(on: On, case: &Case) {
-    for operation in OPERATIONS {
-        let (numbers, masks) = operation.answer(on, &[*case]).lane(0);
-        assert!(numbers.len() + masks.len() > 0);
-    }
-    assert!(on.dlb(&[]).is_none());
-}
-
-#[test]
-fn no_operation_panics_on_any_numbers() {
-    for on in implementations() {
-        let numbers = prop::collection::vec(any_number(on.single, 1), NUMBERS);
-        let done = TestRunner::new(proptest_config(64)).run(&numbers, |numbers| {
-            let numbers = numbers.as_slice().try_into().expect("as many as were asked for");
-            do_everything(on, &Case::of_numbers(numbers));
-            Ok(())
-        });
-        done.unwrap_or_else(|failure| panic!("{failure}"));
-    }
-}
 
 /// A bound, times u.
 fn allowed(on: On, bound: Bound) -> f64 {

@@ -241,19 +241,6 @@ fn a_hierarchy_of_no_joints_takes_slices_of_no_poses() {
 }
 
 #[test]
-fn no_instances_are_a_whole_number_of_instances() {
-    for_every_subject(|subject, backend| {
-        for joints in [0..3, 1..2] {
-            let arm = Task::new(&[Hierarchy::ROOT, 0, 1], backend);
-            let task = Task { joints, root: Root::Each(&[]), ..arm };
-            assert!(subject.forward(&task, Given::Poses(&[]), &[]).is_empty());
-            assert!(subject.forward(&task, Given::InPlace, &[]).is_empty());
-            assert!(subject.backward(&task, Some(&[]), &[]).is_empty());
-        }
-    });
-}
-
-#[test]
 fn an_empty_range_computes_nothing() {
     let scene = Scene::small(1);
     for at in 0..=scene.joints() {

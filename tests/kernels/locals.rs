@@ -2,7 +2,7 @@
 //! the products of plain motions are.
 
 use crate::memory::{Memory, lay, read};
-use crate::records::{assert_same_bits, same_bits};
+use crate::records::{assert_same_bits, entries, same_bits};
 use crate::scene::{Forms, On, Scene, walk};
 use crate::subject::{Given, Subject, Task, for_every_subject};
 use dq8::law::NlerpLerp;
@@ -24,16 +24,6 @@ fn close(what: &str, subject: &dyn Subject, got: &[f64], wanted: &[f64]) {
         "{what}, {}: {got:?} is not {wanted:?}",
         subject.name()
     );
-}
-
-/// The numbers of a motion in 8, 12 or 16, by rows or by columns.
-fn entry(motion: DualQuat<f64>, numbers: usize, order: MatrixOrder) -> Vec<f64> {
-    let (rows, matrix) = (numbers / 4, motion.to_matrix4());
-    match (numbers, order) {
-        (8, _) => motion.to_array().to_vec(),
-        (_, MatrixOrder::Rows) => (0..numbers).map(|k| matrix[k / 4][k % 4]).collect(),
-        (_, MatrixOrder::Columns) => (0..numbers).map(|k| matrix[k % rows][k / rows]).collect(),
-    }
 }
 
 #[test]
@@ -60,7 +50,10 @@ fn every_form_of_locals_gives_the_models_and_palettes_of_plain_motions() {
                         assert!(same_bits(&beside[index], &got[index]), "models beside a palette");
                         let bind = DualQuat::from_array(binds[index % PARENTS.len()]);
                         let wanted = DualQuat::from_array(*wanted) * bind;
-                        let wanted = entry(wanted, palette[index].len(), order);
+                        let wanted = match palette[index].len() {
+                            8 => wanted.to_array().to_vec(),
+                            count => entries(wanted, order, count),
+                        };
                         close(&format!("palette on {backend}"), subject, &palette[index], &wanted);
                     }
                 }

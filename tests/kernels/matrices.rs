@@ -1,6 +1,7 @@
 //! Matrices become motions, in every layout on every backend, and those that are none are named.
 
 use crate::memory::{Memory, lay, read, round};
+use crate::records::entries;
 use crate::scene::motions;
 use dq8::hierarchy::MatrixOrder;
 use dq8::scalar::MatrixError;
@@ -10,23 +11,14 @@ use dq8::storage::{AoSoA, Aos};
 use dq8::{Backend, DualQuat, Real, ShapeError};
 use dq8_contract::random::Random;
 
-/// The numbers of a 4×4 matrix in an order, as many as there are.
-fn numbers<const C: usize>(rows: [[f64; 4]; 4], order: MatrixOrder) -> [f64; C] {
-    let high = C / 4;
-    core::array::from_fn(|k| match order {
-        MatrixOrder::Rows => rows[k / 4][k % 4],
-        MatrixOrder::Columns => rows[k % high][k / high],
-    })
-}
-
 fn check<L: Memory, const C: usize>(backend: Backend, order: MatrixOrder, length: usize)
 where
     L::Record<C>: RigidMatrix<C, Layout = L>,
 {
     let mut random = Random(length as u64 + 7);
     let motions = motions(&mut random, length);
-    let matrices = motions.iter().map(|m| DualQuat::from_array(*m).to_matrix4());
-    let matrices: Vec<[f64; C]> = matrices.map(|rows| numbers(rows, order)).collect();
+    let matrices = motions.iter().map(|m| entries(DualQuat::from_array(*m), order, C));
+    let matrices: Vec<[f64; C]> = matrices.map(|all| all.try_into().expect("so many")).collect();
     let given = lay::<L, C>(1, &matrices);
     let blank = || vec![L::filled::<8>(L::Real::ZERO); given.len()];
     let what = format!("{} {backend} {order:?}, {length} of {C} numbers", L::name());

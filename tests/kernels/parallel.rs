@@ -56,35 +56,25 @@ fn on_all<'a, T: Clone + PartialEq, O: Clone>(
     one
 }
 
+/// In blocks, and of plain motions, where tasks end where lanes of instances do not.
 #[test]
 fn all_cores_compute_the_bits_of_one() {
-    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
-    for instances in INSTANCES {
-        let locals = crowd(instances);
-        let roots = locals.blocks().iter().step_by(PARENTS.len()).copied().collect::<Vec<_>>();
-        for job in jobs(&hierarchy, &roots) {
-            let apart = on_all(&job, &locals, |job, to| {
-                job.local_to_model(locals.blocks(), to.blocks_mut())
-            });
-            let in_place =
-                on_all(&job, &locals, |job, to| job.local_to_model_in_place(to.blocks_mut()));
-            assert_eq!(apart, in_place);
-        }
-    }
-}
-
-/// Plain motions: tasks end where lanes of instances do not.
-#[test]
-fn all_cores_compute_the_bits_of_one_of_plain_motions() {
-    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
-    for instances in INSTANCES {
-        let locals = poses(instances);
+    fn check<E: dq8::Element<8> + PartialEq>(locals: &[E])
+    where
+        E::Layout: dq8::storage::Layout<Real = f32>,
+    {
+        let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
         let roots: Vec<_> = locals.iter().step_by(PARENTS.len()).copied().collect();
         for job in jobs(&hierarchy, &roots) {
+            let locals = locals.to_vec();
             let apart = on_all(&job, &locals, |job, to| job.local_to_model(&locals, to));
             let in_place = on_all(&job, &locals, |job, to| job.local_to_model_in_place(to));
-            assert!(apart == in_place, "{instances} instances");
+            assert!(apart == in_place, "{} elements", locals.len());
         }
+    }
+    for instances in INSTANCES {
+        check(crowd(instances).blocks());
+        check(&poses(instances));
     }
 }
 

@@ -1,6 +1,17 @@
-//! Comparing records.
+//! Records, and whether they are the same.
 
+use dq8::{DualQuat, hierarchy::MatrixOrder};
 pub(crate) use dq8_contract::records::{equal, is_finite, same_bits};
+
+/// The numbers of the matrix of a motion, so many, row after row or column after column.
+pub(crate) fn entries(motion: DualQuat<f64>, order: MatrixOrder, count: usize) -> Vec<f64> {
+    let (rows, matrix) = (count / 4, motion.to_matrix4());
+    let entry = |k: usize| match order {
+        MatrixOrder::Columns => matrix[k % rows][k / rows],
+        _ => matrix[k / 4][k % 4],
+    };
+    (0..count).map(entry).collect()
+}
 
 #[track_caller]
 pub(crate) fn assert_same_bits<const C: usize>(a: &[[f64; C]], b: &[[f64; C]], what: &str) {

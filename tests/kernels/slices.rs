@@ -3,7 +3,7 @@
 
 use crate::inputs::{BETWEEN, HEAVIER, Inputs, LONG};
 use crate::memory::{Memory, lay, read, round};
-use crate::records::{equal, is_finite, same_bits};
+use crate::records::{entries, equal, is_finite, same_bits};
 use crate::scene::rounded;
 use crate::subject::for_every_subject;
 use dq8::storage::Aos;
@@ -178,19 +178,6 @@ fn halves([a, b, c, d, e, f]: [f64; 6]) -> ([f64; 3], [f64; 3]) {
     ([a, b, c], [d, e, f])
 }
 
-/// The numbers of a matrix of this many, row after row or column after column.
-fn entries(motion: DualQuat<f64>, order: MatrixOrder, count: usize) -> Vec<f64> {
-    let (rows, matrix) = (count / 4, motion.to_matrix4());
-    let by_columns = |k: usize| matrix[k % rows][k / rows];
-    let by_rows = |k: usize| matrix[k / 4][k % 4];
-    let each = 0..count;
-    if order == MatrixOrder::Columns {
-        each.map(by_columns).collect()
-    } else {
-        each.map(by_rows).collect()
-    }
-}
-
 /// Every kernel over slices whose elements do not see each other.
 #[rustfmt::skip]
 pub(crate) fn kernels<L: Memory>() -> Vec<Kernel<L>> {
@@ -355,6 +342,20 @@ fn what_is_no_motion_is_seen_in_its_own_place_only() {
         for (i, unit) in units.iter().enumerate() {
             assert_eq!(unit.iter().any(|c| c.is_nan()), i == 7, "{backend}: {i}");
         }
+    });
+}
+
+/// Without optimisation each value of a kernel, and of what it inlines, has a place of its own: `tests/stack.rs`.
+#[test]
+#[cfg(not(target_family = "wasm"))]
+fn every_kernel_needs_one_mebibyte_of_stack() {
+    dq8_contract::stack::within(1024, |backend| {
+        let inputs = Inputs::new(37);
+        for_every_subject(|subject, on| {
+            for index in (0..kernels::<Aos<f64>>().len()).filter(|_| on == backend) {
+                subject.slices(backend, index, &inputs);
+            }
+        });
     });
 }
 

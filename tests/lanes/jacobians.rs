@@ -1,8 +1,9 @@
 //! Jacobians as matrices.
 
 use super::scene::cases;
-use super::{Provable, columns, exact, measure, rounded, row};
+use super::{Provable, columns, measure, row};
 use dq8::{DualQuat, Twist, batch};
+use dq8_contract::bound::{exact, rounded};
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::on_every_lane_type;
 

@@ -7,7 +7,7 @@ mod matrices;
 mod rotations;
 mod scene;
 
-use dq8::{Lanes, Real, Scalar, batch, simd::Float, simd::Mask};
+use dq8::{Lanes, Scalar, batch, simd::Float, simd::Mask};
 use dq8_contract::bound::distance;
 use dq8_contract::ledger::Ledger;
 use dq8_contract::sample::{Proof, Sample};
@@ -40,21 +40,6 @@ fn row<L: Provable, const C: usize>(all: [L; C], index: usize) -> [f64; C] {
 /// Whether a mask holds for one lane.
 fn holds<M: Mask>(mask: M, index: usize) -> bool {
     mask.to_bitmask() >> index & 1 == 1
-}
-
-/// What `R` makes of numbers.
-fn rounded<R: Real, const C: usize>(numbers: [f64; C]) -> [R; C] {
-    numbers.map(R::from_f64)
-}
-
-/// Numbers as `f64`, exact.
-fn exact<R: Real, const C: usize>(numbers: [R; C]) -> [f64; C] {
-    numbers.map(Into::into)
-}
-
-/// The roundoff of the lanes.
-fn roundoff<L: Provable>() -> f64 {
-    <L::Real as Real>::EPSILON.into() / 2.0
 }
 
 /// Writes down how far numbers are from those wanted, in units of u · scale.

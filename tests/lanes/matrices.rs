@@ -2,11 +2,13 @@
 //! error.
 
 use super::scene::{cases, motion, quat};
-use super::{Provable, columns, exact, holds, lanes, measure, rounded, row};
-use dq8::simd::{Lanes, f32x4};
+use super::{Provable, columns, holds, lanes, measure, row};
+use dq8::simd::{Lanes, Mask, f32x4};
 use dq8::{DualQuat, Quat, Real, batch};
+use dq8_contract::bound::{exact, rounded, roundoff};
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::on_every_lane_type;
+use dq8_contract::sample::Proof;
 
 /// Whether this target has registers of several numbers.
 const FOUR: bool = <<f32x4 as Lanes>::Native as Lanes>::LANES > 1;
@@ -140,7 +142,7 @@ fn checked_matrices<L: Provable>() {
                         let off =
                             got.iter().zip(exact(wanted.to_array())).map(|(a, b)| (a - b).abs());
                         let worst = off.fold(0.0, f64::max);
-                        assert!(worst < 64.0 * super::roundoff::<L>(), "{rows:?}: {worst:e}");
+                        assert!(worst < 64.0 * roundoff::<L::Real>(), "{rows:?}: {worst:e}");
                     }
                 }
             }
@@ -153,15 +155,22 @@ fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
     on_every_lane_type!(checked_matrices());
 }
 
-/// 32 units of the last place, on either side of 1.
+/// 32 units of the last place, on either side of 1: scalar, and in all lanes.
 fn normalized<L: Provable>() {
-    let unit = L::Real::EPSILON.into();
-    for (off, is_one) in [(0.0, true), (20.0, true), (-20.0, true), (40.0, false), (-40.0, false)] {
-        let numbers = [0.0, 0.0, 0.0, 1.0 + off * unit];
-        let quat = batch::Quat::from_array(numbers.map(|c| lanes::<L>(&[c])));
-        assert_eq!(holds(quat.is_normalized(), 0), is_one, "{off}");
-        let motion = batch::DualQuat::new(quat, quat.scale(quat.x()));
-        assert_eq!(holds(motion.is_normalized(), 0), is_one, "{off}");
+    let unit: f64 = L::Real::EPSILON.into();
+    for off in [0.0, 20.0, -20.0, 28.0, -28.0, 36.0, -36.0, 1e3, f64::NAN] {
+        let is_one = off.abs() < 32.0;
+        let motion =
+            motion::<L::Real>(cases()[50].a).scale(<L::Real as Real>::from_f64(1.0 + off * unit));
+        let bits = if is_one { (1 << L::LANES) - 1 } else { 0 };
+        assert_eq!(
+            (motion.is_normalized(), motion.real().is_normalized()),
+            (is_one, is_one),
+            "{off}"
+        );
+        let on_lanes = batch::DualQuat::<L>::splat(L::Level::proof(), motion.to_array());
+        assert_eq!(on_lanes.is_normalized().to_bitmask(), bits, "{off}");
+        assert_eq!(on_lanes.real().is_normalized().to_bitmask(), bits, "{off}");
     }
 }
 

@@ -1,7 +1,7 @@
 //! Motions and vectors for everything here: [`Case`].
 
-use super::{Provable, columns, exact, rounded};
-use dq8::{DualQuat, Quat, Real, batch};
+use dq8::{DualQuat, Quat, Real};
+use dq8_contract::bound::rounded;
 use dq8_contract::inputs;
 
 /// A motion, another one, and vectors.
@@ -30,13 +30,6 @@ pub(super) fn cases() -> Vec<Case> {
 
 pub(super) fn quat<R: Real>([x, y, z, w, ..]: [f64; 8]) -> Quat<R> {
     Quat::from_array(rounded([x, y, z, w])).normalize()
-}
-
-pub(super) fn quats<L: Provable>(
-    cases: &[Case],
-    pick: impl Fn(&Case) -> [f64; 8],
-) -> batch::Quat<L> {
-    batch::Quat::from_array(columns(cases, |case| exact(quat::<L::Real>(pick(case)).to_array())))
 }
 
 pub(super) fn motion<R: Real>(components: [f64; 8]) -> DualQuat<R> {

@@ -8,39 +8,13 @@ mod pair;
 mod plane;
 
 use dq8::Real;
+use dq8_contract::bound::{exact, rounded};
 use dq8_contract::inputs::vector;
+use dq8_contract::vector::{add, length, scale, sub, unit};
 use proptest::prelude::*;
 
 /// A point and a direction.
 type Ray = ([f64; 3], [f64; 3]);
-
-fn add(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn scale(a: [f64; 3], s: f64) -> [f64; 3] {
-    a.map(|c| c * s)
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-fn unit(a: [f64; 3]) -> [f64; 3] {
-    scale(a, 1.0 / length(a))
-}
 
 /// θ = 2 atan2(|û − v̂|, |û + v̂|) (Kahan 2006).
 fn angle(u: [f64; 3], v: [f64; 3]) -> f64 {
@@ -48,22 +22,9 @@ fn angle(u: [f64; 3], v: [f64; 3]) -> f64 {
     2.0 * length(sub(u, v)).atan2(length(add(u, v)))
 }
 
-fn rounded<R: Real, const N: usize>(numbers: [f64; N]) -> [R; N] {
-    numbers.map(R::from_f64)
-}
-
-fn exact<R: Real, const N: usize>(numbers: [R; N]) -> [f64; N] {
-    numbers.map(Into::into)
-}
-
 /// What `R` makes of them, in `f64`.
 fn as_stored<R: Real>((point, direction): Ray) -> Ray {
     (exact(rounded::<R, 3>(point)), exact(rounded::<R, 3>(direction)))
-}
-
-/// The unit roundoff.
-fn roundoff<R: Real>() -> f64 {
-    R::EPSILON.into() / 2.0
 }
 
 /// Vectors of lengths from 10⁻³ to 10³, all directions alike or nearly.

@@ -1,14 +1,13 @@
 //! What motions keep: dual angles, distances and incidences.
 
-use super::{
-    add, cross, direction, dot, exact, length, point, rounded, roundoff, scale, sub, unit,
-};
+use super::{direction, point};
 use dq8::{
     DualQuat, Line, Plane, Real,
     geometry::{DualVector, Screw},
 };
-use dq8_contract::bound::within;
+use dq8_contract::bound::{exact, rounded, roundoff, within};
 use dq8_contract::inputs::{for_all, unit_motion};
+use dq8_contract::vector::{add, cross, dot, length, scale, sub, unit};
 use dq8_contract::worst::Worst;
 use proptest::prelude::*;
 

@@ -1,16 +1,14 @@
 //! Two lines: dual angle, common perpendicular, distance, intersection.
 
-use super::{
-    Ray, add, angle, as_stored, cross, direction, dot, exact, length, point, rounded, roundoff,
-    scale, sub, unit,
-};
+use super::{Ray, angle, as_stored, direction, point};
 use dq8::{
     Dual, Line, Real,
     geometry::DualVector,
     incidence::{CommonPerpendicular, IncidenceError},
 };
-use dq8_contract::bound::within;
+use dq8_contract::bound::{exact, rounded, roundoff, within};
 use dq8_contract::inputs::for_all;
+use dq8_contract::vector::{add, cross, dot, length, scale, sub, unit};
 use dq8_contract::worst::Worst;
 use proptest::prelude::*;
 use std::f64::consts::PI;

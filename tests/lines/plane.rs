@@ -1,11 +1,10 @@
 //! Lines and planes from points, lines and planes; distances and intersections.
 
-use super::{
-    add, cross, direction, dot, exact, length, point, rounded, roundoff, scale, sub, unit,
-};
+use super::{direction, point};
 use dq8::{Line, Plane, Real, geometry::DualVector, incidence::IncidenceError};
-use dq8_contract::bound::within;
+use dq8_contract::bound::{exact, rounded, roundoff, within};
 use dq8_contract::inputs::for_all;
+use dq8_contract::vector::{add, cross, dot, length, scale, sub, unit};
 use dq8_contract::worst::Worst;
 use nalgebra::{Matrix3, Vector3};
 

@@ -1,8 +1,9 @@
 //! Axis and angle, as a pair and as a product.
 
-use super::{between, exact, opinion, round, roundoff, worst};
+use super::{between, opinion, worst};
 use core::f64::consts::PI;
 use dq8::{Dual, Quat, Real};
+use dq8_contract::bound::{exact, rounded, roundoff};
 use nalgebra::{UnitQuaternion, Vector3};
 
 const AXES: [[f64; 3]; 4] =
@@ -24,7 +25,7 @@ fn the_axis_and_the_angle_come_back_with_all_their_digits() {
         for axis in AXES {
             for angle in angles().map(R::from_f64) {
                 let case = (axis, angle);
-                let quat = Quat::from_axis_angle(round(axis), angle);
+                let quat = Quat::from_axis_angle(rounded(axis), angle);
                 for quat in [quat, -quat] {
                     let (found, turn) = quat.to_axis_angle();
                     // At half a turn both of ±axis are right, and rounding chooses.
@@ -54,7 +55,7 @@ fn the_turn_by_a_vector_is_that_of_nalgebra() {
         let worst = worst("turn by a vector", allowed, why);
         for axis in AXES {
             for angle in angles().chain([4.0, 6.0, 2.0 * PI]) {
-                let v = round::<R, 3>(axis.map(|c| c * angle));
+                let v = rounded::<R, 3>(axis.map(|c| c * angle));
                 let wanted = UnitQuaternion::from_scaled_axis(Vector3::from(exact(v)));
                 let got = Quat::from_scaled_axis(v);
                 worst.see(between(opinion(got), wanted), roundoff::<R>(), &(axis, angle));

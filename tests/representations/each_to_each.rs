@@ -1,12 +1,13 @@
 //! Every representation into every other.
 
-use super::{Worst, between, exact, for_random_motions, opinion, round, roundoff, worst};
+use super::{Worst, between, for_random_motions, opinion, worst};
 use core::f64::consts::{FRAC_PI_2, PI};
 use dq8::{
     DualQuat, Quat, Real,
     representation::{EulerAngles, EulerOrder, RotationTranslation},
     scalar::MatrixError,
 };
+use dq8_contract::bound::{exact, rounded, roundoff};
 use dq8_contract::inputs::{edge_motions, for_all, unit_motion};
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion};
 
@@ -91,7 +92,7 @@ fn edges() -> Vec<DualQuat<f64>> {
 /// Points of a motion made from one form, by way of another, beside those of nalgebra. Angles in one order become
 /// angles in the same.
 fn all_pairs<R: Real>(motion: DualQuat<f64>, orders: &[EulerOrder], worst: &Worst) {
-    let start = DualQuat::<R>::from_array(round(motion.to_array())).normalize();
+    let start = DualQuat::<R>::from_array(rounded(motion.to_array())).normalize();
     let wanted = isometry(DualQuat::from_array(exact(start.to_array())));
     let size = 1.0 + wanted.translation.vector.norm();
     let points =

@@ -1,11 +1,12 @@
 //! Euler angles in all 24 orders.
 
-use super::{between, exact, for_random_motions, opinion, round, roundoff, worst};
+use super::{between, for_random_motions, opinion, worst};
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use dq8::{
     Quat, Real,
     representation::{EulerAngles, EulerAxes, EulerFrame, EulerOrder},
 };
+use dq8_contract::bound::{exact, rounded, roundoff};
 use glam::EulerRot;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -75,8 +76,8 @@ fn near_lock(order: EulerOrder) -> impl Iterator<Item = EulerAngles<f64>> {
     })
 }
 
-fn rounded<R: Real>(quat: UnitQuaternion<f64>) -> Quat<R> {
-    let [x, y, z, w] = round(quat.coords.into());
+fn narrow<R: Real>(quat: UnitQuaternion<f64>) -> Quat<R> {
+    let [x, y, z, w] = rounded(quat.coords.into());
     Quat::from_xyzw(x, y, z, w)
 }
 
@@ -107,7 +108,7 @@ fn three_turns_are_what_nalgebra_and_glam_make_of_them() {
         );
         for (order, of_glam) in EulerOrder::ALL.into_iter().zip(OF_GLAM) {
             for angles in [[0.1, 0.2, 0.3], [-3.0, 1.4, 2.0], [6.0, -5.0, 9.0], [0.0, PI, -PI]] {
-                let angles = EulerAngles { angles: round::<R, 3>(angles), order };
+                let angles = EulerAngles { angles: rounded::<R, 3>(angles), order };
                 let [a, b, c] = exact(angles.angles);
                 let known = EulerAngles { angles: [a, b, c], order };
                 let got = opinion(angles.to_quat());
@@ -143,10 +144,10 @@ fn the_angles_of_a_rotation_make_it_again_in_every_order_near_gimbal_lock_too() 
             assert_eq!(ours, negative, "the sign of {quat:?} matters");
         };
         for order in EulerOrder::ALL {
-            near_lock(order).for_each(|angles| see(rounded(product(angles)), order));
+            near_lock(order).for_each(|angles| see(narrow(product(angles)), order));
         }
         for_random_motions(|motion| {
-            let [x, y, z, w] = round(motion.rotation().to_array());
+            let [x, y, z, w] = rounded(motion.rotation().to_array());
             EulerOrder::ALL.iter().for_each(|order| see(Quat::from_xyzw(x, y, z, w), *order));
         });
     }
@@ -165,7 +166,7 @@ fn the_middle_angle_is_good_to_a_few_units_near_gimbal_lock() {
         );
         for order in EulerOrder::ALL {
             for known in near_lock(order) {
-                let found = rounded::<R>(product(known)).to_euler(order);
+                let found = narrow::<R>(product(known)).to_euler(order);
                 let middle: f64 = found.angles.angles[1].into();
                 worst.see(middle - known.angles[1], roundoff::<R>(), &known);
             }
@@ -212,12 +213,12 @@ fn at_gimbal_lock_the_last_angle_is_zero_and_the_first_has_the_sum_or_the_differ
                     .map(|angles| EulerAngles { angles, order });
                 let same = between(product(at), product(both)) < BY_GLAM;
                 let wanted = [if same { 0.75 } else { 0.25 }, middle, 0.0];
-                let angles = EulerAngles { angles: round::<R, 3>(at.angles), order };
-                for quat in [rounded(product(at)), angles.to_quat()] {
+                let angles = EulerAngles { angles: rounded::<R, 3>(at.angles), order };
+                for quat in [narrow(product(at)), angles.to_quat()] {
                     let solution = quat.to_euler(order);
                     let found = exact(solution.angles.angles);
                     assert!(solution.gimbal_lock, "{order:?} at {middle}");
-                    assert_eq!(found[1..], exact(round::<R, 3>(wanted))[1..], "{solution:?}");
+                    assert_eq!(found[1..], exact(rounded::<R, 3>(wanted))[1..], "{solution:?}");
                     assert!((found[0] - wanted[0]).abs() < tolerance, "{solution:?}");
                 }
             }
@@ -235,7 +236,7 @@ fn gimbal_lock_is_reported_within_rounding_of_it_and_nowhere_else() {
             for (lock, inward) in locks(order).into_iter().zip([1.0, -1.0]) {
                 let at = |units: f64| {
                     let angles = [0.4, lock + inward * units * epsilon, -0.9];
-                    rounded::<R>(product(EulerAngles { angles, order })).to_euler(order).gimbal_lock
+                    narrow::<R>(product(EulerAngles { angles, order })).to_euler(order).gimbal_lock
                 };
                 assert!(at(0.0) && at(2.0), "{order:?} at {lock}");
                 assert!(!at(8.0) && !at(1e3) && !at(0.5 / epsilon), "{order:?} off {lock}");

@@ -1,10 +1,11 @@
 //! Ortho-normalization one axis after the other.
 
-use super::{exact_rows, round_rows, roundoff, worst};
+use super::{exact_rows, round_rows, worst};
 use dq8::{
     Real,
     representation::{OrthonormalError, gram_schmidt},
 };
+use dq8_contract::bound::roundoff;
 use dq8_contract::inputs::for_all;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;

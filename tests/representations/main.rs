@@ -9,7 +9,7 @@ mod polar;
 
 use dq8::{DualQuat, Quat, Real};
 use dq8_contract::{
-    bound::within,
+    bound::{exact, within},
     inputs::{for_all, unit_motion},
     worst::Worst,
 };
@@ -18,16 +18,6 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
 /// `check` for 1000 random motions, the same in every run.
 fn for_random_motions(check: impl Fn(DualQuat<f64>)) {
     for_all(1000, &unit_motion(), |motion| check(DualQuat::from_array(motion)));
-}
-
-/// Numbers of f64, rounded.
-fn round<R: Real, const N: usize>(numbers: [f64; N]) -> [R; N] {
-    numbers.map(R::from_f64)
-}
-
-/// Numbers as f64, exact.
-fn exact<R: Real, const N: usize>(numbers: [R; N]) -> [f64; N] {
-    numbers.map(Into::into)
 }
 
 fn round_rows<R: Real>(rows: Matrix3<f64>) -> [[R; 3]; 3] {
@@ -54,9 +44,4 @@ fn between(a: UnitQuaternion<f64>, b: UnitQuaternion<f64>) -> f64 {
 /// The largest error allowed, in units of the roundoff of the type, and why.
 fn worst(name: &'static str, units: f64, reason: &'static str) -> Worst {
     Worst::of(name, within(units, reason))
-}
-
-/// The unit of `R` that errors are counted in.
-fn roundoff<R: Real>() -> f64 {
-    R::EPSILON.into() / 2.0
 }

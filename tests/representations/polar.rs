@@ -1,11 +1,12 @@
 //! The nearest rotation, and the stretch before it.
 
 use super::gram_schmidt::matrices;
-use super::{between, exact_rows, for_random_motions, opinion, round_rows, roundoff, worst};
+use super::{between, exact_rows, for_random_motions, opinion, round_rows, worst};
 use dq8::{
     DualQuat, Quat, Real,
     representation::{OrthonormalError, Polar, gram_schmidt},
 };
+use dq8_contract::bound::roundoff;
 use dq8_contract::inputs::{for_all, unit_motion};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 

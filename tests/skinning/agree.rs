@@ -1,6 +1,6 @@
 //! Every backend, layout and type against the reference, one vertex at a time.
 
-use super::scene::{JOINTS, Scene, distance, dual, linear};
+use super::scene::{JOINTS, Scene, distance, posed};
 use dq8::simd::picks::Index;
 use dq8::skinning::{
     DualBlend, Linear, Mixed, Skin, StretchedDualBlend, Surface, SurfaceMut, Weight, dual_blend,
@@ -228,12 +228,12 @@ fn the_implied_weight_is_what_the_others_leave() {
         for backend in Backend::available() {
             let pairs = [
                 (
-                    dual(backend, &scene.skin(), &scene.motions, &scene.positions),
-                    dual(backend, &implied, &scene.motions, &scene.positions),
+                    posed(backend, &scene.skin(), DualBlend::new(&scene.motions), &scene.positions),
+                    posed(backend, &implied, DualBlend::new(&scene.motions), &scene.positions),
                 ),
                 (
-                    linear(backend, &scene.skin(), &matrices, &scene.positions),
-                    linear(backend, &implied, &matrices, &scene.positions),
+                    posed(backend, &scene.skin(), Linear::new(&matrices), &scene.positions),
+                    posed(backend, &implied, Linear::new(&matrices), &scene.positions),
                 ),
             ];
             for (a, b) in pairs {

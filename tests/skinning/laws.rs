@@ -1,6 +1,6 @@
-use super::scene::{JOINTS, Scene, distance, dual, linear, motion, vector};
+use super::scene::{JOINTS, Scene, distance, motion, posed, vector};
 use dq8::skinning::{
-    Skin, StretchedDualBlend, Surface, SurfaceMut, Weight, dual_blend, split_palette,
+    DualBlend, Linear, Skin, StretchedDualBlend, Weight, dual_blend, split_palette,
 };
 use dq8::{Backend, DualQuat, Quat, Scalar, representation::Affine};
 use dq8_contract::random::Random;
@@ -13,7 +13,7 @@ fn moves_rigidly<R: Scalar + Weight>(epsilon: f64) {
     let mut random = Random(5);
     let body: Vec<[R; 3]> = (0..64).map(|_| vector(random.direction())).collect();
     for backend in Backend::available() {
-        let posed = dual(backend, &skin, &scene.motions, &body);
+        let posed = posed(backend, &skin, DualBlend::new(&scene.motions), &body);
         for i in 1..64 {
             let change = distance(posed[i], posed[0]) - distance(body[i], body[0]);
             assert!(change.abs() < 40.0 * epsilon, "{backend} {i}: {change}");
@@ -40,7 +40,7 @@ fn single<R: Scalar + Weight>() {
         for backend in Backend::available() {
             let mut moved = vec![[R::ZERO; 3]; 50];
             backend.transform_points_each(&each, &scene.positions, &mut moved).unwrap();
-            let posed = dual(backend, &skin, &scene.motions, &scene.positions);
+            let posed = posed(backend, &skin, DualBlend::new(&scene.motions), &scene.positions);
             assert_eq!(posed, moved, "{influences} {backend}");
         }
     }
@@ -66,11 +66,13 @@ fn negating_any_entry_of_a_palette_changes_no_bit() {
             scene.motions[joint] = DualQuat::from_rotation(Quat::from_array(turn));
         }
         for backend in Backend::available() {
-            let wanted = dual(backend, &scene.skin(), &scene.motions, &scene.positions);
+            let wanted =
+                posed(backend, &scene.skin(), DualBlend::new(&scene.motions), &scene.positions);
             for joint in 0..JOINTS {
                 let mut motions = scene.motions.clone();
                 motions[joint] = -motions[joint];
-                let posed = dual(backend, &scene.skin(), &motions, &scene.positions);
+                let posed =
+                    posed(backend, &scene.skin(), DualBlend::new(&motions), &scene.positions);
                 assert_eq!(posed, wanted, "{influences} {backend} {joint}");
             }
         }
@@ -108,7 +110,7 @@ fn a_linear_blend_is_the_sum_of_matrices() {
     let scene = Scene::<f32>::new(500, 4);
     let matrices = scene.matrices();
     for backend in Backend::available() {
-        let posed = linear(backend, &scene.skin(), &matrices, &scene.positions);
+        let posed = posed(backend, &scene.skin(), Linear::new(&matrices), &scene.positions);
         for (vertex, posed) in posed.iter().enumerate() {
             for (row, &number) in posed.iter().enumerate() {
                 let mut wanted = 0.0;
@@ -141,15 +143,9 @@ fn a_stretch_and_then_a_motion_is_the_matrix_of_a_single_influence() {
     let mut stretches = vec![[[0.0; 4]; 3]; JOINTS];
     split_palette(&whole, &mut motions, &mut stretches).unwrap();
     for backend in Backend::available() {
-        let wanted = linear(backend, &scene.skin(), &whole, &scene.positions);
-        let mut posed = wanted.clone();
-        let (rest, to) = (Surface::positions(&scene.positions), SurfaceMut::positions(&mut posed));
-        scene
-            .skin()
-            .job()
-            .backend(backend)
-            .pose(StretchedDualBlend::new(&motions, &stretches), rest, to)
-            .unwrap();
+        let wanted = posed(backend, &scene.skin(), Linear::new(&whole), &scene.positions);
+        let blend = StretchedDualBlend::new(&motions, &stretches);
+        let posed = posed(backend, &scene.skin(), blend, &scene.positions);
         for (a, b) in posed.iter().zip(&wanted) {
             // One matrix, or a stretch and a motion, of some units.
             assert!(distance(*a, *b) < 1e-14, "{backend}: {a:?}, not {b:?}");
@@ -176,7 +172,7 @@ fn nothing_flips_when_joints_turn_through_a_full_turn() {
             let canonical = |q: Quat<f32>| if q.w() < 0.0 { -q } else { q };
             let palette = [turn(angle), turn(angle + 1.5)]
                 .map(|q| DualQuat::from_rotation_translation(canonical(q), [0.0, 0.0, 1.0]));
-            let posed = dual(backend, &skin, &palette, &rest);
+            let posed = posed(backend, &skin, DualBlend::new(&palette), &rest);
             if let Some(before) = &before {
                 for (a, b) in posed.iter().zip(before) {
                     let way: f64 = distance(*a, *b);
@@ -200,8 +196,9 @@ fn a_joint_moves_no_vertex_that_does_not_name_it() {
         let skin = scene.skin();
         for backend in Backend::available() {
             let posed = |scene: &Scene<f32>| {
-                let blended = linear(backend, &skin, &scene.matrices(), &scene.positions);
-                (dual(backend, &skin, &scene.motions, &scene.positions), blended)
+                let blended =
+                    posed(backend, &skin, Linear::new(&scene.matrices()), &scene.positions);
+                (posed(backend, &skin, DualBlend::new(&scene.motions), &scene.positions), blended)
             };
             let mut broken = Scene::<f32>::new(37, influences);
             broken.motions[0] = DualQuat::from_array([f32::NAN; 8]);

@@ -1,6 +1,6 @@
 //! Random skins, palettes and meshes.
 
-use dq8::skinning::{Linear, Skin, Surface, SurfaceMut};
+use dq8::skinning::{Blender, Skin, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat, Quat, Scalar};
 use dq8_contract::random::Random;
 
@@ -71,29 +71,16 @@ impl<R: Scalar> Scene<R> {
     }
 }
 
-/// What becomes of the positions by linear blending.
-pub(crate) fn linear<R: Scalar + dq8::skinning::Weight>(
+/// What becomes of the positions.
+pub(crate) fn posed<R: Scalar + dq8::skinning::Weight>(
     backend: Backend,
     skin: &Skin<'_, u16, R>,
-    palette: &[[[R; 4]; 3]],
+    blend: impl Blender<R>,
     positions: &[[R; 3]],
 ) -> Vec<[R; 3]> {
-    let mut posed = vec![[R::ZERO; 3]; positions.len()];
+    let mut posed = positions.to_vec();
     let (from, to) = (Surface::positions(positions), SurfaceMut::positions(&mut posed));
-    skin.job().backend(backend).pose(Linear::new(palette), from, to).unwrap();
-    posed
-}
-
-/// What becomes of the positions by dual quaternions.
-pub(crate) fn dual<R: Scalar + dq8::skinning::Weight>(
-    backend: Backend,
-    skin: &Skin<'_, u16, R>,
-    palette: &[DualQuat<R>],
-    positions: &[[R; 3]],
-) -> Vec<[R; 3]> {
-    let mut posed = vec![[R::ZERO; 3]; positions.len()];
-    let (from, to) = (Surface::positions(positions), SurfaceMut::positions(&mut posed));
-    skin.job().backend(backend).pose(dq8::skinning::DualBlend::new(palette), from, to).unwrap();
+    skin.job().backend(backend).pose(blend, from, to).unwrap();
     posed
 }
 

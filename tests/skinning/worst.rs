@@ -1,8 +1,8 @@
 //! The worst that may come in.
 
-use super::scene::{dual, linear};
+use super::scene::posed;
 use core::f64::consts::{PI, TAU};
-use dq8::skinning::Skin;
+use dq8::skinning::{DualBlend, Linear, Skin};
 use dq8::{Backend, DualQuat, Quat};
 use dq8_contract::random::Random;
 
@@ -60,9 +60,10 @@ fn a_palette_without_a_nan(palette: usize) {
     let skin = Skin::new(joint_count, 4, &joints, &weights).unwrap();
     let rest: Vec<_> = (0..VERTICES).map(|_| random.direction().map(|c| c as f32)).collect();
     for backend in Backend::available() {
-        for posed in
-            [dual(backend, &skin, &motions, &rest), linear(backend, &skin, &matrices, &rest)]
-        {
+        for posed in [
+            posed(backend, &skin, DualBlend::new(&motions), &rest),
+            posed(backend, &skin, Linear::new(&matrices), &rest),
+        ] {
             let bad = posed.iter().position(|point| point.iter().any(|c| !c.is_finite()));
             assert_eq!(bad, None, "{backend}, palette {palette}");
         }

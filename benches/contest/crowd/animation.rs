@@ -3,13 +3,14 @@
 
 use crate::backends;
 use crate::contest::Contest;
-use crate::memory::{Element, Product, Representation, Rows3x4, double};
+use crate::memory::{Element, Product, Representation, Rows3x4};
 use crate::scene::{Scene, Shape};
 use crate::walk;
 use dq8::hierarchy::{Clip, Layered, Locals, PackedClip, Sampled, Tolerance, TrackPlace};
 use dq8::{
     Backend, Block, DualQuat, Hierarchy,
     law::{Nlerp, NlerpLerp},
+    representation::RotationTranslation,
 };
 use dq8_fixtures::random::Random;
 use glam::{Affine3A, Quat, Vec3A};
@@ -69,6 +70,7 @@ impl Crowd {
         let mut frames = || again((FRAMES - 1) as f64).iter().map(|at| *at as u32).collect();
         let frames: [Vec<u32>; 2] = [frames(), frames()];
         let mut parameters = || again(1.0).iter().map(|t| *t as f32).collect();
+        let key = |&motion: &Motion| -> Key { RotationTranslation::from(motion).into() };
         let keys = motions.each_ref().map(|motions| motions.iter().map(key).collect::<Vec<_>>());
         let packed =
             PackedClip::library(joints, &keys.each_ref().map(Vec::as_slice), Tolerance::default())
@@ -114,7 +116,7 @@ impl Crowd {
         let of_one = |instance: usize| {
             let sampled = |clip: usize, joint: usize| {
                 let at = self.frames[clip][instance] as usize * joints + joint;
-                let [a, b] = [at, at + joints].map(|at| double(motions[clip][at]));
+                let [a, b] = [at, at + joints].map(|at| motions[clip][at].cast());
                 between(a, b, self.t[clip][instance].into())
             };
             let weight = f64::from(self.weights[instance]);
@@ -128,11 +130,6 @@ impl Crowd {
         };
         (0..self.weights.len().min(DIFFERENT)).flat_map(of_one).collect()
     }
-}
-
-fn key(motion: &Motion) -> Key {
-    let ([x, y, z, w], [tx, ty, tz]) = (motion.rotation().to_array(), motion.translation());
-    [x, y, z, w, tx, ty, tz]
 }
 
 /// Rotations and translations apart, as engines have them.

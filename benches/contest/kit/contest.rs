@@ -124,12 +124,7 @@ impl<'a> Contest<'a> {
             let (input, output) = memory();
             Box::new(Outward { input, output, pass, numbers }) as Box<dyn Checked + 'a>
         };
-        self.contenders.push(Contender {
-            name: name.into(),
-            backend,
-            start: Box::new(start),
-            expected: None,
-        });
+        self.push(name.into(), backend, start);
     }
 
     /// A contender that writes over its input.
@@ -146,12 +141,17 @@ impl<'a> Contest<'a> {
             let output = input.clone();
             Box::new(InPlace { input, output, pass, numbers }) as Box<dyn Checked + 'a>
         };
-        self.contenders.push(Contender {
-            name: name.into(),
-            backend,
-            start: Box::new(start),
-            expected: None,
-        });
+        self.push(name.into(), backend, start);
+    }
+
+    fn push(
+        &mut self,
+        name: String,
+        backend: Option<Backend>,
+        start: impl Fn() -> Box<dyn Checked + 'a> + 'a,
+    ) {
+        let start = Box::new(start);
+        self.contenders.push(Contender { name, backend, start, expected: None });
     }
 }
 

@@ -7,7 +7,7 @@ mod rows;
 mod ultraviolet;
 
 pub use self::glam::QuatVec3A;
-pub use self::own::{Own, double, single};
+pub use self::own::Own;
 pub use self::rows::Rows3x4;
 
 use ::glam::{Affine3A, Mat4};

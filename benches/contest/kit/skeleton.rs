@@ -3,7 +3,6 @@
 //! The 31 joints of the CMU motion capture skeleton (its ASF files), five fingers of three joints on
 //! each hand, where game skeletons have them, and jaw and eyes on the head.
 
-use crate::memory::single;
 use dq8::{DualQuat, Hierarchy, Quat};
 use dq8_fixtures::random::Random;
 
@@ -95,7 +94,7 @@ pub fn locals(bones: &[Option<f64>], instances: usize) -> Vec<DualQuat<f32>> {
             let turn = Quat::from_axis_angle(random.direction(), random.between(-1.0, 1.0));
             let offset =
                 bone.unwrap_or_else(|| [random.between(-5.0, 5.0), 1.0, random.between(-5.0, 5.0)]);
-            locals.push(single(DualQuat::from_rotation_translation(turn, offset)));
+            locals.push(DualQuat::from_rotation_translation(turn, offset).cast());
         }
     }
     locals

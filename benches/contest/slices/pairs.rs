@@ -4,7 +4,7 @@ use crate::backends;
 use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::limit::{Limit, Limited};
-use crate::memory::{Element, Many, Own, Packed, Product, QuatVec3A, Rows3x4, double, single};
+use crate::memory::{Element, Many, Own, Packed, Product, QuatVec3A, Rows3x4};
 use dq8::{
     Backend, Block, DualQuat, Lanes, Quat, ShapeError, batch,
     simd::{Portable, f32x8, f32x16},
@@ -65,15 +65,15 @@ pub fn with_contest(
     // Two motions in, one out; glam has 64 bytes a motion.
     let footprint = Footprint { own: 3 * size_of::<Motion>(), most: 3 * size_of::<Mat4>() };
     let pairs = Pairs::new(operation, caches.transforms(level, footprint));
-    let (job, name, title) = match operation {
-        Operation::Product => ("J1", "", "pairwise product"),
-        Operation::Normalize => ("J5", "normalize ", "normalize"),
-        Operation::Inverse => ("J5", "inverse ", "invert"),
-        Operation::Matrix => ("J5", "matrix ", "rows of a 3×4 matrix"),
-        Operation::Nlerp => ("J5", "NLERP ", "blend linearly"),
-        Operation::Sclerp => ("J5", "ScLERP ", "interpolate along screws"),
-        Operation::Log => ("J5", "log ", "logarithm"),
-        Operation::Pow => ("J5", "pow ", "power"),
+    let (contenders, job, name, title): (Contenders<'_>, _, _, _) = match operation {
+        Operation::Product => (product, "J1", "", "pairwise product"),
+        Operation::Normalize => (normalize, "J5", "normalize ", "normalize"),
+        Operation::Inverse => (inverse, "J5", "inverse ", "invert"),
+        Operation::Matrix => (matrix, "J5", "matrix ", "rows of a 3×4 matrix"),
+        Operation::Nlerp => (nlerp, "J5", "NLERP ", "blend linearly"),
+        Operation::Sclerp => (sclerp, "J5", "ScLERP ", "interpolate along screws"),
+        Operation::Log => (log, "J5", "log ", "logarithm"),
+        Operation::Pow => (pow, "J5", "pow ", "power"),
     };
     let size = format!("{name}{}", level.name());
     let mut contest = Contest {
@@ -81,18 +81,12 @@ pub fn with_contest(
         tolerance: TOLERANCE,
         ..Contest::new(job, size, title)
     };
-    match operation {
-        Operation::Product => product(&pairs, &mut contest),
-        Operation::Normalize => normalize(&pairs, &mut contest),
-        Operation::Inverse => inverse(&pairs, &mut contest),
-        Operation::Matrix => matrix(&pairs, &mut contest),
-        Operation::Nlerp => nlerp(&pairs, &mut contest),
-        Operation::Sclerp => sclerp(&pairs, &mut contest),
-        Operation::Log => log(&pairs, &mut contest),
-        Operation::Pow => pow(&pairs, &mut contest),
-    }
+    contenders(&pairs, &mut contest);
     run(&contest);
 }
+
+/// Adds everyone who does an operation.
+type Contenders<'a> = fn(&'a Pairs, &mut Contest<'a>);
 
 /// `own!(pairs, contest, |backend, a, b, output| call)`: this crate's kernel on every layout, with
 /// every set of instructions.
@@ -259,8 +253,8 @@ impl Pairs {
                 Operation::Normalize => random.between(0.5, 2.0),
                 _ => 1.0,
             };
-            a.push(single(motion.scale(norm)));
-            b.push(single(motion * way));
+            a.push(motion.scale(norm).cast());
+            b.push((motion * way).cast());
         }
         let [a, b] = [a, b].map(|different| Many::new(1, different, count));
         Self { a, b }
@@ -271,7 +265,7 @@ impl Pairs {
         operation: impl Fn(DualQuat<f64>, DualQuat<f64>) -> O,
     ) -> Vec<Vec<f64>> {
         let pairs = self.a.different().iter().zip(self.b.different());
-        pairs.map(|(&a, &b)| operation(double(a), double(b)).numbers(0)).collect()
+        pairs.map(|(&a, &b)| operation(a.cast(), b.cast()).numbers(0)).collect()
     }
 
     fn own<'a, P: Own>(

@@ -3,7 +3,7 @@
 use crate::backends;
 use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
-use crate::memory::{Many, Own, Packed, QuatVec3A, double, single};
+use crate::memory::{Many, Own, Packed, QuatVec3A};
 use dq8::{Backend, Block, DualQuat, Quat};
 use dq8_fixtures::random::Random;
 use glam::{Affine3A, Mat4, Vec3A};
@@ -76,7 +76,7 @@ impl Scene {
         let (mut motions, mut points) = (Vec::new(), Vec::new());
         for _ in 0..Many::<Motion>::DIFFERENT {
             let turn = Quat::from_axis_angle(random.direction(), random.between(-3.0, 3.0));
-            motions.push(single(DualQuat::from_rotation_translation(turn, random.direction())));
+            motions.push(DualQuat::from_rotation_translation(turn, random.direction()).cast());
             points.push(random.direction().map(|c| c as f32));
         }
         Self { motions: Many::new(1, motions, count), points: Many::new(1, points, count) }
@@ -93,7 +93,8 @@ impl Scene {
             let motion = if motions == Motions::One { self.one() } else { each };
             let [x, y, z] = point.map(f64::from);
             // Rows of a matrix: another formula than that of dual quaternions.
-            double(motion).to_matrix3x4().map(|[a, b, c, d]| a * x + b * y + c * z + d).to_vec()
+            let rows = motion.cast::<f64>().to_matrix3x4();
+            rows.map(|[a, b, c, d]| a * x + b * y + c * z + d).to_vec()
         });
         moved.collect()
     }

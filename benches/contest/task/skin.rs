@@ -5,12 +5,12 @@
 
 use crate::backends;
 use crate::contest::Contest;
-use crate::memory::{double, single};
+use crate::memory::{Element, Packed, Representation};
 use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut, dual_blend, linear_blend};
 use dq8::{DualQuat, Quat, representation::Affine};
 use dq8_fixtures::random::Random;
 use glam::{Affine3A, Mat3A, Mat4, Vec3A};
-use nalgebra::{DualQuaternion, Point3, Quaternion, UnitDualQuaternion};
+use nalgebra::{DualQuaternion, Point3, UnitDualQuaternion};
 use std::cell::RefCell;
 
 const VERTICES: usize = 1 << 15;
@@ -30,7 +30,7 @@ impl Scene {
         let motion = |random: &mut Random| {
             let turn = Quat::from_axis_angle(random.direction(), random.between(-1.5, 1.5));
             let motion = DualQuat::from_rotation_translation(turn, random.direction());
-            single(if random.between(0.0, 1.0) < 0.5 { motion } else { -motion })
+            if random.between(0.0, 1.0) < 0.5 { motion.cast() } else { -motion.cast() }
         };
         let motions = (0..JOINTS).map(|_| motion(&mut random)).collect();
         let (mut joints, mut weights, mut points) = (Vec::new(), Vec::new(), Vec::new());
@@ -53,7 +53,7 @@ impl Scene {
     fn expected(&self, dual: bool) -> Vec<Vec<f64>> {
         let vertices = self.joints.iter().zip(&self.weights).zip(&self.points);
         let posed = vertices.map(|((joints, weights), point)| {
-            let of = |i: usize| double(self.motions[usize::from(joints[i])]);
+            let of = |i: usize| self.motions[usize::from(joints[i])].cast();
             let map = if dual {
                 let influences = [0, 1, 2, 3].map(|i| (of(i), f64::from(weights[i])));
                 Affine::from_motion(dual_blend(&influences).expect("four influences"))
@@ -79,7 +79,6 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
         expected: scene.expected(false),
         ..Contest::new("J7", "32768 vertices", "skinning, four influences")
     };
-    let numbers = |posed: &[[f32; 3]], index: usize| posed[index].map(f64::from).to_vec();
     let memory = || (scene.points.clone(), scene.points.clone());
     for backend in backends() {
         let (job, matrices, motions) =
@@ -114,19 +113,18 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
     run(&contest);
 }
 
+fn numbers<P: Element>(posed: &[P], index: usize) -> Vec<f64> {
+    posed[index].numbers(0)
+}
+
 /// Matrices are summed, or moved points: whichever is faster here.
 fn glam<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
     let (joints, weights) = (&scene.joints, &scene.weights);
-    let affine = |motion: &DualQuat<f32>| {
-        let rotation = glam::Quat::from_array(motion.rotation().to_array());
-        Affine3A::from_rotation_translation(rotation, motion.translation().into())
-    };
     let memory = move || {
-        let palette: Vec<_> = scene.motions.iter().map(affine).collect();
+        let palette: Vec<_> = scene.motions.iter().map(Affine3A::from_motion).collect();
         let points: Vec<_> = scene.points.iter().map(|&point| Vec3A::from(point)).collect();
         ((palette, points.clone()), points)
     };
-    let numbers = |posed: &[Vec3A], index: usize| posed[index].to_array().map(f64::from).to_vec();
     let sums = move |(palette, points): &(Vec<Affine3A>, Vec<Vec3A>), posed: &mut [Vec3A]| {
         for (vertex, posed) in posed.iter_mut().enumerate() {
             let weight = weights[vertex];
@@ -162,12 +160,8 @@ fn glam<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
 fn ozz_layout<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
     /// The palette, weights, points.
     type Given = (Vec<Mat4>, Vec<[f32; 3]>, Vec<[f32; 3]>);
-    let matrix = |motion: &DualQuat<f32>| {
-        let rotation = glam::Quat::from_array(motion.rotation().to_array());
-        Mat4::from_rotation_translation(rotation, motion.translation().into())
-    };
     let memory = move || {
-        let palette: Vec<_> = scene.motions.iter().map(matrix).collect();
+        let palette: Vec<_> = scene.motions.iter().map(Mat4::from_motion).collect();
         let weights: Vec<_> = scene.weights.iter().map(|&[a, b, c, _]| [a, b, c]).collect();
         ((palette, weights, scene.points.clone()), scene.points.clone())
     };
@@ -181,7 +175,6 @@ fn ozz_layout<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
             *posed = point.truncate().to_array();
         }
     };
-    let numbers = |posed: &[[f32; 3]], index: usize| posed[index].map(f64::from).to_vec();
     contest.add("ozz's layout, 4×4 matrices LBS", None, memory, pass, numbers);
 }
 
@@ -189,17 +182,10 @@ fn ozz_layout<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
 fn nalgebra<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
     type Palette = Vec<DualQuaternion<f32>>;
     let (joints, weights) = (&scene.joints, &scene.weights);
-    let dual = |motion: &DualQuat<f32>| {
-        let [x, y, z, w, a, b, c, d] = motion.to_array();
-        DualQuaternion::from_real_and_dual(Quaternion::new(w, x, y, z), Quaternion::new(d, a, b, c))
-    };
     let memory = move || {
-        let palette: Vec<_> = scene.motions.iter().map(dual).collect();
+        let palette: Vec<_> = scene.motions.chunks(1).map(DualQuaternion::gather).collect();
         let points: Vec<_> = scene.points.iter().map(|&point| Point3::from(point)).collect();
         ((palette, points.clone()), points)
-    };
-    let numbers = |posed: &[Point3<f32>], index: usize| {
-        posed[index].coords.iter().map(|&c| f64::from(c)).collect()
     };
     let pass = move |(palette, points): &(Palette, Vec<Point3<f32>>), posed: &mut [Point3<f32>]| {
         for (vertex, posed) in posed.iter_mut().enumerate() {

@@ -2,7 +2,7 @@
 
 use crate::job::job;
 use crate::poses::{Pose, Poses};
-use dq8::{DualQuat, Quat, Real};
+use dq8::{DualQuat, Real};
 use dq8_fixtures::turns::Job;
 
 pub(crate) fn contenders<R: Real>(operation: &str, poses: &Poses) -> Vec<Job<'static>> {
@@ -61,6 +61,5 @@ pub(crate) fn contenders<R: Real>(operation: &str, poses: &Poses) -> Vec<Job<'st
 }
 
 fn motion<R: Real>(pose: Pose) -> DualQuat<R> {
-    let rotation = Quat::from_array(pose.rotation.map(R::from_f64));
-    DualQuat::from_rotation_translation(rotation, pose.translation.map(R::from_f64))
+    DualQuat::from(pose).cast()
 }

@@ -12,7 +12,7 @@ macro_rules! lineup {
         pub(crate) fn $name(operation: &str, poses: &Poses) -> Vec<Job<'static>> {
             let pose = |pose: Pose| {
                 let [x, y, z] = pose.translation.map(|c| c as $real);
-                let turn = $quat::from_array(pose.rotation.map(|c| c as $real));
+                let turn = $quat::from_array(pose.rotation.to_array().map(|c| c as $real));
                 (turn, $vector::new(x, y, z))
             };
             let affine = move |at: Pose| {

@@ -100,7 +100,7 @@ fn real<R: RealField>(number: f64) -> R {
 }
 
 fn isometry<R: RealField + Copy>(pose: Pose) -> Isometry3<R> {
-    let [x, y, z, w] = pose.rotation.map(real::<R>);
+    let [x, y, z, w] = pose.rotation.to_array().map(real::<R>);
     let rotation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
     Isometry3::from_parts(Translation3::from(pose.translation.map(real::<R>)), rotation)
 }

@@ -27,6 +27,7 @@ macro_rules! precision {
             let in_blocks = || vec![Motions::splat(Motion::IDENTITY.to_array()); blocks * links];
             let columns = || vec![[0.0 as $real; 6]; configurations * links];
             let of_tools = || vec![Motion::IDENTITY; configurations];
+            let job = move || robot.job().backend(backend);
             let mut packed = vec![Block::<$real, $lanes, 1>::splat([0.0]); blocks * links];
             for (configuration, values) in values.chunks_exact(links).enumerate() {
                 for (value, &number) in values.iter().enumerate() {
@@ -38,46 +39,33 @@ macro_rules! precision {
             let mut jobs = Vec::new();
             let mut poses = plain();
             jobs.push(Job::new("all poses, plain", move || {
-                robot.job().backend(backend).poses(black_box(values), &mut poses).expect("shape");
+                job().poses(black_box(values), &mut poses).expect("shape");
             }));
             let mut poses = in_blocks();
             jobs.push(Job::new("all poses, blocks", {
                 let packed = packed.clone();
                 move || {
-                    let job = robot.job().backend(backend);
-                    job.poses(black_box(&packed), &mut poses).expect("shape");
+                    job().poses(black_box(&packed), &mut poses).expect("shape");
                 }
             }));
             let mut poses = in_blocks();
             jobs.push(Job::new("all poses, plain to blocks", move || {
-                robot.job().backend(backend).poses(black_box(values), &mut poses).expect("shape");
+                job().poses(black_box(values), &mut poses).expect("shape");
             }));
             let mut tools = of_tools();
             jobs.push(Job::new("tool, plain", move || {
-                robot
-                    .job()
-                    .links(&[tool])
-                    .backend(backend)
-                    .poses(black_box(values), &mut tools)
-                    .expect("shape");
+                job().links(&[tool]).poses(black_box(values), &mut tools).expect("shape");
             }));
             let (mut tools, mut jacobians) = (of_tools(), columns());
             jobs.push(Job::new("tool and Jacobian, plain", move || {
-                let values = black_box(values);
-                robot
-                    .job()
-                    .links(&[tool])
-                    .backend(backend)
-                    .jacobians(World, values, &mut tools, &mut jacobians)
-                    .expect("shape");
+                let (only, values) = ([tool], black_box(values));
+                let job = job().links(&only);
+                job.jacobians(World, values, &mut tools, &mut jacobians).expect("shape");
             }));
             let (mut poses, mut twists) = (plain(), columns());
             jobs.push(Job::new("velocities, plain", move || {
-                robot
-                    .job()
-                    .backend(backend)
-                    .velocities(black_box(values), values, &mut poses, &mut twists)
-                    .expect("shape");
+                let (job, given) = (job(), black_box(values));
+                job.velocities(given, values, &mut poses, &mut twists).expect("shape");
             }));
             let mut poses = plain();
             jobs.push(Job::new("all poses, one by one", move || {
@@ -105,8 +93,7 @@ macro_rules! precision {
             jobs.push(Job::new("59 points, blocks", {
                 let packed = packed.clone();
                 move || {
-                    let job = robot.job().backend(backend);
-                    job.points(&points, black_box(&packed), &mut places).expect("shape");
+                    job().points(&points, black_box(&packed), &mut places).expect("shape");
                 }
             }));
             let mut places = vec![Block::<$real, $lanes, 3>::splat([0.0; 3]); blocks * COUNT];
@@ -118,15 +105,14 @@ macro_rules! precision {
                     let places = places.chunks_mut(16 * COUNT);
                     for (values, places) in black_box(&packed).chunks(16 * links).zip(places) {
                         let poses = &mut some[..values.len()];
-                        robot.job().backend(backend).poses(values, poses).expect("shape");
+                        job().poses(values, poses).expect("shape");
                         backend.run(Points { poses, points: &points, places, links });
                     }
                 }
             }));
             let mut places = vec![[0.0; 3]; configurations * COUNT];
             jobs.push(Job::new("59 points, plain", move || {
-                let job = robot.job().backend(backend);
-                job.points(&points, black_box(values), &mut places).expect("shape");
+                job().points(&points, black_box(values), &mut places).expect("shape");
             }));
             let mut places = [[0.0; 3]; COUNT];
             jobs.push(Job::new("59 points, one by one", move || {
@@ -136,12 +122,7 @@ macro_rules! precision {
             }));
             jobs.push(Job::over(TARGETS, "tool to a random pose, plain", {
                 let mut targets = of_tools();
-                robot
-                    .job()
-                    .links(&[tool])
-                    .backend(backend)
-                    .poses(values, &mut targets)
-                    .expect("shape");
+                job().links(&[tool]).poses(values, &mut targets).expect("shape");
                 let starts = &values[values.len() - TARGETS * links..];
                 move || {
                     let (goals, mut freedoms) =

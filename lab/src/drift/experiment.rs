@@ -1,11 +1,11 @@
 use super::chain::{Chain, Order, Steps};
 use super::representation::{
-    Homogeneous, Listing, Representation, RotationTranslation, kenwright_normalize,
+    Homogeneous, Listing, Representation, kenwright_normalize, with_unit_rotation,
 };
 use super::target::{Miss, follow};
 use crate::matrix::{self, Matrix, distance};
 use core::convert::identity;
-use dq8::DualQuat;
+use dq8::{DualQuat, representation::RotationTranslation};
 
 /// What is measured of a chain, the worst of its links where they have one each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,9 +110,7 @@ pub const METHODS: [Method; 8] = [
     },
     Method {
         name: "quaternion + vector, normalized",
-        trace: |steps, order, every| {
-            trace(steps, order, every, RotationTranslation::<f32>::normalize)
-        },
+        trace: |steps, order, every| trace(steps, order, every, with_unit_rotation::<f32>),
     },
 ];
 

@@ -1,5 +1,5 @@
 use crate::matrix::{self, Matrix};
-use dq8::{DualQuat, Quat, Real};
+use dq8::{DualQuat, Quat, Real, representation::RotationTranslation};
 use nalgebra::Matrix3;
 
 /// What holds the state of a joint and is multiplied, in its own arithmetic.
@@ -76,17 +76,13 @@ impl<R: Real> Representation for DualQuat<R> {
         self * other
     }
     fn to_matrix(self) -> Matrix<f64, 3, 4> {
-        wide(self).to_matrix3x4()
+        self.cast::<f64>().to_matrix3x4()
     }
     fn norm_error(self) -> f64 {
-        let [p, q] = [wide(self).real(), wide(self).dual()];
+        let exact = self.cast::<f64>();
+        let (p, q) = (exact.real(), exact.dual());
         (p.norm() - 1.0).abs().max(p.dot(q).abs())
     }
-}
-
-/// The same numbers in double precision.
-fn wide<R: Real>(motion: DualQuat<R>) -> DualQuat<f64> {
-    DualQuat::from_array(motion.to_array().map(Into::into))
 }
 
 /// A dual quaternion that is read by the matrix of Kenwright §13.1, w² + x² − y² − z² and so on, without his
@@ -109,7 +105,7 @@ impl<R: Real> Representation for Listing<R> {
         Self(self.0 * other.0)
     }
     fn to_matrix(self) -> Matrix<f64, 3, 4> {
-        let motion = wide(self.0);
+        let motion = self.0.cast::<f64>();
         let [w, x, y, z] = motion.real().to_wxyz();
         let [tx, ty, tz] = motion.translation();
         [
@@ -129,50 +125,33 @@ pub fn kenwright_normalize<R: Real>(motion: DualQuat<R>) -> DualQuat<R> {
 }
 
 /// A quaternion and a vector.
-#[derive(Clone, Copy, Debug)]
-pub struct RotationTranslation<R> {
-    /// Acts first.
-    pub rotation: Quat<R>,
-    /// Acts second.
-    pub translation: [R; 3],
-}
-
 impl<R: Real> Representation for RotationTranslation<R> {
     type Real = R;
     fn identity() -> Self {
-        Self::shift([R::ZERO; 3])
+        Self::IDENTITY
     }
     fn shift(translation: [R; 3]) -> Self {
-        Self { rotation: Quat::IDENTITY, translation }
+        Self { translation, ..Self::IDENTITY }
     }
     fn turn(axis: [R; 3], angle: R) -> Self {
-        Self { rotation: Quat::from_axis_angle(axis, angle), translation: [R::ZERO; 3] }
+        Self { rotation: Quat::from_axis_angle(axis, angle), ..Self::IDENTITY }
     }
-    /// (r₁, t₁)(r₂, t₂) = (r₁r₂, r₁t₂r₁* + t₁)
     fn times(self, other: Self) -> Self {
-        let turned = self.rotation.rotate(other.translation);
-        let translation = core::array::from_fn(|i| turned[i] + self.translation[i]);
-        Self { rotation: self.rotation * other.rotation, translation }
+        self * other
     }
     fn to_matrix(self) -> Matrix<f64, 3, 4> {
-        let turned = DualQuat::from_rotation(self.wide_rotation()).to_matrix3x4();
+        let turned = self.rotation.cast::<f64>().to_matrix3();
         core::array::from_fn(|i| {
-            let [x, y, z, _] = turned[i];
+            let [x, y, z] = turned[i];
             [x, y, z, self.translation[i].into()]
         })
     }
     fn norm_error(self) -> f64 {
-        (self.wide_rotation().norm() - 1.0).abs()
+        (self.rotation.cast::<f64>().norm() - 1.0).abs()
     }
 }
 
-impl<R: Real> RotationTranslation<R> {
-    /// With a unit quaternion.
-    pub fn normalize(self) -> Self {
-        Self { rotation: self.rotation.normalize(), ..self }
-    }
-
-    fn wide_rotation(self) -> Quat<f64> {
-        Quat::from_array(self.rotation.to_array().map(Into::into))
-    }
+/// With a unit quaternion.
+pub fn with_unit_rotation<R: Real>(pose: RotationTranslation<R>) -> RotationTranslation<R> {
+    RotationTranslation { rotation: pose.rotation.normalize(), ..pose }
 }

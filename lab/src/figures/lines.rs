@@ -5,10 +5,7 @@ use crate::matrix::length;
 use core::f64::consts::TAU;
 use dq8::geometry::Screw;
 use dq8::{DualQuat, Line};
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
+use dq8_fixtures::vector::cross;
 
 fn along(from: [f64; 3], direction: [f64; 3], far: f64) -> [f64; 3] {
     core::array::from_fn(|i| from[i] + far * direction[i])

@@ -1,9 +1,9 @@
 //! Drift: what the report says of it, with fewer frames.
 
-use dq8::{DualQuat, Quat};
+use dq8::{DualQuat, Quat, representation::RotationTranslation};
 use lab::drift::{
     ARRIVAL, Deviation, Findings, Homogeneous, Loop, METHODS, Measure, Order, Repair,
-    Representation, RotationTranslation, Sample, against_ideal, findings, follow, trace,
+    Representation, Sample, against_ideal, findings, follow, trace,
 };
 use lab::matrix;
 use nalgebra::{Matrix3, Matrix4, Rotation3, Unit, Vector3};

@@ -146,11 +146,11 @@ fn text_is_escaped_everywhere() {
     table.row(["a < b & c"]);
     let text = "a < b";
     let section = Section {
-        title: text.to_owned(),
+        title: text,
         tried: text.to_owned(),
-        claimed: vec![text.to_owned()],
+        claimed: vec![text],
         found: vec![text.to_owned()],
-        verdict: text.to_owned(),
+        verdict: text,
         body: table.to_html(),
     };
     let page = page(&[section]);

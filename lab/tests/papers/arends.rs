@@ -2,10 +2,8 @@
 
 use crate::{add, assert_close, assert_far, cross, dot, motions, point, pure, quat};
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
-use dq8::{DualQuat, Quat, geometry::DualVector, scalar::MatrixError};
+use dq8::{DualQuat, Quat, scalar::MatrixError};
 use lab::arends::{side_by_side, slerp, slerp_formula};
-
-type Matrix = [[f64; 4]; 4];
 
 /// Equations 8 to 10: e v e⁻¹ mirrors v in the line e, so half the sum and half the difference with v
 /// are its parts along and across e.
@@ -119,23 +117,6 @@ fn chapter_6_interpolation_between_equal_motions_stays_there() {
     }
 }
 
-/// Nearly equal is his trouble too: sin Ω that is rounding alone. Nothing may be stretched.
-#[test]
-fn chapter_6_interpolation_between_nearly_equal_motions_keeps_its_length() {
-    let [a, _] = motions();
-    for angle in [1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-300] {
-        let nudge = Quat::from_axis_angle([0.6, 0.0, 0.8], angle);
-        let b = a * DualQuat::from_rotation_translation(nudge, [angle, 0.0, 0.0]);
-        for other in [b, -b] {
-            let middle = a.sclerp(other, 0.5);
-            assert!(middle.is_normalized(), "{middle:?}");
-            let half = Quat::from_axis_angle([0.6, 0.0, 0.8], angle / 2.0);
-            let wanted = a * DualQuat::from_rotation_translation(half, [angle / 2.0, 0.0, 0.0]);
-            assert_close(middle.to_array(), wanted.to_array(), 1e-15 + angle * angle);
-        }
-    }
-}
-
 /// His test for equality looks at x, y and z; w alone may differ, in sign. Then he stays at the beginning.
 #[test]
 fn chapter_6_erratum_quaternions_with_equal_vector_parts_need_not_be_equal() {
@@ -146,71 +127,4 @@ fn chapter_6_erratum_quaternions_with_equal_vector_parts_need_not_be_equal() {
     assert_far(a.sclerp(b, 0.5).to_array(), a.to_array());
     let y = [0.0, 1.0, 0.0];
     assert_far(a.transform_vector(y), b.transform_vector(y));
-}
-
-/// The 4×4 logarithm of a motion: [ω]× and v, where a + εb = log σ gives ω = 2a and v = 2b.
-fn twist(log: DualVector<f64>) -> Matrix {
-    let ([x, y, z], [a, b, c]) = (log.real.map(|c| 2.0 * c), log.dual.map(|c| 2.0 * c));
-    [[0.0, -z, y, a], [z, 0.0, -x, b], [-y, x, 0.0, c], [0.0; 4]]
-}
-
-/// The matrix exponential by its series, Σ Mⁿ/n!.
-fn exp(matrix: Matrix) -> Matrix {
-    let mut term: Matrix = core::array::from_fn(|i| core::array::from_fn(|j| f64::from(i == j)));
-    let mut sum = term;
-    for n in 1..40 {
-        let entry = |i: usize, j: usize| {
-            (0..4).map(|k| term[i][k] * matrix[k][j]).sum::<f64>() / f64::from(n)
-        };
-        term = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
-        sum = core::array::from_fn(|i| core::array::from_fn(|j| sum[i][j] + term[i][j]));
-    }
-    sum
-}
-
-fn assert_is(motion: DualQuat<f64>, wanted: Matrix) {
-    let rows = motion.to_matrix4();
-    (0..4).for_each(|row| assert_close(rows[row], wanted[row], 1e-13));
-}
-
-/// Chapter 2, keyframing: α ⊙ A = e^(α ln A) and A ⊕ B = e^(ln A + ln B), with the exponential and
-/// logarithm of matrices, as Alexa means them. In dq8 they are `pow` and `exp` of a sum of `log`s.
-#[test]
-fn chapter_2_keyframing_alexas_operations_are_those_of_the_matrix_logarithm() {
-    let [a, b] = motions();
-    assert_is(a, exp(twist(a.log())));
-    for alpha in [0.0, 0.25, 1.0, -2.0] {
-        let scaled = twist(a.log()).map(|row| row.map(|c| alpha * c));
-        assert_is(a.pow(alpha), exp(scaled));
-    }
-    let sum = |a: DualVector<f64>, b: DualVector<f64>| DualVector {
-        real: add(a.real, b.real),
-        dual: add(a.dual, b.dual),
-    };
-    let (ta, tb) = (twist(a.log()), twist(b.log()));
-    let both = DualQuat::exp(sum(a.log(), b.log()));
-    let together = core::array::from_fn(|i| core::array::from_fn(|j| ta[i][j] + tb[i][j]));
-    assert_is(both, exp(together));
-    // ⊕ commutes, where the product does not.
-    assert_close(DualQuat::exp(sum(b.log(), a.log())).to_array(), both.to_array(), 1e-15);
-    // Along one axis ⊕ is the product: (½ ⊙ A) ⊕ (¼ ⊙ A) = ¾ ⊙ A.
-    let parts = sum(a.pow(0.5).log(), a.pow(0.25).log());
-    assert_close(DualQuat::exp(parts).to_array(), a.pow(0.75).to_array(), 1e-14);
-}
-
-/// Element by element, as the thesis reads them, C(½) does not lie "exactly on the arc between": it is
-/// the geometric mean of the components, and there is none of a negative one.
-#[test]
-fn chapter_2_keyframing_erratum_element_by_element_the_middle_leaves_the_circle() {
-    let [a, b] = [10.0_f64, 80.0].map(|degrees| degrees.to_radians().sin_cos());
-    let mix = |a: f64, b: f64| (0.5 * a.ln() + 0.5 * b.ln()).exp();
-    let middle = [mix(a.0, b.0), mix(a.1, b.1)];
-    assert!(middle[0].hypot(middle[1]) < 0.6);
-    assert!(mix(-0.5, 0.5).is_nan());
-    // The motions between the two stay on the circle, and their middle is at 45°.
-    let turn = |degrees: f64| {
-        DualQuat::from_rotation(Quat::from_axis_angle([0.0, 0.0, 1.0], degrees.to_radians()))
-    };
-    let [x, y, _] = turn(10.0).sclerp(turn(80.0), 0.5).transform_vector([1.0, 0.0, 0.0]);
-    assert_close([x, y], [SQRT_2 / 2.0; 2], 1e-15);
 }

@@ -66,24 +66,6 @@ fn eqs_5_to_7_dual_numbers_form_a_ring_without_inverses_of_epsilon() {
     assert_eq!(Dual::new(0.0, 3.0).inverse().unwrap_err().real_norm, 0.0);
 }
 
-#[test]
-fn eqs_8_9_and_15_the_product_is_that_of_quaternions_of_dual_numbers() {
-    let [a, b] = whole_numbers();
-    let parts = |s: DualQuat<f64>| {
-        let (l, m) = (s.dual_vector().real, s.dual_vector().dual);
-        (s.dual_scalar(), core::array::from_fn::<_, 3, _>(|i| Dual::new(l[i], m[i])))
-    };
-    let ((a0, av), (b0, bv)) = (parts(a), parts(b));
-    let inner = av[0] * bv[0] + av[1] * bv[1] + av[2] * bv[2];
-    let outer: [Dual<f64>; 3] = core::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        av[j] * bv[k] - av[k] * bv[j]
-    });
-    let (scalar, vector) = parts(a * b);
-    assert_eq!(scalar, a0 * b0 - inner);
-    assert_eq!(vector, core::array::from_fn(|i| a0 * bv[i] + b0 * av[i] + outer[i]));
-}
-
 /// Dual numbers stand in the real components, vectors and dual vectors in the others.
 #[test]
 fn section_4_numbers_vectors_and_quaternions_are_special_dual_quaternions() {

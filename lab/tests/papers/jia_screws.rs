@@ -227,20 +227,6 @@ fn section_10_the_difference_of_two_motions_holds_that_of_their_translations() {
     assert_close((a.inverse() * b).to_array(), wanted.to_array(), 1e-15);
 }
 
-#[test]
-fn eq_46_screw_interpolation_keeps_one_axis_and_constant_speeds() {
-    let [a, b] = motions();
-    let whole = (a.conjugate() * b).to_screw();
-    for tau in [0.1, 0.25, 0.5, 0.9] {
-        let part = (a.conjugate() * a.sclerp(b, tau)).to_screw();
-        assert_close(part.axis.direction, whole.axis.direction, 1e-14);
-        assert_close(part.axis.moment, whole.axis.moment, 1e-13);
-        assert_close([part.angle, part.slide], [tau * whole.angle, tau * whole.slide], 1e-14);
-    }
-    assert_close(a.sclerp(b, 0.0).to_array(), a.to_array(), 1e-15);
-    assert_close(a.sclerp(b, 1.0).canonical().to_array(), b.canonical().to_array(), 1e-14);
-}
-
 /// §10 ends with cos + l sin + ε(τd/2)(−sin + l cos), angles τθ/2: that is the screw about the
 /// parallel through the origin. The term ε sin(τθ/2) m is missing.
 #[test]

@@ -183,21 +183,6 @@ fn section_4_erratum_eight_numbers_are_not_the_fewest() {
     assert_eq!(size_of::<[[f32; 4]; 4]>() / float, 16);
 }
 
-/// "The limit of the difference quotient is a dual number too": (f(x + h) − f(x))/h of a dual x.
-#[test]
-fn section_5_2_the_derivative_of_a_dual_function_is_the_limit_and_a_dual_number() {
-    let f = |x: Dual<f64>| x * x * x;
-    let x = Dual::new(0.7, 2.0);
-    let derivative = Dual::new(3.0, 0.0) * x * x;
-    for h in [1e-3, 1e-5] {
-        let step = Dual::new(h, 0.0);
-        let quotient = (f(x + step) - f(x)) / step;
-        let off = quotient - derivative;
-        assert!(off.real.abs().max(off.dual.abs()) < 7.0 * h, "{h}: {off:?}");
-    }
-    assert_close([derivative.real, derivative.dual], [3.0 * 0.49, 6.0 * 0.7 * 2.0], 1e-14);
-}
-
 #[test]
 fn section_5_2_the_normalized_dual_part_of_a_point_on_a_curve_is_its_tangent() {
     let time = Dual::new(0.7_f64, 2.0);

@@ -16,6 +16,7 @@ mod kenwright_representations;
 mod tarini;
 
 use dq8::{DualQuat, Quat};
+use dq8_fixtures::vector::{add, cross, dot, length};
 
 /// w + xi + yj + zk, in the order of the papers.
 fn quat(w: f64, x: f64, y: f64, z: f64) -> Quat<f64> {
@@ -53,22 +54,6 @@ fn motions() -> [DualQuat<f64>; 2] {
         DualQuat::from_rotation_translation(a, [1.0, -2.0, 0.5]),
         DualQuat::from_rotation_translation(b, [0.25, 3.0, -1.5]),
     ]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn add(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// The largest difference of two lists of numbers; infinite where a number is NaN.

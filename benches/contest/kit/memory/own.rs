@@ -52,16 +52,8 @@ impl Representation for DualQuat<f32> {
         *motion
     }
     fn rows(&self) -> Rows {
-        double(*self).to_matrix3x4()
+        self.cast::<f64>().to_matrix3x4()
     }
-}
-
-pub fn double(motion: DualQuat<f32>) -> DualQuat<f64> {
-    DualQuat::from_array(motion.to_array().map(f64::from))
-}
-
-pub fn single(motion: DualQuat<f64>) -> DualQuat<f32> {
-    DualQuat::from_array(motion.to_array().map(|c| c as f32))
 }
 
 impl Element for DualQuat<f64> {

@@ -21,8 +21,7 @@ impl<T: Real> Product for Rows3x4<T> {
 
 impl<T: Real> Representation for Rows3x4<T> {
     fn from_motion(motion: &DualQuat<f32>) -> Self {
-        let motion = DualQuat::from_array(motion.to_array().map(f64::from));
-        Self(motion.to_matrix3x4().map(|row| row.map(T::from_f64)))
+        Self(motion.cast::<f64>().to_matrix3x4().map(|row| row.map(T::from_f64)))
     }
     fn rows(&self) -> Rows {
         self.0.map(|row| row.map(Into::into))

@@ -1,7 +1,7 @@
 //! For lines and planes.
 
-use super::{each, sine, sub, three};
-use crate::law::dot;
+use super::{each, sine, three};
+use crate::vector::{cross, dot, sub};
 use crate::vectors::Vector;
 
 /// |m|/|l|: as far from the origin as the point of the moment may be.
@@ -45,7 +45,7 @@ fn distance(p: [f64; 3], line: &[f64]) -> f64 {
     let (l, m) = (three(line), three(&line[3..]));
     let size = crate::case::length(&l);
     let l = l.map(|c| c / size);
-    let foot = crate::law::cross(l, m.map(|c| c / size));
+    let foot = cross(l, m.map(|c| c / size));
     let way = sub(p, foot);
     let along = dot(way, l);
     crate::case::length(&sub(way, l.map(|c| c * along)))

@@ -10,6 +10,7 @@ pub(super) mod rotations;
 pub(super) mod screws;
 
 use crate::case::length;
+use crate::vector::{cross, unit};
 use crate::vectors::Vector;
 
 /// The same scale for several numbers.
@@ -23,16 +24,7 @@ fn three(numbers: &[f64]) -> [f64; 3] {
 
 /// The sine of the angle between two vectors.
 fn sine(a: [f64; 3], b: [f64; 3]) -> f64 {
-    length(&crate::law::cross(unit(a), unit(b)))
-}
-
-fn unit(v: [f64; 3]) -> [f64; 3] {
-    let length = length(&v);
-    v.map(|c| c / length)
-}
-
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|c| a[c] - b[c])
+    length(&cross(unit(a), unit(b)))
 }
 
 impl Vector {

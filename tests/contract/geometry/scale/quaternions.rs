@@ -1,7 +1,8 @@
 //! For quaternions.
 
-use super::{each, sine, sub, three};
+use super::{each, sine, three};
 use crate::case::length;
+use crate::vector::sub;
 use crate::vectors::Vector;
 
 pub(crate) fn product(vector: &Vector) -> Vec<f64> {
