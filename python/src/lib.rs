@@ -16,14 +16,20 @@ fn backend() -> String {
 /// those of `dlb` and `mean` over many motions, which are sums over the lanes of whatever there is.
 #[pyfunction]
 fn set_reproducible(reproducible: bool) {
-    #[cfg(feature = "reproducible")]
-    Backend::set_reproducible(reproducible);
-    #[cfg(not(feature = "reproducible"))]
+    // Without lanes of its own, SSE2, which fuses nothing (`Cargo.toml` adds them where portable lanes do).
+    #[cfg(all(
+        not(feature = "reproducible"),
+        target_arch = "x86_64",
+        not(target_feature = "fma")
+    ))]
     Backend::limit(reproducible.then_some(Backend::PORTABLE));
+    #[cfg(not(all(
+        not(feature = "reproducible"),
+        target_arch = "x86_64",
+        not(target_feature = "fma")
+    )))]
+    Backend::set_reproducible(reproducible);
 }
-
-#[cfg(not(any(feature = "reproducible", target_arch = "x86_64")))]
-compile_error!("the feature `reproducible` is needed where portable lanes fuse");
 
 /// dq8 on NumPy arrays.
 #[pymodule]
@@ -76,9 +82,9 @@ mod _core {
     #[pymodule_export]
     use dq8_python_figures::skin::skin;
     #[pymodule_export]
-    use dq8_python_robots::mechanism::Mechanism;
+    use dq8_python_ik::reach_report::ReachReport;
     #[pymodule_export]
-    use dq8_python_robots::reach_report::ReachReport;
+    use dq8_python_robots::mechanism::Mechanism;
     #[pymodule_export]
     use dq8_python_robots::solutions::solutions;
 }
