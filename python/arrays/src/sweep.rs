@@ -40,8 +40,10 @@ pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const 
         run(law, OneOrEach::of(a, each[0]), OneOrEach::of(b, each[1]), last, to);
     } else if const { F::WIDE && B > 0 && C == 0 } && each[0] {
         run(law, a, OneOrEach::of(b, each[1]), last, to);
+    } else if const { !F::WIDE && C > 0 } && each == [true; 3] {
+        run(law, a, b, c, to);
     } else if const { !F::WIDE && B > 0 } && each[0] && each[1] {
-        run(law, a, b, last, to);
+        run(law, a, b, One(c.one()), to);
     } else if const { !F::WIDE || B == 0 } && each[0] {
         run(law, a, One(b.one()), last, to);
     } else if const { C > 0 } && !each[1] {
