@@ -12,8 +12,9 @@ fn backend() -> String {
     Backend::best().to_string()
 }
 
-/// Whether results have the same bits on every machine, from now on and in all threads, for 1.0 to 1.5 times the time. Not
-/// those of `dlb` and `mean` over many motions, which are sums over the lanes of whatever there is.
+/// Whether results have the same bits on every machine, from now on and in all threads, for 1.0 to 1.5 times the time; where
+/// dq8 was built from source without lanes for it, for about twice the time. Not those of `dlb` and `mean` over many
+/// motions, which are sums over the lanes of whatever there is.
 #[pyfunction]
 fn set_reproducible(reproducible: bool) {
     // Without lanes of its own, SSE2, which fuses nothing (`Cargo.toml` adds them where portable lanes do).
