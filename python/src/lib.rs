@@ -12,18 +12,25 @@ fn backend() -> String {
     Backend::best().to_string()
 }
 
-/// Whether results have the same bits on every machine, from now on and in all threads, for 1.0 to 1.5 times the time. Not
-/// those of `dlb` and `mean` over many motions, which are sums over the lanes of whatever there is.
+/// Whether results have the same bits on every machine, from now on and in all threads, for 1.0 to 1.5 times the time; where
+/// dq8 was built from source without lanes for it, for about twice the time. Not those of `dlb` and `mean` over many
+/// motions, which are sums over the lanes of whatever there is.
 #[pyfunction]
 fn set_reproducible(reproducible: bool) {
-    #[cfg(feature = "reproducible")]
-    Backend::set_reproducible(reproducible);
-    #[cfg(not(feature = "reproducible"))]
+    // Without lanes of its own, SSE2, which fuses nothing (`Cargo.toml` adds them where portable lanes do).
+    #[cfg(all(
+        not(feature = "reproducible"),
+        target_arch = "x86_64",
+        not(target_feature = "fma")
+    ))]
     Backend::limit(reproducible.then_some(Backend::PORTABLE));
+    #[cfg(not(all(
+        not(feature = "reproducible"),
+        target_arch = "x86_64",
+        not(target_feature = "fma")
+    )))]
+    Backend::set_reproducible(reproducible);
 }
-
-#[cfg(not(any(feature = "reproducible", target_arch = "x86_64")))]
-compile_error!("the feature `reproducible` is needed where portable lanes fuse");
 
 /// dq8 on NumPy arrays.
 #[pymodule]
@@ -76,9 +83,9 @@ mod _core {
     #[pymodule_export]
     use dq8_python_figures::skin::skin;
     #[pymodule_export]
-    use dq8_python_robots::mechanism::Mechanism;
+    use dq8_python_ik::reach_report::ReachReport;
     #[pymodule_export]
-    use dq8_python_robots::reach_report::ReachReport;
+    use dq8_python_robots::mechanism::Mechanism;
     #[pymodule_export]
     use dq8_python_robots::solutions::solutions;
 }

@@ -46,25 +46,34 @@ impl<L: Lanes> DualQuat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_matrix(at: Twist<L>) -> [[L; 6]; 6] {
-        matrix(at, Self::left_jacobian)
+        matrix(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |along| Self::left_jacobian(at, along),
+            at,
+        )
     }
 
     /// J_l⁻¹(x) as 6×6 matrices, in the order of [`left_jacobian_matrix`](Self::left_jacobian_matrix).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<L>) -> [[L; 6]; 6] {
-        matrix(at, Self::left_jacobian_inverse)
+        matrix(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |along| Self::left_jacobian_inverse(at, along),
+            at,
+        )
     }
 }
 
-/// The matrix of a linear map: its columns are what it does to the unit twists.
+/// The matrix of a linear map: its columns are what it does to the unit twists, on the lanes of `any`. (The name of a
+/// function for the map is a call that is not inlined.)
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn matrix<L: Lanes>(at: Twist<L>, map: impl Fn(Twist<L>, Twist<L>) -> Twist<L>) -> [[L; 6]; 6] {
-    let mut rows = [at.to_array(); 6];
+fn matrix<L: Lanes>(map: impl Fn(Twist<L>) -> Twist<L>, any: Twist<L>) -> [[L; 6]; 6] {
+    let mut rows = [any.to_array(); 6];
     for column in 0..6 {
-        let mut unit = [at.angular[0].constant(0.0); 6];
+        let mut unit = [any.angular[0].constant(0.0); 6];
         unit[column] = unit[column].constant(1.0);
-        let image = map(at, Twist::from_array(unit)).to_array();
+        let image = map(Twist::from_array(unit)).to_array();
         for (row, value) in rows.iter_mut().zip(image) {
             row[column] = value;
         }

@@ -3,8 +3,8 @@
 use crate::interrupt::{Interrupt, PERIOD};
 use pyo3::exceptions::{PyOverflowError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon_core::{ThreadPool, ThreadPoolBuilder};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -51,23 +51,27 @@ impl Threads {
         py: Python<'_>,
         job: impl FnOnce() -> PyResult<T> + Send,
     ) -> PyResult<T> {
-        let done = py.detach(|| match &self.pool {
-            None => job(),
-            // This thread only waits: it is the one that Python tells of signals.
-            Some(pool) => pool.in_place_scope(|scope| {
-                let (done, wait) = channel();
-                scope.spawn(move |_| drop(done.send(job())));
-                loop {
-                    match wait.recv_timeout(PERIOD) {
-                        Ok(result) => return result,
-                        Err(RecvTimeoutError::Timeout) => self.interrupt.ask(),
-                        // It panicked, which the scope passes on.
-                        Err(error) => return Err(PyRuntimeError::new_err(error.to_string())),
-                    }
-                }
-            }),
-        });
+        let (mut job, mut done) = (Some(job), None);
+        py.detach(|| self.wait_for(&mut || done = job.take().map(|job| job())));
+        // It was called, or has panicked, which has been passed on.
+        let done = done.unwrap_or_else(|| Err(PyRuntimeError::new_err("nothing was computed")));
         self.interrupt.take().map_or(done, Err)
+    }
+
+    /// (Here and below, what is called is no type parameter: what rayon does is compiled once, not for each function.)
+    fn wait_for(&self, job: &mut (dyn FnMut() + Send)) {
+        let Some(pool) = &self.pool else { return job() };
+        // This thread only waits: it is the one that Python tells of signals.
+        pool.in_place_scope(|scope| {
+            let (done, wait) = channel::<()>();
+            scope.spawn(move |_| {
+                job();
+                drop(done);
+            });
+            while wait.recv_timeout(PERIOD) == Err(RecvTimeoutError::Timeout) {
+                self.interrupt.ask();
+            }
+        });
     }
 
     /// Whether the call is to end early, asked from piece to piece of a job.
@@ -79,16 +83,23 @@ impl Threads {
     }
 
     /// Hands `pieces` to `each`, until it cannot do one or the call is interrupted; whether it could.
-    ///
-    /// (What is called is no type parameter: the pool is compiled once for each type of piece, not for each
-    /// function, which took a third of the time of compiling.)
     pub fn each<T: Send>(&self, mut pieces: impl Iterator<Item = T>, each: &Each<'_, T>) -> bool {
-        if self.many() {
-            let pieces: Vec<_> = pieces.collect();
-            pieces.into_par_iter().all(|piece| self.interrupted() || each(piece))
-        } else {
-            pieces.all(|piece| self.interrupted() || each(piece))
+        if !self.many() {
+            return pieces.all(|piece| self.interrupted() || each(piece));
         }
+        let pieces: Vec<_> = pieces.collect();
+        let (count, could) = (pieces.len(), AtomicBool::new(true));
+        let pieces = Mutex::new(pieces.into_iter());
+        let next = || pieces.lock().unwrap_or_else(PoisonError::into_inner).next();
+        self.all(count, &|| {
+            while could.load(Ordering::Relaxed)
+                && !self.interrupted()
+                && let Some(piece) = next()
+            {
+                could.fetch_and(each(piece), Ordering::Relaxed);
+            }
+        });
+        could.into_inner()
     }
 
     /// [`each`](Self::each) of the pieces of `to` that have `size` elements, with the index of its first one.
@@ -106,13 +117,16 @@ impl Threads {
         self.each(pieces, each)
     }
 
-    /// Runs `work` on each of the threads, to share out pieces of its own.
-    pub fn all(&self, work: &(dyn Fn() + Sync)) {
-        if self.many() {
-            rayon::broadcast(|_| work());
-        } else {
-            work();
+    /// Runs `work` on each of the threads, at most `most`, to share out pieces of its own.
+    pub fn all(&self, most: usize, work: &(dyn Fn() + Sync)) {
+        if !self.many() {
+            return work();
         }
+        rayon_core::scope(|scope| {
+            let others = 1..rayon_core::current_num_threads().min(most);
+            others.for_each(|_| scope.spawn(|_| work()));
+            work();
+        });
     }
 }
 

@@ -3,8 +3,6 @@
 mod configurations;
 mod joints;
 pub mod mechanism;
-mod reach;
-pub mod reach_report;
 pub mod solutions;
 mod urdf;
 

@@ -7,10 +7,11 @@ use crate::configurations::{Frame, Values, jacobian, poses};
 use crate::error::value_error;
 use crate::joints::{self, Arrays};
 use crate::links::{Chosen, link_of, names, parents_of};
-use crate::reach::{Search, reach};
-use crate::reach_report::ReachReport;
 use crate::shape::{EIGHT, NUMBER, SIX};
 use crate::urdf::mechanism_of;
+use dq8_python_ik::Precision;
+use dq8_python_ik::reach::{Search, reach};
+use dq8_python_ik::reach_report::ReachReport;
 use dq8_robot::ik::Options;
 use dq8_robot::urdf::Drive;
 use dq8_robot::{Joint, MechanismError, OwnedMechanism};
@@ -382,11 +383,7 @@ impl Mechanism {
                 ..Options::default()
             },
         };
-        if is_single([&search.targets, &search.values]) {
-            reach(self.single()?, &search, out)
-        } else {
-            reach(&self.double, &search, out)
-        }
+        reach(self.precision(is_single([&search.targets, &search.values]))?, &search, out)
     }
 }
 
@@ -394,5 +391,10 @@ impl Mechanism {
     pub(crate) fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
         let refused = |error| value_error(format!("`values` are float32, for which {error}"));
         self.single.as_ref().map_err(refused)
+    }
+
+    /// Of float32 if `single`.
+    pub(crate) fn precision(&self, single: bool) -> PyResult<Precision<'_>> {
+        Ok(if single { Precision::Single(self.single()?) } else { Precision::Double(&self.double) })
     }
 }

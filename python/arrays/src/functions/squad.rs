@@ -79,7 +79,7 @@ pub fn squad<'py>(
         Argument::new("control_end", EIGHT, control_end)?,
         Argument::new("end", EIGHT, end)?,
     ];
-    of_many(Squad, motions, Some(Argument::new("t", NUMBER, t)?), out)
+    of_many(Squad, &motions, Some(&Argument::new("t", NUMBER, t)?), out)
 }
 
 #[derive(Clone, Copy)]
@@ -133,30 +133,34 @@ pub fn squad_control<'py>(
         Argument::new("current", EIGHT, current)?,
         Argument::new("next", EIGHT, next)?,
     ];
-    of_many(Control, motions, None, out)
+    of_many(Control, &motions, None, out)
 }
 
 fn of_many<'py, F: OfMany<N>, const N: usize>(
     law: F,
-    motions: [Argument<'py>; N],
-    t: Option<Argument<'py>>,
+    motions: &[Argument<'py>; N],
+    t: Option<&Argument<'py>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    if is_single(motions.iter().chain(&t)) {
-        typed::<f32, F, N>(law, motions, t, out)
+    if is_single(motions.iter().chain(t)) {
+        typed::<f32>(motions, t, out, &|motions, t, to| sweep(law, motions, t, to))
     } else {
-        typed::<f64, F, N>(law, motions, t, out)
+        typed::<f64>(motions, t, out, &|motions, t, to| sweep(law, motions, t, to))
     }
 }
 
-fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
-    law: F,
-    motions: [Argument<'py>; N],
-    t: Option<Argument<'py>>,
+/// What computes a piece of motions and t: all that is compiled for each law.
+type Compute<'f, R> =
+    dyn Fn(&[OneOrEach<'_, R, 8>], OneOrEach<'_, R, 1>, &mut [[R; 8]]) + Sync + 'f;
+
+fn typed<'py, R: Number>(
+    motions: &[Argument<'py>],
+    t: Option<&Argument<'py>>,
     out: Option<&Bound<'py, PyAny>>,
+    compute: &Compute<'_, R>,
 ) -> Answer<'py> {
-    let mut inputs = Vec::with_capacity(N + 1);
-    for argument in motions.iter().chain(&t) {
+    let mut inputs = Vec::with_capacity(motions.len() + 1);
+    for argument in motions.iter().chain(t) {
         inputs.push((argument.name(), Input::<R>::of(argument)?));
     }
     let shapes = || inputs.iter().map(|(name, input)| (*name, input.full_leading()));
@@ -165,20 +169,20 @@ fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
         return Err(PyValueError::new_err("There are no motions."));
     };
     let output = Output::<R>::new(py, out, &shape, EIGHT)?;
-    let mut ready = Vec::with_capacity(N + 1);
+    let mut ready = Vec::with_capacity(inputs.len());
     for (_, input) in inputs {
         let input = if input.is_one() { input } else { input.filled(&shape)? };
         ready.push(input.apart_from(&output)?);
     }
 
-    let (motions, t) = ready.split_at(N);
-    let motions = std::array::from_fn(|i| operand(motions.get(i)));
+    let (motions, t) = ready.split_at(motions.len());
+    let motions: Vec<_> = motions.iter().map(|motion| operand(Some(motion))).collect();
     let t = operand(t.first());
     let threads = Threads::for_elements(shape.iter().product());
     output.fill(&threads, |to| {
         threads.split(GRAIN, to, &|(first, to)| {
-            let motions = motions.map(|motion| motion.from(first));
-            Backend::best().run(OfEach { law, motions, t: t.from(first), to });
+            let motions: Vec<_> = motions.iter().map(|motion| motion.from(first)).collect();
+            compute(&motions, t.from(first), to);
             true
         });
         Ok(())
@@ -189,6 +193,17 @@ fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
 fn operand<'s, R: Number, const C: usize>(input: Option<&'s Input<'_, R>>) -> OneOrEach<'s, R, C> {
     let records = input.map_or(&[][..], |input| input.records());
     OneOrEach::of(Each::of(records), input.is_some_and(|input| !input.is_one()))
+}
+
+/// Writes `law` of as many motions as it has.
+fn sweep<R: Number, F: OfMany<N>, const N: usize>(
+    law: F,
+    motions: &[OneOrEach<'_, R, 8>],
+    t: OneOrEach<'_, R, 1>,
+    to: &mut [[R; 8]],
+) {
+    let Ok(motions) = motions.try_into() else { return };
+    Backend::best().run(OfEach { law, motions, t, to });
 }
 
 struct OfEach<'s, R, F, const N: usize> {

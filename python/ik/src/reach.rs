@@ -6,6 +6,7 @@ use crate::error::{misshapen, value_error};
 use crate::links::Chosen;
 use crate::number::Number;
 use crate::output::Output;
+use crate::precision::Precision;
 use crate::reach_report::ReachReport;
 use crate::threads::Threads;
 use dq8::simd::MAX_LANES;
@@ -19,13 +20,20 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// What a call asks for.
-pub(crate) struct Search<'py> {
-    pub(crate) targets: Argument<'py>,
-    pub(crate) values: Argument<'py>,
-    pub(crate) chosen: Chosen,
-    pub(crate) weights: Option<Argument<'py>>,
-    pub(crate) posture: Option<Argument<'py>>,
-    pub(crate) options: Options<f64>,
+#[derive(Debug)]
+pub struct Search<'py> {
+    /// One for each link.
+    pub targets: Argument<'py>,
+    /// Where to start.
+    pub values: Argument<'py>,
+    /// The links.
+    pub chosen: Chosen,
+    /// How much each component of an error counts.
+    pub weights: Option<Argument<'py>>,
+    /// Values to stay near.
+    pub posture: Option<Argument<'py>>,
+    /// How, and how far.
+    pub options: Options<f64>,
 }
 
 /// How many configurations a piece has at least, which fill every register, and at most: lanes then seldom wait for the
@@ -40,7 +48,18 @@ const LONG: Duration = Duration::from_millis(10);
 pub(crate) const STEPS: usize = 8;
 
 /// Values that bring links to their targets, and what was reached.
-pub(crate) fn reach<'py, R: Number>(
+pub fn reach<'py>(
+    mechanism: Precision<'_>,
+    search: &Search<'py>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
+    match mechanism {
+        Precision::Single(mechanism) => typed(mechanism, search, out),
+        Precision::Double(mechanism) => typed(mechanism, search, out),
+    }
+}
+
+fn typed<'py, R: Number>(
     mechanism: &OwnedMechanism<R>,
     search: &Search<'py>,
     out: Option<&Bound<'py, PyAny>>,
@@ -130,7 +149,7 @@ fn solve<R: Number>(
     let left = Left { targets, values, reports, piece: *PIECE.start(), failure: None };
     let left = Mutex::new(left);
     let lock = || left.lock().unwrap_or_else(PoisonError::into_inner);
-    threads.all(&|| {
+    threads.all(usize::MAX, &|| {
         let mut scratch = vec![R::ZERO; problem.batch_scratch_len()];
         while !threads.interrupted() {
             let mut all = lock();
