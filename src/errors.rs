@@ -1,13 +1,13 @@
 //! Errors as lists: of each what it is, what it names, and what it says.
 
 /// An enum of errors. Each has documentation and a message, and fields, documented too, that the message names; one that has another
-/// error as its cause holds it, and is made from it.
+/// error as its cause holds it, is made from it, and has it as its source; so has one that says `from` one of its fields.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __errors {
     ($(#[$of:meta])* $name:ident {$(
         $(#[$doc:meta])*
-        $variant:ident $({ $($field:ident: $type:ty = $says:literal),+ })? $(($cause:ident: $other:ty))?
+        $variant:ident $({ $($field:ident: $type:ty = $says:literal),+ })? $(($cause:ident: $other:ty))? $(from $named:ident)?
             => $message:literal $(, $part:expr)*;
     )*}) => {
         $(#[$of])*
@@ -22,6 +22,19 @@ macro_rules! __errors {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 match self {$(
                     Self::$variant $({ $($field),+ })? $(($cause))? => write!(f, $message $(, $part)*),
+                )*}
+            }
+        }
+        impl core::error::Error for $name {
+            #[allow(unused_variables, reason = "most have no cause")]
+            fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+                match self {$(
+                    Self::$variant $({ $($field),+ })? $(($cause))? => {
+                        $(return Some($cause);)?
+                        $(return Some($named);)?
+                        #[allow(unreachable_code, reason = "those with a cause have returned")]
+                        None
+                    }
                 )*}
             }
         }

@@ -1,6 +1,9 @@
 //! The table of faults: what is given, to which function, and what it promises to answer.
 
-use dq8::{DualQuat, Hierarchy, Quat, Skeleton, hierarchy::HierarchyError, scalar::MatrixError};
+use dq8::hierarchy::{HierarchyError, PackedError};
+use dq8::slices::{MatricesError, TrajectoryError};
+use dq8::{DualQuat, Hierarchy, Quat, ShapeError, Skeleton};
+use dq8::{scalar::MatrixError, skinning::SkinningError};
 
 /// A product with the inverse, in `f32` on its own scale.
 const IN_SINGLE: f32 = 1e-6;
@@ -149,4 +152,19 @@ fn parents_are_refused_by_what_is_wrong_with_them_whoever_asks() {
         assert_eq!(Skeleton::new(parents).map(|_| ()), in_order);
         assert_eq!(Skeleton::sorted(parents).map(|_| ()), in_any_order);
     }
+}
+
+#[test]
+fn errors_that_pass_on_another_have_it_as_their_source() {
+    fn passes<E: std::error::Error + From<ShapeError>>() {
+        let cause = ShapeError::Empty { what: "keys" };
+        let error = E::from(cause.clone());
+        assert_eq!(error.source().and_then(|it| it.downcast_ref()), Some(&cause), "{error:?}");
+    }
+    passes::<PackedError>();
+    passes::<MatricesError>();
+    passes::<TrajectoryError>();
+    passes::<SkinningError>();
+    let own = HierarchyError::ParentNotBefore { joint: 1, parent: 2 };
+    assert!(std::error::Error::source(&own).is_none());
 }

@@ -42,8 +42,6 @@ errors! {
     }
 }
 
-impl core::error::Error for HierarchyError {}
-
 /// What is said of a joint and its parent.
 struct NotBefore {
     joint: usize,

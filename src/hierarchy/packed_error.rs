@@ -42,5 +42,3 @@ errors! {
             => "these are no packed clips: {what}, at byte {offset}";
     }
 }
-
-impl core::error::Error for PackedError {}

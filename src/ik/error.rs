@@ -13,5 +13,3 @@ errors! {
             => "the {what} is not finite: coordinate {index} is {value}";
     }
 }
-
-impl core::error::Error for LimbError {}

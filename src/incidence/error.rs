@@ -29,5 +29,3 @@ errors! {
         SkewLines { distance: f64 = "Their distance." } => "the lines do not meet: they are {distance} apart";
     }
 }
-
-impl core::error::Error for IncidenceError {}

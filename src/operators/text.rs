@@ -23,8 +23,6 @@ errors! {
     }
 }
 
-impl core::error::Error for ParseError {}
-
 /// Numbers between single commas, white space or both; brackets around them may be left out.
 fn parse<R: Real + FromStr, const N: usize>(text: &str) -> Result<[R; N], ParseError> {
     let text = text.trim();

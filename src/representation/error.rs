@@ -25,5 +25,3 @@ errors! {
             => "no nearest rotation: the two smaller singular values are {gap} of the sum of all";
     }
 }
-
-impl core::error::Error for OrthonormalError {}

@@ -74,5 +74,3 @@ errors! {
                 columns, as by glam, nalgebra and glTF, is for try_from_cols_array_2d)";
     }
 }
-
-impl core::error::Error for MatrixError {}

@@ -56,9 +56,3 @@ errors! {
             => "joint {joint}: element {column} of the last row is {value}, which must be 0 0 0 1 (columns given as rows?)";
     }
 }
-
-impl core::error::Error for SkinningError {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        if let Self::Shape(error) = self { Some(error) } else { None }
-    }
-}

@@ -27,8 +27,6 @@ errors! {
     }
 }
 
-impl core::error::Error for MatricesError {}
-
 impl Backend {
     /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4 matrices,
     /// with the row 0 0 0 1, for sixteen.

@@ -38,12 +38,6 @@ errors! {
     }
 }
 
-impl core::error::Error for TrajectoryError {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        if let Self::Shape(error) = self { Some(error) } else { None }
-    }
-}
-
 impl Backend {
     /// `samples[i]` = the pose at the time `at[i]` on the trajectory through `poses[k]` at `times[k]`:
     /// screw motion between neighbours, [`DualQuat::sclerp`] by the shorter way; before the first and

@@ -59,8 +59,6 @@ errors! {
     }
 }
 
-impl core::error::Error for ShapeError {}
-
 /// Checks that the slice that is called `what` holds as many elements as it must.
 ///
 /// # Errors

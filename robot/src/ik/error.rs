@@ -88,7 +88,3 @@ errors! {
             => "value {hinge} of start {index} is not finite: {value}";
     }
 }
-
-impl core::error::Error for ReachError {}
-impl core::error::Error for RatesError {}
-impl core::error::Error for SolutionsError {}

@@ -45,5 +45,3 @@ errors! {
             => "there is room for {steps} steps where {joints} joints need one each";
     }
 }
-
-impl core::error::Error for MechanismError {}

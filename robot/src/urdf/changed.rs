@@ -20,8 +20,6 @@ errors! {
     }
 }
 
-impl std::error::Error for ChangeError {}
-
 impl Robot {
     /// The same robot with a base that moves freely, by a joint of the name `root_joint`: the seven values of a
     /// [floating joint](crate::JointKind::Floating) and its six rates come before all others.

@@ -1,6 +1,5 @@
 use crate::MechanismError;
 use dq8::seams::errors;
-use std::error::Error;
 
 errors! {
     /// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the line and the
@@ -8,7 +7,7 @@ errors! {
     #[derive(Debug)]
     UrdfError {
         /// The file cannot be read.
-        Read { path: String = "Its name.", source: std::io::Error = "Why." } => "cannot read {path}: {source}";
+        Read { path: String = "Its name.", source: std::io::Error = "Why." } from source => "cannot read {path}: {source}";
         /// The text is not XML.
         Parse { line: u32 = "The line, counted from one.", message: String = "What the reader of XML says." }
             => "not a URDF file: line {line}: {message}";
@@ -93,17 +92,7 @@ errors! {
             line: u32 = "The line of the joint.",
             joint: String = "The joint, or the root.",
             source: MechanismError = "Why. Its own number of the joint is that of the link."
-        }
+        } from source
             => "line {line}: <joint name={joint:?}>: {source}";
-    }
-}
-
-impl Error for UrdfError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        match self {
-            Self::Read { source, .. } => Some(source),
-            Self::Mechanism { source, .. } => Some(source),
-            _ => None,
-        }
     }
 }

@@ -126,4 +126,5 @@ fn errors_name_the_line_the_element_and_what_is_wrong_with_it() {
     assert_eq!(error("\n<robot name='r'/>"), "line 2: <robot> has no <link>");
     let error = Robot::from_file("no/such.urdf").unwrap_err();
     assert!(matches!(&error, UrdfError::Read { path, .. } if path == "no/such.urdf"));
+    assert!(std::error::Error::source(&error).is_some_and(|it| it.is::<std::io::Error>()));
 }
