@@ -78,7 +78,7 @@ pub(crate) fn posed<R: Scalar + dq8::skinning::Weight>(
     blend: impl Blender<R>,
     positions: &[[R; 3]],
 ) -> Vec<[R; 3]> {
-    let mut posed = positions.to_vec();
+    let mut posed = vec![[R::NAN; 3]; positions.len()];
     let (from, to) = (Surface::positions(positions), SurfaceMut::positions(&mut posed));
     skin.job().backend(backend).pose(blend, from, to).unwrap();
     posed
