@@ -3,7 +3,7 @@
 use dq8_robot::urdf::Robot;
 use std::fmt::Write;
 
-const LINKS: usize = 100_000;
+const LINKS: usize = 40_000;
 /// Enough for a hundred million steps of what takes the square.
 const MANY: usize = 10_000;
 
