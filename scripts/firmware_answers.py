@@ -114,7 +114,7 @@ def skeleton():
     scope = {n: float(v) for n, v in re.findall(r"const (\w+): f64 = ([\d.]+);", source)}
     for name, value in re.findall(r"const (\w+): \[f64; 3\] = (\[.*?\]);", source):
         scope[name] = eval(value, {}, scope)
-    axes = {n: re.findall(r"Rotation\(Axis::(\w)\)", v) for n, v in re.findall(r"const (\w+): &\[Channel\] = &\[(.*?)\];", source, re.S)}
+    axes = {n: re.findall(r"Rotation\((\w)\)", v) for n, v in re.findall(r"const (\w+): &\[Channel\] =\s+&\[(.*?)\];", source, re.S)}
     scope["right"] = lambda v: [-v[0], v[1], v[2]]
     joints, index = [], {}
     links = re.findall(r'link\("(\w+)",\s+([\w()]+),\s+(None|Some\([\w()]+\)),\s+(.*?),\s+(\w+),\s+(None|Some\(\w+\))\),', source)
