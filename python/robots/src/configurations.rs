@@ -108,7 +108,7 @@ impl<'py, R: Number> Configurations<'py, R> {
     }
 
     fn given(&self) -> Given<'_, R> {
-        // A column of its own has the configurations of one value side by side.
+        // The column of an only value holds rows of one number.
         match &self.inputs[..] {
             [rows] => Given::Rows(rows.numbers()),
             columns => Given::Columns(columns.iter().map(Input::numbers).collect()),

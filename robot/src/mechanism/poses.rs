@@ -18,8 +18,7 @@ impl<R: Scalar> Job<'_, R> {
     ///
     /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]` in plain
     /// numbers for both, or a slice of plain numbers for each value, or `[configuration block][value]` in blocks
-    /// ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
-    /// or 2⁴⁶ rad (`f64`) give NaN.
+    /// ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`) or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
     /// If `poses` holds no whole number of configurations or `values` another number of them; `poses` is
