@@ -1,0 +1,58 @@
+//! Trajectories: poses with stamps, sampled at many times; and points that are each moved by the pose at their own time.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Trajectory`] | stamps and poses in the caller's memory, checked once; screw motion between neighbours |
+//! | [`OwnedTrajectory`] | the same with memory of its own; made of unsorted stamps, or of one constant velocity |
+//! | [`Job`] | a run over many times, with options: clock, frame, what is outside the stamps, instructions, threads |
+//! | [`Frame`] | the frame that poses and points come out in |
+//! | [`Outside`] | what happens before the first stamp and after the last |
+//! | [`Time`] | the numbers that times of points may be |
+//!
+//! Poses and stamps are `f64`. A pose is first taken relative to the wanted frame and only then rounded to the numbers of
+//! the points, so a map whose origin is 10⁶ m away costs an `f32` point nothing.
+//!
+//! ```
+//! use dq8::DualQuat;
+//! use dq8_trajectory::{Frame, Trajectory};
+//! // A scanner moves two metres along x within 0.1 s.
+//! let stamps = [100.0, 100.1];
+//! let poses = [0.0, 2.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+//! let path = Trajectory::new(&stamps, &poses)?;
+//! // It sees one wall five times, each time nearer; the times of the points count from the beginning of the scan.
+//! let points = [10.0_f32, 9.5, 9.0, 8.5, 8.0].map(|x| [x, 0.0, 0.0]);
+//! let times = [0.0_f32, 0.025, 0.05, 0.075, 0.1];
+//! let mut moved = points;
+//! path.job().clock(100.0, 1.0).frame(Frame::End).deskew(&times, &points, &mut moved)?;
+//! assert!(moved.iter().all(|[x, ..]| (x - 8.0).abs() < 1e-5));
+//! # Ok::<(), dq8_trajectory::TrajectoryError>(())
+//! ```
+//!
+//! # Features
+//!
+//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8. The crate is `no_std` and needs a heap, on which a job
+//! keeps the segments of its trajectory.
+#![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+#![forbid(unsafe_code)]
+
+extern crate alloc;
+
+mod along;
+mod clock;
+mod error;
+mod job;
+mod path;
+mod screw;
+mod segments;
+
+pub use clock::Time;
+pub use error::TrajectoryError;
+pub use job::{Columns, Job};
+pub use path::{OwnedTrajectory, Trajectory};
+pub use segments::{Frame, Outside};
+
+/// The example of the README is tested like the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

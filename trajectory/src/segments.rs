@@ -1,0 +1,256 @@
+//! [`Segments`]: a trajectory as a table of records, one for each stretch of constant velocity; and which of them a time is in.
+
+use crate::clock::{Clock, Time};
+use crate::screw::LONGEST;
+use crate::{Trajectory, TrajectoryError};
+use alloc::vec::Vec;
+use dq8::{DualQuat, Real, Scalar, Twist};
+
+/// The frame that poses and points come out in.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Frame {
+    /// The world, into which the poses of the trajectory lead.
+    #[default]
+    World,
+    /// The moving body as it was at the first stamp.
+    Start,
+    /// The moving body as it was at the last stamp.
+    End,
+    /// The moving body as it was at this time in seconds, on the clock of the stamps.
+    At(f64),
+    /// A frame of which this is the pose in the world.
+    Pose(DualQuat<f64>),
+}
+
+/// What happens at times before the first stamp and after the last one. A time that is NaN makes NaN of its pose or
+/// point alone, but where it is refused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Outside {
+    /// The body stands at the first pose or at the last one.
+    #[default]
+    Hold,
+    /// The body goes on as it moved between the first two poses, or the last two.
+    Continue,
+    /// An error that names the first such time; nothing is written.
+    Refuse,
+}
+
+/// So many parts that none turns by more than the longest turn.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; the turn is not negative")]
+pub(crate) fn parts(turn: f64) -> usize {
+    (turn / LONGEST) as usize + 1
+}
+
+/// A time of constant velocity, from its start on.
+struct Stretch {
+    start: f64,
+    pose: DualQuat<f64>,
+    /// For one second, in the frame of the moving body.
+    velocity: Twist<f64>,
+}
+
+/// The time before the first stamp, the ways between the poses, cut into parts that turn little, and the time after the last stamp.
+fn stretches(path: Trajectory<'_>, outside: Outside) -> Result<Vec<Stretch>, TrajectoryError> {
+    let (stamps, poses) = (path.stamps(), path.poses());
+    let mut between = Vec::with_capacity(stamps.len());
+    for (pair, stamps) in poses.windows(2).zip(stamps.windows(2)) {
+        let length = stamps[1] - stamps[0];
+        let way = pair[0].twist_to(pair[1]);
+        let velocity = Twist::from_array(way.to_array().map(|number| number / length));
+        let [x, y, z] = way.angular;
+        let parts = parts(Real::sqrt(x * x + y * y + z * z));
+        for part in 0..parts {
+            let start = stamps[0] + length * (part as f64 / parts as f64);
+            // The start is rounded, and the pose is the one at the rounded start.
+            let share = (start - stamps[0]) / length;
+            let pose = pair[0] * DualQuat::from_twist(way.scale(share));
+            between.push(Stretch { start, pose, velocity });
+        }
+    }
+    let [before, after] = match (outside, between.first().zip(between.last())) {
+        (Outside::Continue, Some((first, last))) => [first.velocity, last.velocity],
+        (Outside::Continue, None) => return Err(TrajectoryError::OnePose),
+        _ => [Twist::ZERO; 2],
+    };
+    let [first, last] = path.range();
+    let before = Stretch { start: first, pose: poses[0], velocity: before };
+    let after = Stretch { start: last, pose: poses[poses.len() - 1], velocity: after };
+    Ok([before].into_iter().chain(between).chain([after]).collect())
+}
+
+impl Frame {
+    fn pose(
+        self,
+        path: Trajectory<'_>,
+        stretches: &[Stretch],
+        outside: Outside,
+    ) -> Result<DualQuat<f64>, TrajectoryError> {
+        let [first, last] = path.range();
+        let goes_on = |end: &Stretch, time: f64| {
+            end.pose * DualQuat::from_twist(end.velocity.scale(time - end.start))
+        };
+        match self {
+            Self::World => Ok(DualQuat::IDENTITY),
+            Self::Pose(pose) => Ok(pose),
+            Self::Start => Ok(path.at(first)),
+            Self::End => Ok(path.at(last)),
+            Self::At(time) if !time.is_finite() => Err(TrajectoryError::NoFrame { time }),
+            Self::At(time) if (first..=last).contains(&time) => Ok(path.at(time)),
+            Self::At(time) => match outside {
+                Outside::Hold => Ok(path.at(time)),
+                Outside::Continue if time < first => Ok(goes_on(&stretches[0], time)),
+                Outside::Continue => Ok(goes_on(&stretches[stretches.len() - 1], time)),
+                Outside::Refuse => Err(TrajectoryError::NoFrame { time }),
+            },
+        }
+    }
+}
+
+/// One record for the time before the first stamp, one for each stretch of constant velocity, and one for the time after
+/// the last stamp.
+#[derive(Debug)]
+pub(crate) struct Segments<R, const C: usize> {
+    /// Record k is for the times from bound k on, until bound k + 1. The first is −∞, the last +∞.
+    bounds: Vec<f64>,
+    /// The time at which the body is at the pose of the record.
+    starts: Vec<f64>,
+    pub(crate) records: Vec<[R; C]>,
+    /// The record of the beginning of each of as many equal spans of time.
+    buckets: Vec<u32>,
+    /// Buckets per second.
+    rate: f64,
+    /// True if the body stands before the first stamp and after the last one.
+    holds: bool,
+}
+
+/// The number of times whose records are looked up before anything is computed: they stay in the first cache.
+pub(crate) const CHUNK: usize = 64;
+
+/// Where the times of a chunk are.
+#[derive(Debug)]
+pub(crate) struct Found<R> {
+    /// Which record each is in.
+    pub(crate) records: [u32; CHUNK],
+    /// The seconds since the start of that record.
+    pub(crate) since: [R; CHUNK],
+}
+
+impl<R: Scalar, const C: usize> Segments<R, C> {
+    /// The records that `record` makes of the pose of the body in the wanted frame at the start, and of its twist for a second.
+    pub(crate) fn new(
+        path: Trajectory<'_>,
+        frame: Frame,
+        outside: Outside,
+        record: impl Fn(DualQuat<f64>, Twist<f64>) -> [f64; C],
+    ) -> Result<Self, TrajectoryError> {
+        let stretches = stretches(path, outside)?;
+        let into = frame.pose(path, &stretches, outside)?.conjugate();
+        let round = |numbers: [f64; C]| numbers.map(<R as Real>::from_f64);
+        let record = |s: &Stretch| round(record(into * s.pose, s.velocity));
+        let records: Vec<_> = stretches.iter().map(record).collect();
+        let starts: Vec<_> = stretches.iter().map(|s| s.start).collect();
+        let [first, last] = path.range();
+        let mut bounds = starts.clone();
+        bounds[0] = f64::NEG_INFINITY;
+        bounds.push(f64::INFINITY);
+        // Parts of a stretch that is shorter than the roundoff of its stamps have one bound: all but the last are empty.
+        let count = 4 * records.len();
+        // One span of time without an end, where the stamps are one.
+        let rate = if last > first { count as f64 / (last - first) } else { 0.0 };
+        let holds = outside != Outside::Continue;
+        let mut found = Self { bounds, starts, records, buckets: Vec::new(), rate, holds };
+        let begins = |bucket| if rate > 0.0 { first + bucket as f64 / rate } else { first };
+        #[allow(clippy::cast_possible_truncation, reason = "a record takes more than 16 bytes")]
+        let buckets = (0..count).map(|bucket| found.search(begins(bucket)) as u32).collect();
+        found.buckets = buckets;
+        Ok(found)
+    }
+
+    /// The record that a time is in; the first for NaN.
+    fn search(&self, stamp: f64) -> usize {
+        self.bounds.partition_point(|&bound| bound <= stamp).saturating_sub(1).min(self.records.len() - 1)
+    }
+
+    /// The same, soon: from the bucket of the time on, which is at most a few records away unless stamps are very uneven.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn find(&self, stamp: f64) -> usize {
+        /// A number below this one, added to it, stands in its last bits: a conversion would saturate, which takes longer.
+        const WHOLE: f64 = (1_u64 << 52) as f64;
+        let place = (stamp - self.starts[0]) * self.rate;
+        // A number, also of NaN, since `max` and `min` return the other one.
+        let place = place.max(0.0).min(self.buckets.len() as f64 - 1.0);
+        #[allow(clippy::cast_possible_truncation, reason = "the last bits are wanted")]
+        let bucket = (place + WHOLE).to_bits() as u32;
+        let near = self.buckets.get(bucket as usize).map_or(0, |&near| near as usize);
+        // Rounded to the nearest bucket, the time may lie in a record before.
+        for record in near.saturating_sub(1)..near + 3 {
+            match (self.bounds.get(record), self.bounds.get(record + 1)) {
+                (Some(&from), Some(&to)) if from <= stamp && stamp < to => return record,
+                _ => {}
+            }
+        }
+        self.search(stamp)
+    }
+
+    /// Finds the records of at most [`CHUNK`] times. Gives back the record that all are in, if it is one; `near` is a guess.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn place<T: Time>(
+        &self,
+        clock: Clock,
+        times: &[T],
+        near: usize,
+        found: &mut Found<R>,
+    ) -> Option<usize> {
+        let (from, to) = (*self.bounds.get(near)?, *self.bounds.get(near + 1)?);
+        // No early end, so that the compiler compares many at a time.
+        let mut all = true;
+        for &time in times {
+            let stamp = clock.stamp(time);
+            all &= (from <= stamp) & (stamp < to);
+        }
+        if all {
+            self.since(near, clock, times, found);
+            return Some(near);
+        }
+        let mut record = near;
+        for (i, &time) in times.iter().enumerate() {
+            let stamp = clock.stamp(time);
+            let (from, to) = (self.bounds.get(record)?, self.bounds.get(record + 1)?);
+            if !(*from <= stamp && stamp < *to) {
+                record = self.find(stamp);
+            }
+            #[allow(clippy::cast_possible_truncation, reason = "there are fewer")]
+            let number = record as u32;
+            *found.records.get_mut(i)? = number;
+            let since = clock.since(*self.starts.get(record)?, time);
+            *found.since.get_mut(i)? = self.held(record, since);
+        }
+        // Lanes beyond the last time have the record of the last.
+        let last = *found.records.get(times.len().checked_sub(1)?)?;
+        found.records.get_mut(times.len()..)?.fill(last);
+        let one = found.records[0];
+        found.records.iter().all(|&record| record == one).then_some(one as usize)
+    }
+
+    /// The seconds since the start of a record that all times are in.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn since<T: Time>(&self, record: usize, clock: Clock, times: &[T], found: &mut Found<R>) {
+        let Some(&start) = self.starts.get(record) else { return };
+        for (slot, &time) in found.since.iter_mut().zip(times) {
+            *slot = <R as Real>::from_f64(clock.since(start, time));
+        }
+        if record == 0 || record + 1 == self.records.len() {
+            for (slot, &time) in found.since.iter_mut().zip(times) {
+                *slot = self.held(record, clock.since(start, time));
+            }
+        }
+    }
+
+    /// The time that has passed; none where the body stands, of however long a time.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn held(&self, record: usize, since: f64) -> R {
+        let outside = record == 0 || record + 1 == self.records.len();
+        let stands = self.holds && outside && !since.is_nan();
+        if stands { R::ZERO } else { <R as Real>::from_f64(since) }
+    }
+}
