@@ -13,7 +13,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Programs have tests too, of which some look for files by other paths than those of the build; papers are in lab.
-hosts=() packages=(dq8 dq8-simd dq8-simd-tests dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--manifest-path lab/Cargo.toml --test papers) features=() briefly=()
+hosts=() packages=(dq8 dq8-simd dq8-simd-tests dq8-robot dq8-trajectory) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--manifest-path lab/Cargo.toml --test papers) features=() briefly=()
 for argument; do
   case $argument in
     --quick) packages=(dq8-simd dq8-simd-tests) features=(--features dq8-simd/alloc) programs=() papers=() briefly=(--skip ten_thousand_steps) ;;

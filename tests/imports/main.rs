@@ -122,6 +122,17 @@ const ROBOT_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("urdf", &["dq8", "mechanism"]),
 ];
 
+/// The same for `dq8-trajectory`.
+const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("error", &["dq8"]),
+    ("clock", &["error"]),
+    ("screw", &["dq8"]),
+    ("path", &["dq8", "error", "segments", "job"]),
+    ("segments", &["dq8", "clock", "error", "path", "screw"]),
+    ("along", &["dq8", "clock", "screw", "segments"]),
+    ("job", &["dq8", "along", "clock", "error", "path", "segments"]),
+];
+
 /// The folders whose files have a twin of the same name in a folder of `batch`.
 const TWINS: &[(&str, &str)] =
     &[("src/scalar", "src/batch"), ("src/representation", "src/batch/representation")];
@@ -181,6 +192,11 @@ fn imports_of_the_lanes_run_one_way_and_never_to_dq8() {
 #[test]
 fn imports_of_robots_run_one_way() {
     assert_eq!(forbidden("robot/src", ROBOT_MAY_IMPORT), Vec::<String>::new());
+}
+
+#[test]
+fn imports_of_trajectories_run_one_way() {
+    assert_eq!(forbidden("trajectory/src", TRAJECTORY_MAY_IMPORT), Vec::<String>::new());
 }
 
 /// A table that allowed what the design forbids would let everything pass.

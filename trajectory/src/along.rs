@@ -66,8 +66,18 @@ impl<Y: Layout, T: Time, W: Work<Y, C>, const C: usize> Along<'_, Y, T, W, C> {
                 continue;
             }
             for (since, which) in registers.take(times.len().div_ceil(lanes)) {
-                let rows = Gather::new(which, 1).rows::<Y::Register<V>, C>(0)?;
-                let records = Y::Register::<V>::load_gathered(level, &self.segments.records, &rows, 0)?;
+                let table = &self.segments.records;
+                let first = *which.first()?;
+                let mut one = true;
+                for &other in which {
+                    one &= other == first;
+                }
+                let records = if one {
+                    vector::splat(level, *table.get(first as usize)?)
+                } else {
+                    let rows = Gather::new(which, 1).rows::<Y::Register<V>, C>(0)?;
+                    Y::Register::<V>::load_gathered(level, table, &rows, 0)?
+                };
                 self.work.tile(level, tiles.next()?, records, register(level, since))?;
             }
             near = *found.records.last()? as usize;
@@ -97,7 +107,9 @@ pub(crate) struct Points<'s, P, const BACK: bool, const N: usize> {
     pub(crate) moved: &'s mut [P],
 }
 
-impl<P: Element<N>, const BACK: bool, const N: usize> Work<P::Layout, MOVES> for Points<'_, P, BACK, N> {
+impl<P: Element<N>, const BACK: bool, const N: usize> Work<P::Layout, MOVES>
+    for Points<'_, P, BACK, N>
+{
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile<V: Level>(
         &mut self,
@@ -109,9 +121,14 @@ impl<P: Element<N>, const BACK: bool, const N: usize> Work<P::Layout, MOVES> for
         let [a, b, c, d, e, f, g, h, i, j, k, l, twist @ .., _, _] = records;
         let rows = [[a, b, c, d], [e, f, g, h], [i, j, k, l]];
         let screw = Screw::new(twist);
-        let mut numbers = P::load(level, self.points.unwrap_or(self.moved), tile, &storage::identity())?;
+        let mut numbers =
+            P::load(level, self.points.unwrap_or(self.moved), tile, &storage::identity())?;
         let point = [numbers[0], numbers[1], numbers[2]];
-        let [x, y, z] = if BACK { screw.moved(-since, affine(rows, point)) } else { affine(rows, screw.moved(since, point)) };
+        let [x, y, z] = if BACK {
+            screw.moved(-since, affine(rows, point))
+        } else {
+            affine(rows, screw.moved(since, point))
+        };
         (numbers[0], numbers[1], numbers[2]) = (x, y, z);
         P::store(numbers, self.moved, tile);
         Some(())
@@ -138,7 +155,9 @@ pub(crate) struct Poses<'s, M, W> {
     pub(crate) twists: &'s mut [W],
 }
 
-impl<M: Element<8>, W: Element<6, Layout = M::Layout>> Work<M::Layout, SAMPLES> for Poses<'_, M, W> {
+impl<M: Element<8>, W: Element<6, Layout = M::Layout>> Work<M::Layout, SAMPLES>
+    for Poses<'_, M, W>
+{
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile<V: Level>(
         &mut self,
@@ -177,7 +196,9 @@ impl<R: Scalar, const N: usize> Kernel for Scan<'_, R, N> {
                 let padding = &storage::identity();
                 let Some(pose) = Element::load(level, self.poses, tile, padding) else { return };
                 let padding = &storage::identity();
-                let Some(mut numbers) = <[R; N]>::load(level, points, tile, padding) else { return };
+                let Some(mut numbers) = <[R; N]>::load(level, points, tile, padding) else {
+                    return;
+                };
                 let point = [numbers[0], numbers[1], numbers[2]];
                 let [x, y, z] = batch::DualQuat::from_array(pose).transform_point(point);
                 (numbers[0], numbers[1], numbers[2]) = (x, y, z);

@@ -213,7 +213,13 @@ impl<'a> Job<'a> {
         })?;
         let work = |first, ((poses, _), (twists, _)): (Rows<'_, M>, Rows<'_, W>)| {
             let elements = poses.len();
-            self.along::<M::Layout, _, _, _>(&segments, times, first, elements, Poses { poses, twists });
+            self.along::<M::Layout, _, _, _>(
+                &segments,
+                times,
+                first,
+                elements,
+                Poses { poses, twists },
+            );
         };
         let backend = self.choice.instructions();
         backend.share(GRAIN, ((poses, 1), (twists, 1)), &work);

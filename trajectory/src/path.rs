@@ -178,7 +178,11 @@ impl OwnedTrajectory {
         // Each part is a small turn, for which the shorter way is the way.
         let parts = parts(turn);
         let stamp = |part: usize| {
-            if part == parts { range.end } else { range.start + length * (part as f64 / parts as f64) }
+            if part == parts {
+                range.end
+            } else {
+                range.start + length * (part as f64 / parts as f64)
+            }
         };
         let stamps: Vec<_> = (0..=parts).map(stamp).collect();
         let poses = stamps.iter().map(|&time| DualQuat::from_twist(twist.scale(time))).collect();

@@ -36,7 +36,11 @@ pub enum Outside {
 }
 
 /// So many parts that none turns by more than the longest turn.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; the turn is not negative")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "saturates; the turn is not negative"
+)]
 pub(crate) fn parts(turn: f64) -> usize {
     (turn / LONGEST) as usize + 1
 }
@@ -106,25 +110,49 @@ impl Frame {
     }
 }
 
+/// The times that one record is for.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    /// From here on, until `to`; infinite before the first stamp and after the last one.
+    from: f64,
+    to: f64,
+    /// The time at which the body is at the pose of the record.
+    start: f64,
+    /// True if it stays there, for however long.
+    stands: bool,
+}
+
+impl Span {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn has(self, stamp: f64) -> bool {
+        (self.from <= stamp) & (stamp < self.to)
+    }
+
+    /// The seconds since the start.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn since<R: Real>(self, clock: Clock, time: impl Time) -> R {
+        let since = clock.since(self.start, time);
+        if self.stands && !since.is_nan() { R::ZERO } else { R::from_f64(since) }
+    }
+}
+
 /// One record for the time before the first stamp, one for each stretch of constant velocity, and one for the time after
 /// the last stamp.
 #[derive(Debug)]
 pub(crate) struct Segments<R, const C: usize> {
-    /// Record k is for the times from bound k on, until bound k + 1. The first is −∞, the last +∞.
-    bounds: Vec<f64>,
-    /// The time at which the body is at the pose of the record.
-    starts: Vec<f64>,
+    spans: Vec<Span>,
     pub(crate) records: Vec<[R; C]>,
-    /// The record of the beginning of each of as many equal spans of time.
+    /// The record of the beginning of each of as many equal times.
     buckets: Vec<u32>,
     /// Buckets per second.
     rate: f64,
-    /// True if the body stands before the first stamp and after the last one.
-    holds: bool,
 }
 
 /// The number of times whose records are looked up before anything is computed: they stay in the first cache.
 pub(crate) const CHUNK: usize = 64;
+
+/// Buckets for each record. With sixteen, a time is soon in the record of its bucket or in the next.
+const BUCKETS: usize = 16;
 
 /// Where the times of a chunk are.
 #[derive(Debug)]
@@ -148,48 +176,63 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         let round = |numbers: [f64; C]| numbers.map(<R as Real>::from_f64);
         let record = |s: &Stretch| round(record(into * s.pose, s.velocity));
         let records: Vec<_> = stretches.iter().map(record).collect();
-        let starts: Vec<_> = stretches.iter().map(|s| s.start).collect();
+        let last = stretches.len() - 1;
+        // Parts that are shorter than the roundoff of their stamps begin at one time: all but the last are empty.
+        let span = |k: usize| Span {
+            from: if k == 0 { f64::NEG_INFINITY } else { stretches[k].start },
+            to: stretches.get(k + 1).map_or(f64::INFINITY, |next| next.start),
+            start: stretches[k].start,
+            stands: (k == 0 || k == last) && outside != Outside::Continue,
+        };
+        let spans: Vec<_> = (0..=last).map(span).collect();
+
+        let count = BUCKETS * records.len();
         let [first, last] = path.range();
-        let mut bounds = starts.clone();
-        bounds[0] = f64::NEG_INFINITY;
-        bounds.push(f64::INFINITY);
-        // Parts of a stretch that is shorter than the roundoff of its stamps have one bound: all but the last are empty.
-        let count = 4 * records.len();
-        // One span of time without an end, where the stamps are one.
+        // One bucket for all, where the stamps are one.
         let rate = if last > first { count as f64 / (last - first) } else { 0.0 };
-        let holds = outside != Outside::Continue;
-        let mut found = Self { bounds, starts, records, buckets: Vec::new(), rate, holds };
-        let begins = |bucket| if rate > 0.0 { first + bucket as f64 / rate } else { first };
-        #[allow(clippy::cast_possible_truncation, reason = "a record takes more than 16 bytes")]
-        let buckets = (0..count).map(|bucket| found.search(begins(bucket)) as u32).collect();
-        found.buckets = buckets;
-        Ok(found)
+        let mut buckets = Vec::with_capacity(count);
+        let mut record = 0;
+        for bucket in 0..count {
+            let begin = if rate > 0.0 { first + bucket as f64 / rate } else { first };
+            while spans[record].to <= begin {
+                record += 1;
+            }
+            buckets.push(index(record));
+        }
+        Ok(Self { spans, records, buckets, rate })
     }
 
     /// The record that a time is in; the first for NaN.
+    #[cold]
+    #[inline(never)]
     fn search(&self, stamp: f64) -> usize {
-        self.bounds.partition_point(|&bound| bound <= stamp).saturating_sub(1).min(self.records.len() - 1)
+        self.spans.partition_point(|span| span.to <= stamp).min(self.spans.len() - 1)
     }
 
-    /// The same, soon: from the bucket of the time on, which is at most a few records away unless stamps are very uneven.
+    /// The bucket of a time.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn find(&self, stamp: f64) -> usize {
+    fn bucket(&self, first: f64, stamp: f64) -> u32 {
         /// A number below this one, added to it, stands in its last bits: a conversion would saturate, which takes longer.
         const WHOLE: f64 = (1_u64 << 52) as f64;
-        let place = (stamp - self.starts[0]) * self.rate;
+        let place = (stamp - first) * self.rate - 0.5;
         // A number, also of NaN, since `max` and `min` return the other one.
         let place = place.max(0.0).min(self.buckets.len() as f64 - 1.0);
         #[allow(clippy::cast_possible_truncation, reason = "the last bits are wanted")]
         let bucket = (place + WHOLE).to_bits() as u32;
+        bucket
+    }
+
+    /// The record that a time is in, soon: that of its bucket or the next one, unless stamps are very uneven.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn find(&self, bucket: u32, stamp: f64) -> usize {
         let near = self.buckets.get(bucket as usize).map_or(0, |&near| near as usize);
-        // Rounded to the nearest bucket, the time may lie in a record before.
-        for record in near.saturating_sub(1)..near + 3 {
-            match (self.bounds.get(record), self.bounds.get(record + 1)) {
-                (Some(&from), Some(&to)) if from <= stamp && stamp < to => return record,
-                _ => {}
-            }
+        // Nobody can foresee which of two it is, so it is added and not branched upon.
+        let ended = self.spans.get(near).is_some_and(|span| span.to <= stamp);
+        let record = near + usize::from(ended);
+        match self.spans.get(record) {
+            Some(span) if span.has(stamp) => record,
+            _ => self.search(stamp),
         }
-        self.search(stamp)
     }
 
     /// Finds the records of at most [`CHUNK`] times. Gives back the record that all are in, if it is one; `near` is a guess.
@@ -201,29 +244,50 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         near: usize,
         found: &mut Found<R>,
     ) -> Option<usize> {
-        let (from, to) = (*self.bounds.get(near)?, *self.bounds.get(near + 1)?);
+        let span = *self.spans.get(near)?;
         // No early end, so that the compiler compares many at a time.
         let mut all = true;
         for &time in times {
-            let stamp = clock.stamp(time);
-            all &= (from <= stamp) & (stamp < to);
+            all &= span.has(clock.stamp(time));
         }
         if all {
-            self.since(near, clock, times, found);
+            // Decided once: the compiler would not do more than one time at once.
+            if span.stands {
+                for (slot, &time) in found.since.iter_mut().zip(times) {
+                    *slot = span.since(clock, time);
+                }
+            } else {
+                for (slot, &time) in found.since.iter_mut().zip(times) {
+                    *slot = <R as Real>::from_f64(clock.since(span.start, time));
+                }
+            }
             return Some(near);
         }
-        let mut record = near;
-        for (i, &time) in times.iter().enumerate() {
-            let stamp = clock.stamp(time);
-            let (from, to) = (self.bounds.get(record)?, self.bounds.get(record + 1)?);
-            if !(*from <= stamp && stamp < *to) {
-                record = self.find(stamp);
+        let first = self.spans.first()?.start;
+        let slots = found.since.iter_mut().zip(&mut found.records).zip(times);
+        // Rising times begin where the last ones were, and most are where the one before was.
+        let (mut record, mut span) = (near, span);
+        if span.has(clock.stamp(*times.first()?)) {
+            for ((slot, number), &time) in slots {
+                let stamp = clock.stamp(time);
+                if !span.has(stamp) {
+                    record = self.find(self.bucket(first, stamp), stamp);
+                    span = *self.spans.get(record)?;
+                }
+                *slot = span.since(clock, time);
+                *number = index(record);
             }
-            #[allow(clippy::cast_possible_truncation, reason = "there are fewer")]
-            let number = record as u32;
-            *found.records.get_mut(i)? = number;
-            let since = clock.since(*self.starts.get(record)?, time);
-            *found.since.get_mut(i)? = self.held(record, since);
+        } else {
+            // Buckets by themselves, many at a time.
+            let mut buckets = [0; CHUNK];
+            for (bucket, &time) in buckets.iter_mut().zip(times) {
+                *bucket = self.bucket(first, clock.stamp(time));
+            }
+            for (((slot, number), &time), bucket) in slots.zip(buckets) {
+                let record = self.find(bucket, clock.stamp(time));
+                *slot = self.spans.get(record)?.since(clock, time);
+                *number = index(record);
+            }
         }
         // Lanes beyond the last time have the record of the last.
         let last = *found.records.get(times.len().checked_sub(1)?)?;
@@ -231,26 +295,11 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         let one = found.records[0];
         found.records.iter().all(|&record| record == one).then_some(one as usize)
     }
+}
 
-    /// The seconds since the start of a record that all times are in.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn since<T: Time>(&self, record: usize, clock: Clock, times: &[T], found: &mut Found<R>) {
-        let Some(&start) = self.starts.get(record) else { return };
-        for (slot, &time) in found.since.iter_mut().zip(times) {
-            *slot = <R as Real>::from_f64(clock.since(start, time));
-        }
-        if record == 0 || record + 1 == self.records.len() {
-            for (slot, &time) in found.since.iter_mut().zip(times) {
-                *slot = self.held(record, clock.since(start, time));
-            }
-        }
-    }
-
-    /// The time that has passed; none where the body stands, of however long a time.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn held(&self, record: usize, since: f64) -> R {
-        let outside = record == 0 || record + 1 == self.records.len();
-        let stands = self.holds && outside && !since.is_nan();
-        if stands { R::ZERO } else { <R as Real>::from_f64(since) }
-    }
+/// The number of a record, which takes more than sixteen bytes: so many as do not fit find no memory.
+#[cfg_attr(not(opt_level_0), inline(always))]
+#[allow(clippy::cast_possible_truncation, reason = "see above")]
+fn index(record: usize) -> u32 {
+    record as u32
 }

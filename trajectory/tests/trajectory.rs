@@ -98,7 +98,12 @@ fn points_are_moved_by_the_pose_at_their_time<R: Scalar>() {
                             let [x, y, z, intensity] = point.map(Into::into);
                             let wanted = (into.conjugate() * at(time)).transform_point([x, y, z]);
                             let [x, y, z, copied] = *moved;
-                            close([x, y, z], wanted, scale, &format!("{outside:?} {frame:?} {count} {turn} {time}"));
+                            close(
+                                [x, y, z],
+                                wanted,
+                                scale,
+                                &format!("{outside:?} {frame:?} {count} {turn} {time}"),
+                            );
                             assert_eq!(copied.into(), intensity);
                         }
                         // And back.
@@ -149,7 +154,8 @@ fn samples_are_screw_motion<R: Scalar>() {
                         let way = path.poses()[k - 1].twist_to(path.poses()[k]);
                         way.scale(1.0 / (stamps[k] - stamps[k - 1]))
                     };
-                    let scale = velocity.to_array().iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+                    let scale =
+                        velocity.to_array().iter().fold(1.0_f64, |most, x| most.max(x.abs()));
                     for (found, wanted) in twist.to_array().into_iter().zip(velocity.to_array()) {
                         let bound = UNITS * R::EPSILON.into() * scale;
                         assert!((found.into() - wanted).abs() <= bound, "{found} for {wanted}");
@@ -251,7 +257,8 @@ fn a_map_a_million_metres_away_costs_single_floats_nothing() {
     let poses: Vec<_> = near.poses().iter().map(|&pose| far * pose).collect();
     let far = OwnedTrajectory::new(near.stamps().to_vec(), poses).unwrap();
     let times = times(&mut random, &near, 500, 0);
-    let points: Vec<[f32; 3]> = times.iter().map(|_| random.vector::<3>().map(|x| 50.0 * x as f32)).collect();
+    let points: Vec<[f32; 3]> =
+        times.iter().map(|_| random.vector::<3>().map(|x| 50.0 * x as f32)).collect();
     let [mut a, mut b] = [points.clone(), points];
     near.job().frame(Frame::End).deskew_in_place(&times, &mut a).unwrap();
     far.job().frame(Frame::End).deskew_in_place(&times, &mut b).unwrap();
@@ -268,7 +275,8 @@ fn clocks_count_nanoseconds_and_seconds_since_1970_alike() {
     let stamps = path.stamps().iter().map(|stamp| stamp + start).collect();
     let epoch = OwnedTrajectory::new(stamps, path.poses().to_vec()).unwrap();
     let nanoseconds: Vec<u32> = (0..1000).map(|i| i * 100_000).collect();
-    let since: Vec<i64> = nanoseconds.iter().map(|&t| 1_764_262_800_000_000_000 + i64::from(t)).collect();
+    let since: Vec<i64> =
+        nanoseconds.iter().map(|&t| 1_764_262_800_000_000_000 + i64::from(t)).collect();
     let seconds: Vec<f32> = nanoseconds.iter().map(|&t| (f64::from(t) * 1e-9) as f32).collect();
     let points = vec![[30.0_f32, 5.0, -1.0]; 1000];
     let [mut a, mut b, mut c, mut d] = [(); 4].map(|()| points.clone());
@@ -291,7 +299,8 @@ fn columns_are_points_that_share_times() {
     let mut random = Random(6);
     let path = path(&mut random, 12, 0.5);
     for (rows, columns) in [(0, 0), (0, 3), (1, 1), (3, 7), (4, 40)] {
-        let times: Vec<f64> = times(&mut random, &path, columns, 2).into_iter().take(columns).collect();
+        let times: Vec<f64> =
+            times(&mut random, &path, columns, 2).into_iter().take(columns).collect();
         let points: Vec<[f64; 4]> = (0..rows * columns).map(|_| random.vector()).collect();
         let each: Vec<_> = (0..rows).flat_map(|_| times.iter().copied()).collect();
         let (mut all, mut scan, mut back) = (points.clone(), points.clone(), points.clone());
@@ -309,7 +318,9 @@ fn columns_are_points_that_share_times() {
 
 #[test]
 fn nan_stays_in_its_point() {
-    let path = OwnedTrajectory::of_twist(Twist { angular: [0.0, 1.0, 0.0], linear: [1.0; 3] }, 0.0..1.0).unwrap();
+    let path =
+        OwnedTrajectory::of_twist(Twist { angular: [0.0, 1.0, 0.0], linear: [1.0; 3] }, 0.0..1.0)
+            .unwrap();
     for outside in [Outside::Hold, Outside::Continue] {
         for backend in Backend::available() {
             let job = path.job().outside(outside).backend(backend);
@@ -335,7 +346,9 @@ fn nan_stays_in_its_point() {
 
 #[test]
 fn a_body_that_stands_outside_its_stamps_does_so_for_ever() {
-    let path = OwnedTrajectory::of_twist(Twist { angular: [0.0; 3], linear: [1.0, 0.0, 0.0] }, 0.0..1.0).unwrap();
+    let path =
+        OwnedTrajectory::of_twist(Twist { angular: [0.0; 3], linear: [1.0, 0.0, 0.0] }, 0.0..1.0)
+            .unwrap();
     let mut poses = [DualQuat::<f64>::IDENTITY; 4];
     path.job().sample(&[f64::NEG_INFINITY, -1e300, 1e300, f64::INFINITY], &mut poses).unwrap();
     assert_eq!(poses.map(|pose| pose.translation()[0]), [0.0, 0.0, 1.0, 1.0]);
@@ -345,7 +358,8 @@ fn a_body_that_stands_outside_its_stamps_does_so_for_ever() {
 fn very_uneven_stamps_are_found_as_well() {
     let mut stamps: Vec<f64> = (0..500).map(|i| f64::from(i) * 1e-9).collect();
     stamps.extend([1e3, 1e9]);
-    let poses: Vec<_> = (0..stamps.len()).map(|i| DualQuat::from_translation([i as f64, 0.0, 0.0])).collect();
+    let poses: Vec<_> =
+        (0..stamps.len()).map(|i| DualQuat::from_translation([i as f64, 0.0, 0.0])).collect();
     let path = Trajectory::new(&stamps, &poses).unwrap();
     let mut samples = vec![DualQuat::IDENTITY; stamps.len()];
     path.job().sample(&stamps, &mut samples).unwrap();
@@ -364,9 +378,13 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     assert_eq!(error(&[]), Some(E::Empty));
     assert_eq!(error(&[0.0, 0.0]), Some(E::NotRising { index: 1, value: 0.0 }));
     assert!(matches!(error(&[0.0, f64::NAN]), Some(E::NotRising { index: 1, .. })));
-    assert_eq!(error(&[f64::NEG_INFINITY]), Some(E::NotRising { index: 0, value: f64::NEG_INFINITY }));
+    assert_eq!(
+        error(&[f64::NEG_INFINITY]),
+        Some(E::NotRising { index: 0, value: f64::NEG_INFINITY })
+    );
     assert_eq!(error(&[-1e308, 1e308]), Some(E::NotRising { index: 1, value: 1e308 }));
-    let length = |what, length, expected| Some(E::Shape(ShapeError::Length { what, length, expected }));
+    let length =
+        |what, length, expected| Some(E::Shape(ShapeError::Length { what, length, expected }));
     assert_eq!(Trajectory::new(&[0.0], &[pose; 2]).err(), length("poses", 2, 1));
 
     let path = OwnedTrajectory::new(vec![0.0, 1.0], vec![pose; 2]).unwrap();
@@ -376,12 +394,15 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let mut tried = vec![
         (job.deskew(&[0.5; 2], &points, &mut moved).err(), length("points", 3, 2)),
         (job.deskew(&[0.5; 3], &points, &mut moved[..2]).err(), length("moved", 2, 3)),
-        (job.clock(f64::NAN, 1.0).deskew(&[0.5; 3], &points, &mut moved).err().map(|_| E::Empty), Some(E::Empty)),
-        (job.clock(0.0, 0.0).deskew(&[0.5; 3], &points, &mut moved).err(), Some(E::Clock { value: 0.0 })),
         (
-            job.columns(&[0.5; 2]).deskew(&points, &mut moved).err(),
-            length("points", 3, 2),
+            job.clock(f64::NAN, 1.0).deskew(&[0.5; 3], &points, &mut moved).err().map(|_| E::Empty),
+            Some(E::Empty),
         ),
+        (
+            job.clock(0.0, 0.0).deskew(&[0.5; 3], &points, &mut moved).err(),
+            Some(E::Clock { value: 0.0 }),
+        ),
+        (job.columns(&[0.5; 2]).deskew(&points, &mut moved).err(), length("points", 3, 2)),
         (
             job.columns::<f64>(&[]).deskew(&points, &mut moved).err(),
             Some(E::Shape(ShapeError::Empty { what: "times" })),
@@ -414,4 +435,51 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     assert!(matches!(OwnedTrajectory::of_twist(Twist::ZERO, 1.0..1.0), Err(E::NotRising { .. })));
     let (kept, dropped) = OwnedTrajectory::sorted(&[2.0, -0.0, 0.0, 2.0], &[pose; 4]).unwrap();
     assert_eq!((kept.stamps(), dropped), (&[0.0, 2.0][..], 2));
+}
+
+/// Two poses, 1/16 s apart; a point measured at a time between them; and the same in the frame of the second pose.
+struct Answer {
+    kind: &'static str,
+    poses: [[f64; 8]; 2],
+    time: f64,
+    point: [f64; 3],
+    moved: [f64; 3],
+}
+
+/// Computed with 60 digits from these poses, normalized, and their screw motion.
+#[rustfmt::skip]
+#[allow(clippy::unreadable_literal, reason = "as they were printed")]
+const ANSWERS: &[Answer] = &[
+    Answer { kind: "near 0", poses: [[-0.3703262354984863, 0.7401762280892634, -0.32722075652153576, -0.4559870690869908, 7.094926658239458, 4.733400959842787, 3.5673372728760255, -0.6386001554257973], [-0.3703262356513293, 0.7401762280525789, -0.32722075610767587, -0.4559870693193983, 7.902644372832059, 5.312175737759556, 3.9310506349975496, -0.6160957666092078]], time: 0.0078125, point: [53.6939640848985, 15.675109887808446, 9.959628535248882], moved: [55.126468527484235, 15.939292758897455, 8.815646106169547] },
+    Answer { kind: "small", poses: [[0.10301226663623443, 0.8210066430600209, 0.33622293069590026, 0.44976739082334627, -0.6292326516122754, -3.847354283068497, 0.9588225971986352, 6.450320814344368], [0.1039609916753182, 0.819254926624417, 0.33449171292020696, 0.45401406519975945, -1.3369041189448463, -3.5930982972215983, 0.5416795230199841, 6.3906875815390585]], time: 0.0361328125, point: [16.66961627114209, -15.312294872912254, 5.729335885146938], moved: [16.612078688547474, -15.59730420788674, 6.343627212464257] },
+    Answer { kind: "some", poses: [[0.20872585738807753, 0.0869014183665353, 0.2661270936483836, 0.9370475067838133, -2.494907402706018, -2.7404861611361686, 2.253509814974698, 0.16987805039821946], [-0.1731269795213698, 0.04390142776188454, 0.4792133635604275, 0.8593336172799111, -3.609547908566548, -2.738579397031434, 0.8291149636211814, -1.049657005889274]], time: 0.0556640625, point: [-18.7829172049952, -6.139897148664808, 13.075082284368435], moved: [-19.276417413180145, -6.402413775591188, 12.049112616059357] },
+    Answer { kind: "quarter", poses: [[-0.7571743323145393, 0.5455042072490873, 0.27022496625180786, 0.23683466378844475, -3.4115801663661243, -9.709079267102965, 5.729697234715881, 4.918517389287744], [-0.4374048428963096, 0.825511557809787, -0.3471030366402909, 0.0820192251146173, -5.9736267722478535, -1.2872763453039924, 6.5231677141387685, 8.705026686134273]], time: 0.0224609375, point: [11.324385252602212, 9.587424513899066, -5.255360243830431], moved: [14.149069707093137, 2.685799077412788, 1.9389274235883125] },
+    Answer { kind: "wide", poses: [[0.4564874253747111, -0.7196310548365024, -0.5162980072100545, 0.08477466095831299, -0.7079107322326926, -2.851632184889088, 4.733002959222047, 8.430222642254366], [0.28045013747261316, -0.6673650411152972, 0.4872127841058014, -0.4884622045692419, 7.2761228122732104, 2.8720861562566378, 3.552666541721128, 3.797150089923303]], time: 0.0107421875, point: [13.310345217969228, -0.7568406531622287, -33.81506702163847], moved: [16.686435304187857, -29.89386299422567, 12.230144620082823] },
+    Answer { kind: "near pi", poses: [[0.3696230012374219, -0.14629906821251235, 0.6105297548868303, -0.6850028014499052, -4.313794889705132, 3.88636500374422, 3.8240744522663976, 0.25060020924131415], [-0.6487895378514119, 0.47335284970155705, -0.14280507780050017, -0.5784599597278619, 1.621152858880997, 4.901794211396814, -3.0079202666818965, 2.9354452346458637]], time: 0.0224609375, point: [21.926767126494184, -14.347043969275475, -32.30981902695814], moved: [-4.147141913141931, -29.387793790663082, 30.08352180650569] },
+    Answer { kind: "translation", poses: [[0.8367201004644381, 0.480639809238445, -0.14269187616071072, -0.22028135584235928, 1.5441225731229362, -1.3048928805131987, 9.45926889642772, -3.1094138401968796], [0.8367201004644381, 0.480639809238445, -0.14269187616071072, -0.22028135584235928, 2.2444185546121003, -2.109688084677294, 10.222027370326316, -2.699503194161286]], time: 0.041015625, point: [21.144009893940165, -53.520852813145176, 47.943961206954256], moved: [21.658959064258195, -54.0147554933023, 47.3249032761406] },
+    Answer { kind: "far", poses: [[-0.26139537573332833, 0.1788106401893308, -0.9383354156539024, 0.13865734827239398, 333995.4555238164, -184866.90611857368, -103076.99494077096, 170493.97543799956], [0.03726564602514921, 0.9017300393722523, -0.4248239948063889, -0.07084335647600157, 54490.51793260834, -9825.055054808703, -85832.73946125826, 418315.64466800867]], time: 0.00390625, point: [-47.71444827297335, 8.014032975970139, 4.394242556212276], moved: [-43.606899123200634, 19.56822026460484, 0.24000646569508985] },
+];
+
+#[test]
+fn points_agree_with_answers_of_sixty_digits() {
+    for Answer { kind, poses, time, point, moved } in ANSWERS {
+        let poses = poses.map(DualQuat::from_array);
+        let stamps = [100.0, 100.0625];
+        let path = Trajectory::new(&stamps, &poses).unwrap();
+        for backend in Backend::available() {
+            let job = path.job().backend(backend).clock(100.0, 1.0).frame(Frame::End);
+            let (mut double, mut single) = ([*point], [point.map(|x| x as f32)]);
+            job.deskew_in_place(&[*time], &mut double).unwrap();
+            job.deskew_in_place(&[*time], &mut single).unwrap();
+            // Poses of a map 10⁶ m away are themselves rounded by 10⁻¹⁰ m.
+            let far = poses[0].translation().iter().fold(0.0_f64, |far, x| far.max(x.abs()));
+            for i in 0..3 {
+                let error = (double[0][i] - moved[i]).abs();
+                assert!(error <= 1e-13_f64.max(2e-15 * far), "{kind}, {backend}: {error}");
+                // Two units of the roundoff of a hundred metres.
+                let error = (f64::from(single[0][i]) - moved[i]).abs();
+                assert!(error <= 2.0 * 2_f64.powi(-24) * 100.0, "{kind}, {backend}, f32: {error}");
+            }
+        }
+    }
 }
