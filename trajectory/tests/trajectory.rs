@@ -247,6 +247,10 @@ fn a_point_has_the_same_bits_on_any_number_of_threads() {
     path.job().deskew_in_place(&times, &mut one).unwrap();
     path.job().threads(3).deskew_in_place(&times, &mut many).unwrap();
     assert_eq!(one, many);
+    let mut blocks = vec![Block::<f32, 8, 3>::splat([1.0, 2.0, 3.0]); times.len().div_ceil(8)];
+    path.job().threads(3).deskew_in_place(&times, &mut blocks).unwrap();
+    unpack(1, &blocks, &mut many).unwrap();
+    assert_eq!(one, many);
 }
 
 #[test]
