@@ -154,17 +154,11 @@ pub(crate) fn values_and_rates(
 }
 
 /// Least and largest of all values.
-pub(crate) fn limits(joints: &[Joint<f64>], mechanism: &OwnedMechanism<f64>) -> Vec<[f64; 2]> {
+pub(crate) fn limits(mechanism: &OwnedMechanism<f64>) -> Vec<[f64; 2]> {
     let view = mechanism.view();
     let mut all = vec![NO_LIMITS; view.values()];
-    for (index, joint) in joints.iter().enumerate() {
-        // Of a joint that mimics, these are the values of another one.
-        if let (Some(limits), None, Some(range)) =
-            (joint.limits, joint.mimic, view.values_of(index))
-        {
-            all[range].fill(limits);
-        }
-    }
+    // There is one for each value.
+    let _ = view.value_limits(&mut all);
     all
 }
 
@@ -174,7 +168,7 @@ pub(crate) fn spans(joints: &[Joint<f64>], mechanism: &OwnedMechanism<f64>) -> V
     const TURN: [f64; 2] = [-core::f64::consts::PI, core::f64::consts::PI];
     const UNIT: [f64; 2] = [-1.0, 1.0];
     const FREE: [f64; 2] = [f64::NAN; 2];
-    let mut all = limits(joints, mechanism);
+    let mut all = limits(mechanism);
     for (index, joint) in joints.iter().enumerate() {
         let usual: &[[f64; 2]] = match joint.kind {
             JointKind::Revolute { .. } | JointKind::Screw { .. } => &[TURN],

@@ -153,7 +153,7 @@ impl Mechanism {
     /// The least and the largest of each value, radians and lengths: float64, shape (values, 2), infinite for none.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> Answer<'py> {
-        let limits = joints::limits(&self.joints, &self.double);
+        let limits = joints::limits(&self.double);
         let numbers = PyArray1::from_slice(py, limits.as_flattened());
         Ok(numbers.reshape([limits.len(), 2])?.into_any())
     }

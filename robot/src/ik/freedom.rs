@@ -3,6 +3,7 @@
 use super::error::ReachError;
 use super::range::{Range, Turns};
 use crate::mechanism::joint::JointKind;
+use crate::mechanism::limits::endless;
 use crate::mechanism::step::{NONE, Step};
 use dq8::Real;
 
@@ -89,7 +90,6 @@ impl<R: Real> Freedom<R> {
     /// Rate number `index` of a joint, with the limits of the joint.
     #[inline(never)]
     fn of(step: &Step<R>, index: usize) -> Self {
-        let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
         let (kind, is_hinge, value) = match step.kind {
             JointKind::Prismatic { .. } => (Kind::Slide, false, 0),
             JointKind::Planar { .. } if index < 2 => (Kind::Slide, false, index),
@@ -98,7 +98,7 @@ impl<R: Real> Freedom<R> {
             JointKind::Screw { pitch, .. } => (Kind::Turn, pitch == R::ZERO, 0),
             _ => (Kind::Turn, true, index),
         };
-        let [low, high] = step.limits.unwrap_or(whole);
+        let [low, high] = step.limits.unwrap_or(endless());
         let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
         let value = step.value.saturating_add(value as u32);
         let range = Range { low, high, turns };
@@ -129,10 +129,10 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // The limits of joints that move no goal do not matter.
-    for step in steps.iter().filter(|step| step.mimics) {
+    // The limits of joints that move no goal do not matter, and of those that mimic neither: many files have them wrong.
+    for (_, step) in steps.iter().enumerate().filter(|(at, step)| step.mimics && carries(*at)) {
         if let Some(slot) = moving(freedoms, step.rate as usize) {
-            slot.range = narrowed(slot.range, step)?;
+            slot.range = narrowed(slot.range, step);
         }
     }
     for step in leaders() {
@@ -211,25 +211,18 @@ fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>
 
 /// What the limits of a joint that mimics leave of the limits of the other. A turn less of that one must be the
 /// same pose of this one too: it is a hinge that turns a whole number of times as much.
-fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachError> {
+fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     let is_hinge = match step.kind {
         JointKind::Screw { pitch, .. } => pitch == R::ZERO,
         kind => matches!(kind, JointKind::Revolute { .. }),
     };
     let keeps = is_hinge && is_whole(step.multiplier);
     let range = Range { turns: if keeps { range.turns } else { Turns::Matter }, ..range };
-    let Some(limits) = step.limits else { return Ok(range) };
-    if step.multiplier == R::ZERO {
-        // It stands where it is, whatever the other does.
-        let [low, high] = limits;
-        let is_within = low <= step.offset && step.offset <= high;
-        return if is_within { Ok(range) } else { Err(limits_error(step, limits)) };
+    match step.narrows([range.low, range.high]) {
+        Some([low, high]) => Range { low, high, ..range },
+        // Others have left no more than one value.
+        None => range,
     }
-    let [a, b] = limits.map(|limit| (limit - step.offset) / step.multiplier);
-    let [low, high] = if a <= b { [a, b] } else { [b, a] };
-    let low = if low > range.low { low } else { range.low };
-    let high = if high < range.high { high } else { range.high };
-    if low <= high { Ok(Range { low, high, ..range }) } else { Err(limits_error(step, limits)) }
 }
 
 /// Whether a number has no fraction: so far up, floats have none.

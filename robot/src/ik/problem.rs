@@ -18,7 +18,7 @@ use dq8::Real;
 /// that is within them. What has an end stops there. (A float far from zero is a coarse angle: hinges whose limits span
 /// more than 16 turns stay within 64 radians of zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits
 /// that is nearest to it. A turn of a thread, or of a joint that something mimics by a part, is another pose.) Joints
-/// that mimic follow, within the limits of both. A floating joint turns about the axes of its link, and then
+/// that mimic follow, within the limits of both, [as far](Mechanism::value_limits) as those of the follower leave a range. A floating joint turns about the axes of its link, and then
 /// slides; its quaternion keeps the sign of the start. Joints that carry no link with a goal keep their values.
 ///
 /// ```

@@ -10,6 +10,7 @@ mod group;
 mod jacobians;
 mod job;
 pub(crate) mod joint;
+pub(crate) mod limits;
 #[cfg(feature = "alloc")]
 pub(crate) mod owned;
 pub(crate) mod placed;

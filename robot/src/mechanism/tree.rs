@@ -1,5 +1,6 @@
 use super::error::MechanismError;
 use super::joint::Joint;
+use super::limits::endless;
 use super::plan::plan;
 use super::step::{NONE, Step};
 use super::values::JointValues;
@@ -92,7 +93,8 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
     }
 
-    /// The limits of a joint, if it has any.
+    /// The limits of a joint, if it has any that bind; [`value_limits`](Self::value_limits) has those of its value, which
+    /// joints that mimic it may narrow.
     #[must_use]
     pub fn limits(&self, joint: usize) -> Option<[R; 2]> {
         self.step(joint)?.limits
@@ -153,6 +155,7 @@ fn check<R: Real>(
         let error = MechanismError::Mimic { joint: index, other: mimic.joint };
         let other = joints.get(mimic.joint).filter(|other| other.mimic.is_none());
         let leader = steps.get(mimic.joint).map(|leader| (leader.value, leader.rate));
+        let range = other.and_then(|other| other.limits).unwrap_or(endless());
         let (Some(other), Some(leader)) = (other, leader) else {
             return Err(error);
         };
@@ -161,6 +164,10 @@ fn check<R: Real>(
         }
         if let Some(step) = steps.get_mut(index) {
             (step.value, step.rate) = leader;
+            // What leaves nothing of the leader's range is not meant.
+            if step.narrows(range).is_none() {
+                step.limits = None;
+            }
         }
     }
     Ok(counts)

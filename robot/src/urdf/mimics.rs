@@ -2,6 +2,8 @@
 
 use super::error::UrdfError;
 use super::file::JointElement;
+use super::warning::UrdfWarning;
+use crate::mechanism::limits::{endless, shared};
 use std::collections::HashMap;
 
 /// The joint that has the value, by its number among all joints.
@@ -10,6 +12,28 @@ pub(crate) struct Leader {
     pub(crate) joint: usize,
     pub(crate) multiplier: f64,
     pub(crate) offset: f64,
+}
+
+impl Leader {
+    /// Limits of a joint that mimics this one, which bind the other, or cannot be meant.
+    pub(crate) fn warning(&self, from: &JointElement, other: &JointElement) -> Option<UrdfWarning> {
+        let (limits, range) = (from.limits?, other.limits.unwrap_or(endless()));
+        let text = match shared(range, limits, self.multiplier, self.offset) {
+            Some(left) if left == range => return None,
+            Some([low, high]) => {
+                format!(
+                    "its limits narrow those of {:?}, which it mimics, to {low} … {high}",
+                    other.name.text
+                )
+            }
+            None => format!(
+                "its limits leave no range to {:?}, which it mimics: they are not read",
+                other.name.text
+            ),
+        };
+        let element = format!("<joint name={:?}>", from.name.text);
+        Some(UrdfWarning { line: from.name.line, element, text })
+    }
 }
 
 /// For each joint what it mimics, if it does.

@@ -47,7 +47,8 @@
 //! Limits are those of the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or prismatic joint must have a
 //! `<limit>`; one without is an error. `lower` and `upper` are zero where they are not written, so a joint with neither
 //! cannot move. (Since version 1.2 of the format, in `<robot version="1.2">`, what is not written has no bound.) Two zeros
-//! lock a joint too. Joints of other types have no limits, whatever `<limit>` says, and a fixed joint stays fixed, whatever
+//! lock a joint too. Limits of a joint that mimics another hold for that one as well, and a [warning](Robot::warnings) says so, but
+//! where they would leave it one value or none: those are not read. Joints of other types have no limits, whatever `<limit>` says, and a fixed joint stays fixed, whatever
 //! it should mimic.
 //!
 //! # What is not read

@@ -69,7 +69,7 @@ impl Robot {
         let links: HashMap<_, _> =
             nodes.iter().enumerate().map(|(index, node)| (node.link.text.clone(), index)).collect();
         let link = |name: &Name| links.get(&name.text).copied().unwrap_or_default();
-        let mut joints = Vec::with_capacity(nodes.len());
+        let (mut joints, mut narrowed) = (Vec::with_capacity(nodes.len()), Vec::new());
         for node in &nodes {
             let Some(number) = node.joint else {
                 joints.push(Joint::fixed(None, DualQuat::IDENTITY));
@@ -77,15 +77,18 @@ impl Robot {
             };
             let from = &robot.joints[number];
             let mut joint = from.joint(link(&from.parent));
-            joint.mimic = leaders[number].map(|Leader { joint, multiplier, offset }| Mimic {
-                joint: link(&robot.joints[joint].child),
-                multiplier,
-                offset,
-            });
+            if let Some(leader) = leaders[number] {
+                let other = &robot.joints[leader.joint];
+                let Leader { multiplier, offset, .. } = leader;
+                joint.mimic = Some(Mimic { joint: link(&other.child), multiplier, offset });
+                narrowed.extend(leader.warning(from, other));
+            }
             joints.push(joint);
         }
         let mechanism =
             OwnedMechanism::new(&joints).map_err(|source| refused(source, &nodes, &robot))?;
+        let mut warnings = [robot.warnings.as_slice(), &narrowed].concat();
+        warnings.sort_by_key(|warning: &UrdfWarning| warning.line);
         let drive = |node: &Node<'_>| Some(robot.joints[node.joint?].drive);
         let drives = nodes.iter().map(|node| drive(node).unwrap_or(Drive::FREE)).collect();
         let name = |node: &Node<'_>| Some(robot.joints[node.joint?].name.text.clone());
@@ -99,7 +102,7 @@ impl Robot {
             mechanism,
             links,
             joint_names,
-            warnings: robot.warnings,
+            warnings,
         })
     }
 
@@ -190,19 +193,16 @@ impl Robot {
         &self.value_names
     }
 
-    /// Limits for each value; none for continuous, planar and floating joints.
+    /// Limits for each value, [as far](Mechanism::value_limits) as joints that mimic its joint let it go; none for
+    /// continuous, planar and floating joints.
     #[must_use]
     pub fn value_limits(&self) -> Vec<Option<[f64; 2]>> {
         let view = self.mechanism.view();
-        let mut limits = vec![None; view.values()];
-        for (joint, from) in self.joints.iter().enumerate() {
-            if let (None, Some(range)) = (from.mimic, view.values_of(joint)) {
-                for slot in limits.get_mut(range).unwrap_or_default() {
-                    *slot = from.limits;
-                }
-            }
-        }
-        limits
+        let mut limits = vec![[f64::NEG_INFINITY, f64::INFINITY]; view.values()];
+        // There is one for each value.
+        let _ = view.value_limits(&mut limits);
+        let has_an_end = |[low, high]: &[f64; 2]| low.is_finite() || high.is_finite();
+        limits.into_iter().map(|limits| Some(limits).filter(has_an_end)).collect()
     }
 }
 

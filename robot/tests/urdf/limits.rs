@@ -114,3 +114,35 @@ fn mimics_of_mimics_are_resolved() {
     // 2 (3 · 0.25 + 0.5) + 1, along x, which is the axis where none is given.
     assert_eq!(b.translation(), [3.5, 0.0, 0.0]);
 }
+
+/// Fingers of grippers, whose files give the follower the limits of its leader without the sign between them.
+#[test]
+fn limits_of_what_mimics_are_those_of_the_value_where_they_leave_a_range_and_a_warning_says_so() {
+    let hand = |mimic: &str, limits: &str| {
+        Robot::from_urdf(&format!(
+            r#"<robot name="hand"><link name="base"/><link name="knuckle"/><link name="finger"/>
+            <joint name="leader" type="revolute"><parent link="base"/><child link="knuckle"/>
+              <axis xyz="1 0 0"/><limit lower="0" upper="0.8"/></joint>
+            <joint name="inner" type="revolute"><parent link="knuckle"/><child link="finger"/>
+              <axis xyz="1 0 0"/><mimic joint="leader" {mimic}/><limit {limits}/></joint></robot>"#
+        ))
+        .unwrap()
+    };
+    let opposed = hand(r#"multiplier="-1""#, r#"lower="0" upper="0.8757""#);
+    assert_eq!(opposed.value_limits(), [Some([0.0, 0.8])]);
+    let [warning] = opposed.warnings() else { panic!("{:?}", opposed.warnings()) };
+    assert_eq!(warning.line, 4);
+    assert_eq!(
+        warning.to_string(),
+        "line 4: <joint name=\"inner\">: its limits leave no range to \"leader\", which it mimics: they are not read"
+    );
+    let narrower = hand(r#"multiplier="2""#, r#"lower="-1" upper="1""#);
+    assert_eq!(narrower.value_limits(), [Some([0.0, 0.5])]);
+    assert!(
+        narrower.warnings()[0].text.contains("narrow those of \"leader\""),
+        "{:?}",
+        narrower.warnings()
+    );
+    let wider = hand(r#"multiplier="0.5""#, r#"lower="-1" upper="1""#);
+    assert_eq!((wider.value_limits(), wider.warnings()), (vec![Some([0.0, 0.8])], &[][..]));
+}

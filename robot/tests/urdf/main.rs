@@ -26,7 +26,7 @@ const FILE: &str = r#"<?xml version="1.0"?>
   <joint name="slide" type="prismatic">
     <parent link="tip"/>
     <child link="end"/>
-    <limit lower="-1" upper="1"/>
+    <limit lower="-3" upper="5"/>
     <mimic joint="hinge" multiplier="2" offset="1"/>
   </joint>
 </robot>

@@ -59,7 +59,7 @@ revolute | Revolute | 6: <joint name="hinge">: the type "Revolute" is unknown
  name="base" |  | 3: <link>: the attribute "name" is missing
 <axis | <axis xyz="1 0 0"/>⏎<axis | 11: <axis> of <joint name="hinge">: there is one before it
 <limit lower="-2" upper="2" effort="9" velocity="3"/> |  | 6: <joint name="hinge">: a revolute or prismatic joint must have a <limit>
-<limit lower="-1" upper="1"/> |  | 13: <joint name="slide">: a revolute or prismatic joint must have a <limit>
+<limit lower="-3" upper="5"/> |  | 13: <joint name="slide">: a revolute or prismatic joint must have a <limit>
 0.1 0.2 0.3 | 1 2 x 3 | 9: <origin> of <joint name="hinge">: xyz="1 2 x 3" where 3 numbers must be
 0.1 0.2 0.3 | 1 2 | 9: <origin> of <joint name="hinge">: xyz="1 2" where 3 numbers must be
 0.1 0.2 0.3 | 1,2,3 | 9: <origin> of <joint name="hinge">: xyz="1,2,3" where 3 numbers must be

@@ -1,6 +1,6 @@
 //! Limits: of one end, of none, and of what mimics a joint.
 
-use super::{LAST_BITS, REACHED, X, Y, Z, at, near, pose, problem, solve, solve_with};
+use super::{LAST_BITS, REACHED, X, Y, Z, at, near, pose, problem, solve, solve_with, solved};
 use dq8::DualQuat;
 use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
@@ -42,6 +42,54 @@ fn limits_of_joints_that_mimic_hold_for_the_joint_that_they_follow() {
     assert!(near(&values, &[0.03], LAST_BITS), "{values:?}");
     let (values, report) = solve(&fingers, at(0.0, -0.03, 0.0), values);
     assert!(report.is_converged() && near(&values, &[0.02], REACHED), "{report:?} {values:?}");
+}
+
+/// Two fingers that turn against each other, and others whose limits are those of the leader, without the sign, the factor or
+/// the offset between them.
+#[test]
+fn limits_of_joints_that_mimic_do_not_hold_where_they_leave_no_range() {
+    let knuckle = Joint::revolute(None, at(0.0, 0.03, 0.05), X).with_limits([0.0, 0.8]);
+    let inner = Joint::revolute(Some(0), at(0.0, 0.06, 0.03), X);
+    for (limits, multiplier, offset) in [
+        ([0.0, 0.8757], -1.0, 0.0), // one value
+        ([0.1, 0.8757], -1.0, 0.0), // none
+        ([0.0, 0.8], 1.0, 2.0),
+        ([5.0, 6.0], 1.0, 0.0),
+        ([1.0, 2.0], 0.0, 0.5), // it stands, and beyond its limits
+        ([-0.0, 0.0], -0.5, 0.0),
+    ] {
+        let fingers = [knuckle, inner.with_limits(limits).mimicking(0, multiplier, offset)];
+        let hand = problem::<f64>(&fingers, [Goal::pose(1)]);
+        let (values, report) = solve(&hand, pose(&hand, &[0.4], 1), [0.4]);
+        assert!(report.is_converged() && report.iterations == 0, "{limits:?}: {report:?}");
+        assert_eq!(values, [0.4]);
+        let single = problem::<f32>(&fingers, [Goal::pose(1)]);
+        for (backend, values, reports) in
+            solved(&single, &[pose(&single, &[0.4], 1)], &[0.5], &Options::default())
+        {
+            assert!(reports[0].is_converged(), "{backend}: {reports:?} {values:?}");
+        }
+        let mut said = [[0.0; 2]];
+        hand.view().mechanism().value_limits(&mut said).unwrap();
+        assert_eq!(said, [[0.0, 0.8]], "{limits:?}");
+    }
+}
+
+/// A rod beside the arm, whose limits are narrower than the way that it goes with the arm.
+#[test]
+fn limits_of_joints_that_mimic_and_carry_no_goal_do_not_hold() {
+    let joints = [
+        Joint::revolute(None, HERE, Z).with_limits([-2.0, 2.0]),
+        Joint::revolute(None, at(0.0, 0.1, 0.0), Z).with_limits([-0.5, 0.5]).mimicking(0, 1.0, 0.0),
+        Joint::fixed(Some(0), at(1.0, 0.0, 0.0)),
+    ];
+    let arm = problem::<f64>(&joints, [Goal::position(2)]);
+    let (values, report) = solve(&arm, pose(&arm, &[1.5], 2), [0.0]);
+    assert!(report.is_converged() && near(&values, &[1.5], REACHED), "{report:?} {values:?}");
+    // The range that is told, and drawn from, keeps both.
+    let mut said = [[0.0; 2]];
+    arm.view().mechanism().value_limits(&mut said).unwrap();
+    assert_eq!(said, [[-0.5, 0.5]]);
 }
 
 /// Values that are reached: of what mimics far from zero, of what is not the same a turn less (a rack on its pinion, a nut, a
