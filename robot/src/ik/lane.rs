@@ -127,13 +127,18 @@ impl<R: Real> Lane<R> {
         options: &Options<R>,
         has_posture: bool,
         weighs: bool,
+        track: bool,
     ) -> (bool, Next) {
         let arrived = seen.angular <= options.angular_tolerance
             && seen.linear <= options.linear_tolerance
             && !self.out_of_reach;
         // Judged before anything ends: what is reported is the best, whichever pose is the last.
         let is_best = if weighs {
-            self.is_fresh || seen.square < self.best.square
+            self.is_fresh || self.is_nearer(&seen)
+        } else if track && !self.converged {
+            // Of a target that moves the last step counts: where only the best counted, an arm in front of a pose that it
+            // cannot hold would stand until a leap pays.
+            true
         } else {
             self.is_best(&seen, arrived)
         };
@@ -167,9 +172,16 @@ impl<R: Real> Lane<R> {
     fn is_best(&self, seen: &Seen<R>, arrived: bool) -> bool {
         match (self.is_fresh, self.converged) {
             (true, _) => true,
-            (_, false) => arrived || seen.square < self.best.square,
+            (_, false) => arrived || self.is_nearer(seen),
             (_, true) => arrived && seen.wish < self.best.wish,
         }
+    }
+
+    /// Nearer than the nearest so far. Of a target out of reach the square is that of the way to a place that may be
+    /// reached; on the way there nothing may be lost of both errors that are reported.
+    fn is_nearer(&self, seen: &Seen<R>) -> bool {
+        let gains = seen.linear <= self.best.linear || seen.angular < self.best.angular;
+        seen.square < self.best.square && (gains || !self.out_of_reach)
     }
 
     /// Not there yet: a step, unless steps have stopped paying. Then the search begins again if it may, or ends. The last

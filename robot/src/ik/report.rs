@@ -67,8 +67,8 @@ impl<R: Real> Options<R> {
         Self::default()
     }
 
-    /// To follow targets that move ([`Reach::track`](super::Reach::track)), from the last values: 10⁻⁴ rad and lengths, at most 3 steps, of which each must
-    /// gain a hundredth; damped by 0.1 rad; no restarts.
+    /// To follow targets that move ([`Reach::track`](super::Reach::track)), from the last values: 10⁻⁴ rad and lengths, at
+    /// most 3 steps, of which each must gain a hundredth; damped by 0.1 rad; no restarts.
     #[must_use]
     pub fn track() -> Self {
         let fine = R::from(1e-4);

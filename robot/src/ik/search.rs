@@ -190,7 +190,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             if lane.configuration.is_none() {
                 continue;
             }
-            let (is_best, next) = lane.judge(seen, self.work.options, has_posture, weighs);
+            let (is_best, next) = lane.judge(seen, self.work.options, has_posture, weighs, TRACK);
             lane.next = next;
             // Before the step overwrites them. A search may end far from its best.
             if is_best {

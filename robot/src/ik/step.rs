@@ -23,6 +23,9 @@ use dq8_simd::{Lanes, Mask};
 /// reach, where nothing limits what they promise, but not at the end. His μ is ½; with second-order
 /// steps anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
+/// In searches that track and in which nothing else weighs, of the mean over the goals: Sugihara's. Their few steps must be
+/// right also where nothing reaches the target.
+const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
@@ -36,13 +39,20 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         arrived: L::Mask,
         again: bool,
     ) -> Stepped<L> {
-        let damping = caution * caution.constant(DAMPING);
-        let damping = apart.square.mul_add(damping, self.scales.least_damping);
-        let damping = if self.weighs() {
-            damping + (self.follows.posture + self.follows.start)
-        } else {
-            damping
-        };
+        let weighs = self.weighs();
+        let mut square = apart.square;
+        let mut part = caution.constant(DAMPING);
+        if TRACK && !weighs {
+            // To the target itself, and not to the nearest place that may be reached; of many goals the mean.
+            let way = apart.linear * self.scales.radians_per_length;
+            let whole = way * way;
+            square = L::select(square.lt(whole), whole, square);
+            part = caution.constant(TRACK_DAMPING / self.reach.goals.len() as f64);
+        }
+        let damping = caution * part;
+        let damping = square.mul_add(damping, self.scales.least_damping);
+        let damping =
+            if weighs { damping + (self.follows.posture + self.follows.start) } else { damping };
         self.keep_wishes(arrived, damping);
         // The first solution says how far everything moves. Where that pays, the step is solved again along columns that
         // are bent by half of it: a step of second order, Halley's.

@@ -1,6 +1,7 @@
 //! Inverse kinematics of mechanisms. What a report says is held to the poses of the values that are
 //! returned, one product after the other.
 
+mod beyond;
 mod free;
 mod honest;
 mod kinds;
