@@ -22,8 +22,19 @@ pub(super) struct Branch<L: Lanes> {
     /// Of any length.
     pub(super) turns: [Complex<L>; 6],
     pub(super) exists: L::Mask,
+    /// By how much the angles before the wrist are off, for a unit of roundoff.
+    blur: L,
     /// Whether it meets another, or is one of many: at the shoulder, the elbow and the wrist.
     pub(super) singular: [L::Mask; 3],
+}
+
+impl<L: Lanes> Branch<L> {
+    /// What its angles are rounded by, where others are by `rounding`, and `most` at the most.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn rounding(&self, rounding: L, most: L) -> L {
+        let rounding = rounding * (most.constant(1.0) + self.blur);
+        L::select(most.lt(rounding), most, rounding)
+    }
 }
 
 /// Geometry and targets on lanes.
@@ -70,7 +81,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let [zero, ..] = self.slack;
         let never = zero.lt(zero);
         let turn = Complex { re: zero, im: zero };
-        Branch { turns: [turn; 6], exists: never, singular: [never; 3] }
+        Branch { turns: [turn; 6], exists: never, blur: zero, singular: [never; 3] }
     }
 
     /// The solutions, but for limits.
@@ -98,13 +109,13 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         } else {
             self.parallel_elbow(&mut places);
         }
-        for Branch { mut turns, exists, mut singular } in places {
+        for Branch { mut turns, exists, blur, mut singular } in places {
             let (mut last, mut turned) = (last, turned);
             for (index, turn) in turns.into_iter().enumerate().take(3) {
                 let (axis, back) = (self.axis(index), turn.conj());
                 (last, turned) = (back.about(axis, last), back.about(axis, turned));
             }
-            let (wrist, is_free) = self.wrist(last, self.vector(self.geometry.against));
+            let (wrist, is_free) = self.wrist(last, self.vector(self.geometry.against), blur);
             singular[2] = wrist.is_singular;
             for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
                 let swung = fifth.about(self.axis(4), self.axis(5));
@@ -116,7 +127,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                     Complex { re: vector::dot(across, left), im: vector::dot(across_too, left) };
                 (turns[3], turns[4], turns[5]) = (fourth, fifth, sixth);
                 let Some(branch) = rest.next() else { return };
-                *branch = Branch { turns, exists: exists & is_wrist, singular };
+                *branch = Branch { turns, exists: exists & is_wrist, blur, singular };
             }
         }
     }
@@ -136,6 +147,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 place.turns[1] = self.upper_arm(end, third);
                 place.turns[2] = self.signed(0, third);
                 place.exists = exists & is_elbow;
+                place.blur = shoulder.blur + elbow.blur;
                 (place.singular[0], place.singular[1]) = (shoulder.is_singular, elbow.is_singular);
             }
         }
@@ -165,6 +177,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 place.turns[1] = Complex::select(is_free, self.start[1], second);
                 place.turns[2] = third;
                 place.exists = exists & (is_shoulder | is_free);
+                place.blur = shoulder.blur + elbow.blur;
                 (place.singular[0], place.singular[1]) = (shoulder.is_singular, elbow.is_singular);
             }
         }
@@ -182,7 +195,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let mut rest = branches.iter_mut();
         for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
             let normal = first.about(self.axis(0), self.normal);
-            let (wrist, is_free) = self.wrist(last, normal);
+            let (wrist, is_free) = self.wrist(last, normal, shoulder.blur);
             let normal = rotation.conjugate().rotate(normal);
             for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
                 let back = fifth.conj();
@@ -204,6 +217,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                     *branch = Branch {
                         turns: [first, second, third, fourth, fifth, sixth],
                         exists: exists & is_elbow & is_wrist,
+                        blur: shoulder.blur,
                         singular: [shoulder.is_singular, elbow.is_singular, wrist.is_singular],
                     };
                 }
@@ -228,7 +242,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let is_free = radius.le(slack);
         // Where the centre is on the axis, both heights are zero.
         let is_double = gap.le(merge) | is_free;
-        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), is_double, part);
+        let size = self.number(self.geometry.size);
+        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), is_double, [part, size]);
         fork.turns[0] = Complex::select(is_free, self.start[0], fork.turns[0]);
         fork
     }
@@ -251,7 +266,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
         let exists = (-slack).le(inner) & (-slack).le(outer);
         let base = Complex::splat(self.level, self.geometry.between);
-        Fork::new(base, [cosine, root], exists, is_double, part)
+        let size = self.number(self.geometry.size);
+        Fork::new(base, [cosine, root], exists, is_double, [part, size * size])
     }
 
     /// The second angle: where the upper arm is when the end is where it should be.
@@ -264,11 +280,18 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
     }
 
-    /// The fifth angle, which brings the last axis to where it is to what it is turned against; and where that is along it.
+    /// The fifth angle, which brings the last axis to where it is to what it is turned against; and where that is along it,
+    /// as far as the angles before tell: those of a nearly stretched elbow are off by much more than a roundoff, and where the
+    /// axes are along each other but for that, the direction in which they are apart says nothing.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn wrist(&self, last: [L; 3], against: [L; 3]) -> (Fork<L>, L::Mask) {
+    fn wrist(&self, last: [L; 3], against: [L; 3], blur: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.against);
-        let apart = Apart::new(last, against, [self.slack[2], self.slack[3]]);
+        let one = blur.constant(1.0);
+        // Half of what values may miss the target by at the most.
+        let most = self.number(self.geometry.fit * L::Real::from(8.0));
+        let slack = self.slack[2] * (one + blur);
+        let slack = L::select(most.lt(slack), most, slack);
+        let apart = Apart::new(last, against, [slack, self.slack[3]]);
         (apart.bend(before, self.axis(4), self.axis(5)), apart.is_along)
     }
 

@@ -1,7 +1,7 @@
 //! Angles as complex numbers e^{iθ}, one in each lane: turns are products, and only answers need an arctangent.
 
 use dq8::batch::{atan2, vector};
-use dq8_simd::Lanes;
+use dq8_simd::{Float, Lanes};
 
 /// An angle, or a point in a plane.
 #[derive(Clone, Copy, Debug)]
@@ -80,25 +80,36 @@ pub(super) struct Fork<L: Lanes> {
     pub(super) exists: [L::Mask; 2],
     /// Whether they are one, or hardly apart.
     pub(super) is_singular: L::Mask,
+    /// By how much an angle is off, for a unit of roundoff of what it is computed from: much where the two meet.
+    pub(super) blur: L,
 }
 
 impl<L: Lanes> Fork<L> {
     /// The angles of base·(re ± i·im), all of any length. An im that is less than `part` of the whole, both squared, is hardly any.
+    /// The roundoff of `re` is that of numbers as large as `size`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
         [re, im]: [L; 2],
         exists: L::Mask,
         is_double: L::Mask,
-        part: L,
+        [part, size]: [L; 2],
     ) -> Self {
         let way = Complex { re, im };
         let [one, other] = [base.times(way), base.times(way.conj())];
         let turns = [Complex::unit(one.re, one.im), Complex::unit(other.re, other.im)];
         let square = im * im;
         let is_singular = is_double | square.le(part * re.mul_add(re, square));
-        Self { turns, exists: [exists, exists & !is_double], is_singular }
+        // Where they meet, the angle is the root of a roundoff.
+        let least = size * size.constant(root_of_epsilon::<L>());
+        let blur = size / L::select(im.lt(least), least, im);
+        Self { turns, exists: [exists, exists & !is_double], is_singular, blur }
     }
+}
+
+/// The root of the distance from 1 to the next larger number, rounded up to a power of two.
+fn root_of_epsilon<L: Lanes>() -> f64 {
+    if L::Real::SINGLE { 1.0 / 2048.0 } else { 1.0 / 67_108_864.0 }
 }
 
 /// The angle between two unit vectors.
@@ -136,8 +147,10 @@ impl<L: Lanes> Apart<L> {
         let differ = one - other;
         let left = differ.neg_mul_add(differ, square) - away;
         let least = L::select(sine.lt(slack), slack, sine) * slack;
-        let parts = [cosine - both, positive(left).sqrt()];
-        Fork::new(base, parts, (-least).le(left), left.le(least), part)
+        // Of axes along each other, the root of a rounding.
+        let root = L::select(self.is_along, sine.constant(0.0), positive(left).sqrt());
+        let parts = [cosine - both, root];
+        Fork::new(base, parts, (-least).le(left), left.le(least), [part, sine.constant(1.0)])
     }
 }
 

@@ -87,15 +87,28 @@ fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
 }
 
 impl<R: Scalar> Range<R> {
+    /// [`nearest`](Self::nearest) of a value that has been rounded once.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn keep<L: Lanes<Real = R>>(&self, value: L, to: L) -> L {
+        self.nearest(value, to, Self::rounding(value))
+    }
+
+    /// What an angle is rounded by.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn rounding<L: Lanes<Real = R>>(value: L) -> L {
+        (value.abs() + value.constant(4.0)) * value.constant(4.0 * vector::epsilon::<L>())
+    }
+
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn ends<L: Lanes<Real = R>>(&self, level: L::Level) -> [L; 2] {
         vector::splat(level, [self.low, self.high])
     }
 
     /// The value within the range where the joint is as it is at `value`, of several the nearest to `to`, which is within
-    /// the range; the nearest value where there is none.
+    /// the range; the nearest value where there is none. Beyond an end by no more than `slack` it is at the end, and not a
+    /// turn away.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn nearest<L: Lanes<Real = R>>(&self, value: L, to: L) -> L {
+    pub(crate) fn nearest<L: Lanes<Real = R>>(&self, value: L, to: L, slack: L) -> L {
         let clamped = self.clamp(value);
         if self.turns == Turns::Matter {
             return clamped;
@@ -107,6 +120,8 @@ impl<R: Scalar> Range<R> {
         let (_, rest) = half_turns(way * half);
         let is_far = (turn * half).lt(way.abs());
         let near = L::select(is_far, (rest + rest) + to, value);
+        let near = L::select(near.lt(low) & low.le(near + slack), low, near);
+        let near = L::select(high.lt(near) & (near - slack).le(high), high, near);
         // Half a turn from `to` is less than a turn beyond an end.
         let near = L::select(near.lt(low), near + turn, near);
         let near = L::select(high.lt(near), near - turn, near);

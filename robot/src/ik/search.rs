@@ -145,7 +145,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
                 // The start as well, once and for all: what has no ends begins again from there.
                 let start = freedom.range.clamp(scratch.start.get(level, row));
                 scratch.start.set(row, start);
-                scratch.values.set(row, freedom.range.nearest(value, start));
+                scratch.values.set(row, freedom.range.keep(value, start));
             } else if freedom.kind == Kind::FloatingTurn(0) {
                 // Of ±q, the same rotation, the one on the side of the start.
                 let value = Quat::from_array(scratch.values.record(level, row));

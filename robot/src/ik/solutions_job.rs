@@ -4,6 +4,7 @@ use super::branches::Arm;
 use super::complex::Complex;
 use super::error::SolutionsError;
 use super::family::Family;
+use super::range::Range;
 use super::scratch::enough;
 use super::search::Work;
 use super::six_axis::{SixAxisArm, check};
@@ -229,7 +230,8 @@ fn run<L: Lanes<Real: Scalar>>(
         let (mut start, mut turns) = ([zero; 6], [Complex { re: zero, im: zero }; 6]);
         for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
             let value = L::load(level, &numbers[8 + index]);
-            let value = freedom.range.nearest(value, freedom.range.clamp(value));
+            let clamped = freedom.range.clamp(value);
+            let value = freedom.range.keep(value, clamped);
             let (re, im) = cos_sin(value);
             (start[index], turns[index]) = (value, Complex { re, im });
         }
@@ -243,12 +245,13 @@ fn run<L: Lanes<Real: Scalar>>(
                 continue;
             }
             let (mut values, mut square) = ([zero; 6], zero);
+            let fit = L::splat(level, arm.geometry.fit);
             for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
                 let angle = branch.turns[index].angle();
-                let value = freedom.range.nearest(angle, start[index]);
+                // As far as a nearly stretched elbow tells.
+                let rounding = branch.rounding(Range::rounding(start[index]), fit);
+                let value = freedom.range.nearest(angle, start[index], rounding);
                 let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
-                let rounding = (value.abs() + zero.constant(4.0))
-                    * zero.constant(4.0 * vector::epsilon::<L>());
                 exists = exists & beyond.abs().le(rounding + beside);
                 let way = value - start[index];
                 square = way.mul_add(way, square);

@@ -66,8 +66,7 @@ pub(super) fn search_all<R: Scalar>(
             let value = values.get(freedom.value as usize).copied().unwrap_or_default();
             let [value, to] =
                 [value, start].map(|value| R::Lanes::<Portable>::splat(Portable, value));
-            let near =
-                freedom.range.nearest(value, freedom.range.nearest(to, freedom.range.clamp(to)));
+            let near = freedom.range.keep(value, freedom.range.keep(to, freedom.range.clamp(to)));
             *slot = near.to_array().as_ref().first().copied().unwrap_or_default();
             solution.distance += (*slot - start) * (*slot - start);
         }

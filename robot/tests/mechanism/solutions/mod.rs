@@ -4,6 +4,7 @@ mod counts;
 mod edges;
 mod near;
 mod refused;
+mod wrist;
 
 use dq8::{DualQuat, Quat, Scalar};
 use dq8_arms::{Arm, Axis, Plan, Random, X, Y, Z, puma, rounded, turning, ur5};
