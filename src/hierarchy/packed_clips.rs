@@ -101,6 +101,9 @@ pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     unit(a) && unit(b) && dot(a, b) >= NEAREST
 }
 
+/// What is wrong with bytes in which keys belong to several tracks.
+const SHARED: &str = "clips have more tracks and frames than there are keys";
+
 impl<'a> PackedClips<'a> {
     /// Of bytes that [`PackedClip::as_bytes`](super::PackedClip::as_bytes) gave, without a copy. Reads all of them once.
     ///
@@ -110,11 +113,33 @@ impl<'a> PackedClips<'a> {
         let (ranges, joints) = parts(bytes)?;
         let [keys, rests, clips, rows] =
             ranges.clone().map(|range| bytes.get(range).unwrap_or_default());
+        // Each clip has a key of its own for each rotation at the least. So what is checked for each joint of each clip is no
+        // more than there are keys, whatever the bytes are.
+        let own = (clips.len() / 16).saturating_mul(joints);
+        if own > keys.len() / 8 {
+            return Err(PackedError::Bytes { offset: ranges[2].start, what: SHARED });
+        }
         let tracks =
             Tracks::new(keys, clips, rows, 2 * joints).map_err(|at| beyond(&ranges, at))?;
         let packed = Self { tracks, rests: rests.as_chunks().0 };
+        packed.check_counts(&ranges, keys.len() / 8)?;
         packed.check(&ranges)?;
         Ok(packed)
+    }
+
+    /// Whether clips have as many keys as they name. None is in two clips, so that they are read once each.
+    fn check_counts(&self, ranges: &[Range<usize>; 4], keys: usize) -> Result<(), PackedError> {
+        let mut left = keys;
+        for clip in 0..self.clips() {
+            let frames = self.frames(clip).unwrap_or(1);
+            let moves = |&joint: &usize| self.tracks.moves(clip, joint) == Some(true);
+            let moving = (0..self.joints()).filter(moves).count();
+            let own = frames.saturating_mul(moving).saturating_add(self.joints() - moving);
+            left = left
+                .checked_sub(own)
+                .ok_or(PackedError::Bytes { offset: ranges[2].start + 16 * clip, what: SHARED })?;
+        }
+        Ok(())
     }
 
     /// Whether rotations are unit and near their neighbours, and rests finite.

@@ -134,3 +134,36 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
         );
     }
 }
+
+/// Joints, clips and keys as many as each other, whose clips have all keys in common: every key is a frame of every joint of
+/// every clip. Read as they say, 10⁵ bytes would take minutes.
+#[test]
+fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
+    for n in [2, 100, 1600_u32] {
+        let mut bytes = b"dq8clips".to_vec();
+        let mut words =
+            |numbers: &[u32]| bytes.extend(numbers.iter().flat_map(|n| n.to_le_bytes()));
+        words(&[2, n, n, n, 1, 0]);
+        for _ in 0..n {
+            words(&[0, 32767 << 16]); // the rotation that turns nothing
+        }
+        for _ in 0..n {
+            words(&[0; 4]); // a rest
+        }
+        for _ in 0..n {
+            words(&[0, n, 1, 0]); // all keys, each a frame
+        }
+        words(&vec![0x0001_0001; n as usize]); // both tracks of a joint move
+        let refused = |what: &str, bytes: &[u8]| match PackedClips::from_bytes(bytes) {
+            Err(PackedError::Bytes { what: found, .. }) => assert!(found.contains(what), "{found}"),
+            other => panic!("{n}: {other:?}"),
+        };
+        refused("than there are keys", &bytes);
+        // One clip, whose joints share them: work that grows with the square.
+        let head = 32 + 24 * n as usize;
+        let mut one = bytes[..head + 16].to_vec();
+        one.extend(&bytes[head + 16 * n as usize..]);
+        one[16..20].copy_from_slice(&1_u32.to_le_bytes());
+        refused("than there are keys", &one);
+    }
+}
