@@ -1,9 +1,9 @@
 //! Rotation and translation at once: K. Daniilidis, *Hand-eye calibration using dual quaternions*,
 //! International Journal of Robotics Research 18 (1999).
 
-use crate::calibration::{CalibrationError, Pair, check, commutator};
+use crate::calibration::{CalibrationError, Pair, check, equations};
 use dq8::DualQuat;
-use nalgebra::{DMatrix, Vector4};
+use nalgebra::Vector4;
 
 /// X of A X = X B, in the least squares of the stacked equations of all motions.
 ///
@@ -16,15 +16,7 @@ use nalgebra::{DMatrix, Vector4};
 /// so that errors in translation are about as large as those in radians.
 pub(crate) fn solve(pairs: &[Pair]) -> Result<DualQuat<f64>, CalibrationError> {
     check(pairs)?;
-    let mut equations = DMatrix::zeros(6 * pairs.len(), 8);
-    for (i, pair) in pairs.iter().enumerate() {
-        let [hand, eye] = pair.canonical().map(DualQuat::dual_vector);
-        let real = commutator(hand.real, eye.real);
-        equations.view_mut((6 * i, 0), (3, 4)).copy_from(&real);
-        equations.view_mut((6 * i + 3, 4), (3, 4)).copy_from(&real);
-        equations.view_mut((6 * i + 3, 0), (3, 4)).copy_from(&commutator(hand.dual, eye.dual));
-    }
-    let rows = equations.svd(false, true).v_t.expect("it was asked for");
+    let rows = equations(pairs).svd(false, true).v_t.expect("it was asked for");
     let half = |row, from| Vector4::from_fn(|c, _| rows[(row, from + c)]);
     let [(u1, v1), (u2, v2)] = [6, 7].map(|row| (half(row, 0), half(row, 4)));
 

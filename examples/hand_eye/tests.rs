@@ -162,3 +162,39 @@ fn both_roots_of_the_quadratic_are_precise() {
     }
     assert!(simultaneous::roots(0.0, 0.0, 0.0).iter().flatten().all(|l| l.is_finite()));
 }
+
+/// A robot on a floor turns about one axis; with noise there are many, and none of them says how high the camera sits.
+#[test]
+fn motions_in_a_plane_are_refused_with_any_noise_and_others_are_not() {
+    for noise in [1e-6, 1e-5, 1e-4, 1e-3] {
+        for seed in 1..=20 {
+            let mut random = dq8_fixtures::random::Random(seed);
+            let camera = random.motion(0.3);
+            let axis: [f64; 3] = random.direction();
+            let mut off = || {
+                let twist = random.vector::<6>().map(|x| noise * x);
+                DualQuat::from_twist(dq8::Twist::from_array(twist))
+            };
+            let mut pairs = |about: &dyn Fn(usize) -> [f64; 3]| -> Vec<Pair> {
+                let pair = |i: usize| {
+                    let angle = 0.1 + 0.05 * i as f64;
+                    let hand = turn(about(i), angle, [0.3 + 0.1 * i as f64, 0.2, 0.0]);
+                    Pair { hand: hand * off(), eye: camera.conjugate() * hand * camera * off() }
+                };
+                (0..20).map(pair).collect()
+            };
+            let [a, b, c] = [axis, [axis[1], axis[2], axis[0]], [axis[2], axis[0], -axis[1]]];
+            let plane = pairs(&|_| axis);
+            let space = pairs(&|i| [a, b, c][i % 3]);
+            for solve in SOLVERS {
+                let refused = solve(&plane).unwrap_err();
+                assert!(
+                    matches!(refused, CalibrationError::NoisyAxes { ratio } if ratio < 2.5),
+                    "{noise}: {refused}"
+                );
+                let found = solve(&space).unwrap();
+                assert!(camera.angle_to(found) < 20.0 * noise, "{noise}");
+            }
+        }
+    }
+}

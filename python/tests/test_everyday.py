@@ -164,6 +164,36 @@ def test_hand_eye_refuses_parallel_axes(rng, random_motions):
         dq8.hand_eye(hands, eyes)
 
 
+@pytest.mark.parametrize("noise", [1e-6, 1e-4, 1e-3])
+def test_hand_eye_refuses_motions_in_a_plane_with_noise(noise, rng, random_motions):
+    x = random_motions()
+    turns = np.linspace(0.1, 1.0, 20)[:, np.newaxis] * [0, 0, 1.0]
+    flat = dq8.from_twist(np.concatenate([turns, rng.normal(size=(20, 2)), np.zeros((20, 1))], axis=-1))
+    hands = np.stack([random_motions(20), dq8.mul(dq8.mul(x, flat), dq8.inverse(x))])
+    eyes = np.stack([dq8.mul(dq8.mul(dq8.inverse(x), hands[0]), x), flat])
+    hands, eyes = (dq8.integrate_body(m, noise * rng.normal(size=(2, 20, 6)), 1.0) for m in (hands, eyes))
+    dq8.hand_eye(hands[0], eyes[0])
+    with pytest.raises(ValueError, match=r"not parallel, by more than the noise"):
+        dq8.hand_eye(hands[1], eyes[1])
+    with pytest.raises(ValueError, match=r"not parallel in problem \(1,\), by more"):
+        dq8.hand_eye(hands, eyes)
+
+
+def test_what_is_not_finite_stays_in_its_fit(rng, random_motions):
+    points, motion = rng.normal(size=(4, 10, 3)), random_motions(4)
+    moved = dq8.transform_points(motion[:, np.newaxis], points)
+    moved[1, 3, 2], weights = np.nan, np.ones((4, 10))
+    weights[2, 5], weights[3, 0] = np.nan, np.inf
+    fitted = dq8.fit(points, moved, weights)
+    assert dq8.allclose(fitted[0], motion[0]) and np.isnan(fitted[1:]).all()
+    eyes = random_motions(3, 5)
+    x = random_motions()
+    hands = dq8.mul(dq8.mul(x, eyes), dq8.inverse(x))
+    hands[1, 2, 0] = np.nan
+    found = dq8.hand_eye(hands, eyes)
+    assert dq8.allclose(found[0], x) and dq8.allclose(found[2], x) and np.isnan(found[1]).all()
+
+
 def test_the_left_jacobian_is_the_derivative_of_the_exponential(rng):
     twists, steps = rng.normal(size=(20, 6)), 1e-6 * rng.normal(size=(20, 6))
     jacobian, inverse = dq8.left_jacobian(twists), dq8.left_jacobian_inverse(twists)

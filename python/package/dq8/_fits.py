@@ -22,7 +22,7 @@ def fit(points: ArrayLike, moved: ArrayLike, weights: ArrayLike | None = None) -
         Points xᵢ, and where they went, yᵢ: lengths. Leading dimensions broadcast. Points on one line leave the turn
         about it open, and one of the best is returned.
     weights : array_like, shape (..., n) or (n,), optional
-        Not negative; equal ones by default.
+        Not negative; equal ones by default. A problem with a number that is not finite is answered with NaN.
 
     Returns
     -------
@@ -52,13 +52,16 @@ def fit(points: ArrayLike, moved: ArrayLike, weights: ArrayLike | None = None) -
     share = (w / total)[..., np.newaxis]
     middle_x, middle_y = (share * x).sum(axis=-2), (share * y).sum(axis=-2)
     spread = np.swapaxes(share * (x - middle_x[..., np.newaxis, :]), -1, -2) @ (y - middle_y[..., np.newaxis, :])
-    u, _, vt = np.linalg.svd(spread)
+    # What is not finite stays in its problem.
+    known = np.isfinite(spread).all(axis=(-1, -2)) & np.isfinite(middle_x + middle_y).all(axis=-1)
+    u, _, vt = np.linalg.svd(np.where(known[..., np.newaxis, np.newaxis], spread, 0))
     turn = np.swapaxes(u @ vt, -1, -2)
     # The nearest that mirrors is no motion: the smallest direction is turned round.
     vt[..., 2, :] *= np.where(np.linalg.det(turn) < 0, -1, 1)[..., np.newaxis]
     matrices = np.zeros((*spread.shape[:-2], 3, 4), spread.dtype)
     matrices[..., :3] = np.swapaxes(u @ vt, -1, -2)
     matrices[..., 3] = middle_y - (matrices[..., :3] @ middle_x[..., np.newaxis])[..., 0]
+    matrices[~known] = np.nan
     return _core.from_matrix(matrices, check=False)
 
 
@@ -69,8 +72,8 @@ def hand_eye(hands: ArrayLike, eyes: ArrayLike) -> NDArray[Any]:
     ----------
     hands, eyes : array_like, shape (..., n, 8)
         Unit dual quaternions A, how the hand moved from one place to another in its first frame, and B, how the camera
-        did; leading dimensions broadcast. At least two must turn, about axes that are not parallel; otherwise
-        ValueError. Lengths and angles weigh the same, so choose a unit in which their errors are about as large.
+        did; leading dimensions broadcast. At least two must turn, about axes that are not parallel, by more than
+        their noise; otherwise ValueError. A problem with a number that is not finite is answered with NaN. Lengths and angles weigh the same, so choose a unit in which their errors are about as large.
 
     Returns
     -------
@@ -100,9 +103,17 @@ def hand_eye(hands: ArrayLike, eyes: ArrayLike) -> NDArray[Any]:
     equations = equations.reshape(*equations.shape[:-3], -1, 8)
     # Rows of zeros, so that there are eight vectors with few motions as well.
     equations = np.concatenate([equations, np.zeros((*equations.shape[:-2], 8, 8))], axis=-2)
-    sizes, vt = np.linalg.svd(equations, full_matrices=False)[1:]
-    if not (sizes[..., 5] > 1e-6 * sizes[..., 0]).all():
-        raise ValueError("Expected two of the motions at least to turn about axes that are not parallel.")
+    known = np.isfinite(equations).all(axis=(-1, -2))
+    sizes, vt = np.linalg.svd(np.where(known[..., np.newaxis, np.newaxis], equations, 0), full_matrices=False)[1:]
+    # The sixth is of axes that are not parallel, the seventh of noise: in a plane they are 1.3 to 1.6 times apart.
+    tells = (sizes[..., 5] > 1e-6 * sizes[..., 0]) & (sizes[..., 5] > 3 * sizes[..., 6])
+    if not (tells | ~known).all():
+        index = tuple(int(i) for i in np.argwhere(known & ~tells)[0])
+        where = f" in problem {index}" if index else ""
+        raise ValueError(
+            f"Expected two of the motions at least to turn about axes that are not parallel{where}, by more than the noise: "
+            "how far along its axes the eye sits is in none of them."
+        )
     # X is that sum of the two vectors that is unit: λ²u₁·v₁ + λ(u₁·v₂ + u₂·v₁) + u₂·v₂ = 0 has two solutions, the other
     # one without a real part.
     (u1, v1), (u2, v2) = ((vt[..., row, :4], vt[..., row, 4:]) for row in (6, 7))
@@ -112,7 +123,7 @@ def hand_eye(hands: ArrayLike, eyes: ArrayLike) -> NDArray[Any]:
     sums = [x[..., np.newaxis] * vt[..., 6, :] + y[..., np.newaxis] * vt[..., 7, :] for x, y in ((half, first), (last, half))]
     sums = [made / np.maximum(np.linalg.norm(made, axis=-1, keepdims=True), 1e-300) for made in sums]
     larger = np.linalg.norm(sums[0][..., :4], axis=-1) > np.linalg.norm(sums[1][..., :4], axis=-1)
-    return _core.normalize(np.where(larger[..., np.newaxis], *sums))
+    return _core.normalize(np.where(known[..., np.newaxis], np.where(larger[..., np.newaxis], *sums), np.nan))
 
 
 def _canonical(name: str, value: ArrayLike) -> NDArray[Any]:
