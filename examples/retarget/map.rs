@@ -142,11 +142,16 @@ fn side(role: &Role) -> Option<&'static str> {
     role.name.split_once('_').map(|(side, _)| side)
 }
 
-/// Letters and digits, without the word link.
+/// Letters and digits, without the word link, and without the name of the biped that 3ds Max writes before each joint
+/// (`Bip01 L UpperArm`).
 fn plain(name: &str) -> String {
     let plain: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
     let plain = plain.to_lowercase();
-    plain.strip_suffix("link").map(str::to_owned).unwrap_or(plain)
+    let biped =
+        plain.strip_prefix("bip").map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+    let plain =
+        biped.filter(|rest| rest.len() + 3 < plain.len() && !rest.is_empty()).unwrap_or(&plain);
+    plain.strip_suffix("link").unwrap_or(plain).to_owned()
 }
 
 /// The first common name that there is; of those in words with a prefix, `mixamorig:LeftArm`, what they end in.

@@ -44,7 +44,9 @@ impl Quality {
             let Some([low, high]) = *limits else { continue };
             let course: Vec<f64> = motion.iter().skip(value).step_by(count).copied().collect();
             for angle in &course {
-                touched += f64::from(u8::from(*angle <= low || *angle >= high));
+                // What single floats round an end to is at it as well.
+                let end = 1e-6 * (1.0 + angle.abs());
+                touched += f64::from(u8::from(*angle <= low + end || *angle >= high - end));
                 beyond = beyond.max(low - angle).max(angle - high);
                 hinges += 1.0;
             }

@@ -5,7 +5,7 @@ use dq8::scalar::vector::{add, cross, dot, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
 use dq8_robot::ik::{Goal, Options, OwnedReach};
 use dq8_robot::urdf::Robot;
-use mocap::clip::Clip;
+use mocap::clip::{Channel, Clip, Joint};
 use std::error::Error;
 
 type Vector = [f64; 3];
@@ -33,7 +33,7 @@ impl Scene {
         rate: f64,
     ) -> Result<Self, Box<dyn Error>> {
         let stride = (1.0 / (rate * clip.frame_time)).round().max(1.0) as usize;
-        let still = Clip { values: vec![0.0; clip.channels()], ..clip.clone() };
+        let still = Clip { values: rest(&clip), ..clip.clone() };
         let unturned = positions(&still.models()?);
         let axes = facing(&places, &unturned);
         let rest: Vec<_> = unturned.iter().map(|&place| axes.rotate(place)).collect();
@@ -78,6 +78,11 @@ impl Scene {
             self.goals.len(),
             self.robot.mechanism().rates(),
         );
+        for (role, known) in ROLES.iter().enumerate() {
+            if !self.places.iter().any(|place| place.role == role) {
+                text += &format!("  {:<15} not found\n", known.name);
+            }
+        }
         for place in &self.places {
             text += &format!(
                 "  {:<15} {} follows {}\n",
@@ -223,6 +228,21 @@ fn facing(places: &[Place], rest: &[Vector]) -> Quat<f64> {
     up = core::array::from_fn(|axis| if axis == largest { up[axis].signum() } else { 0.0 });
     let left = unit(sub(left, scale(up, dot(left, up))));
     Quat::from_matrix3([cross(left, up), left, up]).normalize()
+}
+
+/// The values of the clip at rest: no turns, the root at the origin, and every other joint that has position channels where
+/// the first frame has it. Files that give all joints positions repeat the offsets there, which zeros would drop.
+fn rest(clip: &Clip) -> Vec<f64> {
+    let channels =
+        clip.joints.iter().flat_map(|joint| joint.channels.iter().map(move |c| (joint, c)));
+    let keeps = |(joint, channel): (&Joint, &Channel)| {
+        joint.parent.is_some() && matches!(channel, Channel::Position(_))
+    };
+    clip.values
+        .iter()
+        .zip(channels)
+        .map(|(&value, of)| if keeps(of) { value } else { 0.0 })
+        .collect()
 }
 
 /// Whether the second frame is ten times as far from the first as from the third.

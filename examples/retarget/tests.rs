@@ -7,6 +7,7 @@ use crate::{Args, parse, picture, table, track};
 use dq8_fixtures::legible::illegible;
 use dq8_robot::urdf::Robot;
 use mocap::biped;
+use mocap::clip::{Axis, Channel, Clip, Joint};
 use mocap::command::Request;
 
 fn robot() -> Robot {
@@ -75,5 +76,77 @@ fn the_command_line_is_two_files_and_options() {
     assert_eq!((rate, svg), (60.0, Some("c.svg".into())));
     for wrong in ["", "a", "a b c", "a b --rate 0", "a b --rate x", "a b --jpg c", "a b --csv"] {
         assert!(words(wrong).is_err(), "{wrong}");
+    }
+}
+
+/// The walk of the biped, in whose file these joints have position channels that repeat their offsets.
+fn with_positions(of: impl Fn(&Joint) -> bool) -> Clip {
+    let clip = biped::clip();
+    let mut moved = Clip { joints: clip.joints.clone(), values: vec![], ..clip.clone() };
+    let has = |joint: &Joint| {
+        let positions =
+            joint.channels.iter().any(|channel| matches!(channel, Channel::Position(_)));
+        !joint.end_site && !positions && of(joint)
+    };
+    for joint in moved.joints.iter_mut().filter(|joint| has(joint)) {
+        let positions = [Axis::X, Axis::Y, Axis::Z].map(Channel::Position);
+        joint.channels.splice(..0, positions);
+    }
+    for frame in clip.values.chunks_exact(clip.channels()) {
+        let mut values = frame.iter();
+        for joint in &clip.joints {
+            if has(joint) {
+                moved.values.extend(joint.offset);
+            }
+            moved.values.extend(values.by_ref().take(joint.channels.len()));
+        }
+    }
+    moved
+}
+
+#[test]
+fn position_channels_that_repeat_offsets_change_nothing() {
+    let follow = |clip: Clip| {
+        let places = map::found(&robot(), &clip).unwrap();
+        let scene = Scene::new(robot(), clip, places, 30.0).unwrap();
+        track::one(&scene, &track::tracking(&scene), true, 1).unwrap().0
+    };
+    let plain = follow(biped::clip());
+    assert_eq!(follow(with_positions(|joint| joint.name == "Chest")), plain);
+    assert_eq!(follow(with_positions(|_| true)), plain);
+}
+
+#[test]
+fn names_of_3ds_max_are_found_and_what_is_not_found_is_listed() {
+    let mut clip = biped::clip();
+    let names = [
+        ("Pelvis", "Bip01 Pelvis"),
+        ("Chest", "Bip01 Spine2"),
+        ("Head", "Bip01 Head"),
+        ("LeftThigh", "Bip01 L Thigh"),
+        ("RightThigh", "Bip01 R Thigh"),
+        ("LeftShin", "Bip01 L Calf"),
+        ("RightShin", "Bip01 R Calf"),
+        ("LeftFoot", "Bip01 L Foot"),
+        ("RightFoot", "Bip01 R Foot"),
+        ("LeftHand", "Bip01 L Hand"),
+        ("RightHand", "Bip01 R Hand"),
+    ];
+    for joint in &mut clip.joints {
+        match names.iter().find(|(name, _)| *name == joint.name) {
+            Some((_, other)) => joint.name = (*other).to_owned(),
+            None => joint.name = format!("Bip01 x{}", joint.name.len()),
+        }
+    }
+    let places = map::found(&robot(), &clip).unwrap();
+    let found: Vec<_> = places.iter().map(|place| ROLES[place.role].name).collect();
+    for name in
+        ["pelvis", "chest", "head", "left_hip", "right_hip", "left_knee", "right_foot", "left_hand"]
+    {
+        assert!(found.contains(&name), "{name}: {found:?}");
+    }
+    let text = Scene::new(robot(), clip, places, 30.0).unwrap().text();
+    for role in ROLES.iter().filter(|role| !found.contains(&role.name)) {
+        assert!(text.contains(&format!("{:<15} not found", role.name)), "{text}");
     }
 }
