@@ -102,8 +102,15 @@ impl<'f> Element<'f> {
             }
             warnings.push(self.warning(format!("the text {shown:?} is not read")));
         }
+        let mut seen = Vec::new();
         for child in self.elements() {
             child.check_in(self, place, warnings)?;
+            if place.once && place.has_element(child.name()) {
+                if seen.contains(&child.name()) {
+                    warnings.push(child.warning("there is one before it, which is read instead"));
+                }
+                seen.push(child.name());
+            }
         }
         Ok(())
     }
@@ -121,8 +128,9 @@ impl<'f> Element<'f> {
         }
         let namespace = self.node.tag_name().namespace().filter(|_| !own);
         if namespace.is_some_and(|namespace| namespace.contains("xacro")) {
-            let what = "an element of xacro: expand the file first".into();
-            return Err(UrdfError::NotExpressed { line: self.line(), what });
+            // What is left of expanding a file; a file that was not expanded lacks links or has words for numbers.
+            warnings.push(self.warning("an element of xacro is not read: expand the file first"));
+            return Ok(());
         }
         let parts = if place.numbers { JOINT.elements } else { "" };
         let mut names = place.names().chain(parts.split_terminator(' '));
@@ -145,18 +153,13 @@ impl<'f> Element<'f> {
         self.elements().filter(move |child| child.name() == name)
     }
 
-    /// The one element of this name, if there is one.
-    pub(crate) fn child(self, name: &str) -> Result<Option<Element<'f>>, UrdfError> {
-        let mut all = self.children(name);
-        let first = all.next();
-        match all.next() {
-            Some(second) => Err(second.unexpected("there is one before it")),
-            None => Ok(first),
-        }
+    /// The first element of this name, as other readers take it, if there is one.
+    pub(crate) fn child(self, name: &str) -> Option<Element<'f>> {
+        self.children(name).next()
     }
 
     pub(crate) fn needed_child(self, name: &str) -> Result<Element<'f>, UrdfError> {
-        self.child(name)?.ok_or_else(|| self.missing(format!("<{name}>")))
+        self.child(name).ok_or_else(|| self.missing(format!("<{name}>")))
     }
 
     pub(crate) fn text(self, attribute: &str) -> Result<&'f str, UrdfError> {

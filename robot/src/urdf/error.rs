@@ -79,11 +79,6 @@ errors! {
         /// An axis without a direction.
         Axis { line: u32 = "The line of the axis.", joint: String = "The joint.", axis: [f64; 3] = "The axis." }
             => "line {line}: <joint name={joint:?}>: the axis {axis:?} has no direction";
-        /// Limits that are not in order.
-        Limits {
-            line: u32 = "The line of the limits.", joint: String = "The joint.", limits: [f64; 2] = "The lower and the upper one."
-        }
-            => "line {line}: <joint name={joint:?}>: the lower limit {} is above the upper limit {}", limits[0], limits[1];
         /// Joints that mimic each other in a circle, or a joint that has not one value.
         Mimic { line: u32 = "The line of `<mimic>`.", joint: String = "The joint.", other: String = "What it should mimic." }
             => "line {line}: <joint name={joint:?}> cannot mimic {other:?}: both must have one value, and no circle";

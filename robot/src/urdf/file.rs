@@ -116,7 +116,7 @@ impl JointElement {
             Name::of(end, "link")
         };
         let (parent, child) = (end("parent")?, end("child")?);
-        let [xyz, rpy] = match joint.child("origin")? {
+        let [xyz, rpy] = match joint.child("origin") {
             None => [[0.0; 3]; 2],
             Some(origin) => placement(origin, warnings)?,
         };
@@ -129,9 +129,9 @@ impl JointElement {
         }
         let limits = if has_limits { limits(joint, unsaid, warnings)? } else { None };
         // What does not say where links are, is no error: of two there is none.
-        let drive = joint.child("limit").ok().flatten().map_or(Drive::FREE, Drive::of);
+        let drive = joint.child("limit").map_or(Drive::FREE, Drive::of);
         let mut mimic = None;
-        if let Some(element) = joint.child("mimic")? {
+        if let Some(element) = joint.child("mimic") {
             // Who locks a joint leaves its other elements as they are.
             if kind == JointKind::Fixed {
                 warnings.push(element.warning("a fixed joint mimics nothing"));
@@ -184,7 +184,7 @@ fn placement(
 
 /// The direction of an axis, of length 1: files have axes of any length.
 fn axis(joint: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<[f64; 3], UrdfError> {
-    let Some(element) = joint.child("axis")? else { return Ok([1.0, 0.0, 0.0]) };
+    let Some(element) = joint.child("axis") else { return Ok([1.0, 0.0, 0.0]) };
     element.check(&AXIS, warnings)?;
     element.text("xyz")?;
     let axis: [f64; 3] = element.numbers("xyz")?.unwrap_or_default();
@@ -204,7 +204,7 @@ fn limits(
     warnings: &mut Vec<UrdfWarning>,
 ) -> Result<Option<[f64; 2]>, UrdfError> {
     let name = joint.text("name")?.to_owned();
-    let Some(limit) = joint.child("limit")? else {
+    let Some(limit) = joint.child("limit") else {
         return Err(UrdfError::NoLimit { line: joint.line(), joint: name });
     };
     limit.check(&LIMIT, warnings)?;
@@ -217,9 +217,15 @@ fn limits(
     };
     let lower = bound("lower", least, &["-inf", "-infinity"])?;
     let upper = bound("upper", most, &["inf", "+inf", "infinity", "+infinity"])?;
-    if lower > upper {
-        return Err(UrdfError::Limits { line: limit.line(), joint: name, limits: [lower, upper] });
-    }
+    let [lower, upper] = if lower > upper {
+        let text = format!(
+            "the lower limit {lower} is above the upper limit {upper}: they are read the other way round"
+        );
+        warnings.push(limit.warning(text));
+        [upper, lower]
+    } else {
+        [lower, upper]
+    };
     let endless = lower == f64::NEG_INFINITY && upper == f64::INFINITY;
     Ok((!endless).then_some([lower, upper]))
 }

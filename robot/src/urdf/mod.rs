@@ -61,6 +61,9 @@
 //! and text. So are the soft limits of `<safety_controller>`: a controller begins to brake there, but joints may be
 //! beyond them, as far as `<limit>` says.
 //!
+//! Of elements of which a joint has one, the first counts, limits in the wrong order are exchanged, and left-overs of xacro and
+//! loops of joints are passed over, as by other readers; each is reported.
+//!
 //! What may be a misspelt part of what is read stays an error, because a limit that is not read would be none: names that
 //! differ from those above, where they may stand, in case, in the order of their letters, or in one letter (lost, added,
 //! changed, or exchanged with its neighbour; two in names of more than five letters). So are names that clearly say

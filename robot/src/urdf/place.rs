@@ -13,22 +13,19 @@ pub(crate) struct Place {
     pub(crate) unread: &'static str,
     /// Parts of the format that say nothing about places: nobody needs to be told that they are not read.
     pub(crate) known: &'static str,
+    /// Whether there is one element of each name, of which others count the first.
+    pub(crate) once: bool,
     /// Whether it has numbers, which text in it may be meant to be.
     pub(crate) numbers: bool,
 }
 
 const NOTHING: Place =
-    Place { attributes: "", elements: "", unread: "", known: "", numbers: false };
+    Place { attributes: "", elements: "", unread: "", known: "", once: false, numbers: false };
 const NUMBERS: Place = Place { numbers: true, ..NOTHING };
 
-/// A loop would tie the values of joints to each other.
-pub(crate) const ROBOT: Place = Place {
-    attributes: "version",
-    elements: "link joint",
-    unread: "loop_joint",
-    known: "name material",
-    ..NOTHING
-};
+/// A `<loop_joint>` would tie the values of joints to each other; a tree of links stands without it.
+pub(crate) const ROBOT: Place =
+    Place { attributes: "version", elements: "link joint", known: "name material", ..NOTHING };
 
 pub(crate) const LINK: Place = Place {
     attributes: "name",
@@ -40,7 +37,7 @@ pub(crate) const LINK: Place = Place {
 const PARTS: &str = "origin parent child axis limit mimic";
 
 pub(crate) const JOINT: Place =
-    Place { attributes: "name type", elements: PARTS, known: "dynamics", ..NOTHING };
+    Place { attributes: "name type", elements: PARTS, known: "dynamics", once: true, ..NOTHING };
 
 /// `<parent>` and `<child>`.
 pub(crate) const END: Place = Place { attributes: "link", unread: PARTS, ..NUMBERS };

@@ -24,7 +24,6 @@ const MISSPELT: &str = r#"
 <link | <jiont/><link | 3: <jiont>: such an element is unknown here; is "joint" meant?
 <link | <Joint/><link | 3: <Joint>: such an element is unknown here; is "joint" meant?
 <link | <lnk name="x"/><link | 3: <lnk name="x">: such an element is unknown here; is "link" meant?
-<link | <loop_joint/><link | 3: <loop_joint>: such an element is unknown here
 <link name="base"/> | <link name="base"><joint/></link> | 3: <joint> of <link name="base">: such an element is unknown here
 <link name="base"/> | <link name="base"><link name="x"/></link> | 3: <link name="x">: such an element is unknown here
 <child link="tip"/> | <child link="tip"><origin/></child> | 8: <origin> of <child> of <joint name="hinge">: such an element is unknown here
@@ -57,7 +56,6 @@ revolute | Revolute | 6: <joint name="hinge">: the type "Revolute" is unknown
  xyz="0 0 1" |  | 10: <axis> of <joint name="hinge">: the attribute "xyz" is missing
 <parent link="base"/> |  | 6: <joint name="hinge">: <parent> is missing
  name="base" |  | 3: <link>: the attribute "name" is missing
-<axis | <axis xyz="1 0 0"/>⏎<axis | 11: <axis> of <joint name="hinge">: there is one before it
 <limit lower="-2" upper="2" effort="9" velocity="3"/> |  | 6: <joint name="hinge">: a revolute or prismatic joint must have a <limit>
 <limit lower="-3" upper="5"/> |  | 13: <joint name="slide">: a revolute or prismatic joint must have a <limit>
 0.1 0.2 0.3 | 1 2 x 3 | 9: <origin> of <joint name="hinge">: xyz="1 2 x 3" where 3 numbers must be
@@ -87,7 +85,6 @@ const NO_ROBOT: &str = r#"
 <link name="end"/> | <link name="tip"/> | line 5: two <link> have the name "tip", the first is on line 4
 <joint name="slide" | <joint name="hinge" | line 13: two <joint> have the name "hinge", the first is on line 6
 xyz="0 0 1" | xyz="0 0 0" | line 10: <joint name="hinge">: the axis [0.0, 0.0, 0.0] has no direction
-lower="-2" | lower="3" | line 11: <joint name="hinge">: the lower limit 3 is above the upper limit 2
 <mimic joint="hinge" | <mimic joint="ghost" | line 17: <joint name="slide">: there is no mimic joint "ghost"
 <mimic joint="hinge" | <mimic joint="slide" | line 17: <joint name="slide"> cannot mimic "slide": both must have one value, and no circle
 <axis | <mimic joint="slide"/><axis | line 10: <joint name="hinge"> cannot mimic "slide": both must have one value, and no circle
@@ -97,10 +94,7 @@ type="prismatic" | type="floating" | line 17: <joint name="slide"> cannot mimic 
 0.1 0.2 0.3 | 1.7e308 1.7e308 1.7e308 | line 6: <joint name="hinge">: the translation of joint 1 is not finite
 revolute | spherical | cannot be expressed: line 6: <joint name="hinge"> of type "spherical"
 rpy="0.4 -0.5 0.6" | quat_xyzw="0 0 0 1" | cannot be expressed: line 9: the attribute quat_xyzw in <origin> of <joint name="hinge">: write rpy
-<robot | <robot version="2.0" | cannot be expressed: line 2: version "2.0" of the format
-<link | <xacro:include filename="x"/><link | cannot be expressed: line 3: an element of xacro: expand the file first
-<axis | <xacro:arm xmlns:xacro="http://www.ros.org/wiki/xacro"/><axis | cannot be expressed: line 10: an element of xacro: expand the file first
-<axis | <x:arm xmlns:x="http://www.ros.org/wiki/xacro"/><axis | cannot be expressed: line 10: an element of xacro: expand the file first"#;
+<robot | <robot version="2.0" | cannot be expressed: line 2: version "2.0" of the format"#;
 
 #[test]
 fn errors_name_the_line_the_element_and_what_is_wrong_with_it() {

@@ -1,7 +1,7 @@
 //! What says nothing about places is not read and reported.
 
 use super::{FILE, changed_to, rows, stands};
-use dq8_robot::urdf::UrdfWarning;
+use dq8_robot::urdf::{Robot, UrdfWarning};
 
 fn lines(warnings: &[UrdfWarning]) -> Vec<u32> {
     warnings.iter().map(|warning| warning.line).collect()
@@ -85,4 +85,63 @@ fn fixed_joints_that_mimic_stay_fixed() {
         let wanted = r#"line 17: <mimic> of <joint name="slide">: a fixed joint mimics nothing"#;
         assert_eq!(robot.warnings()[0].to_string(), wanted);
     }
+}
+
+/// Left-overs of xacro and of other programs, elements that are there twice, and ends of a range in the wrong order, which
+/// the files of real robots have: the first of the elements counts, as for other readers.
+#[test]
+fn what_other_readers_pass_over_is_reported_and_the_links_stand_where_they_do() {
+    let values = [0.7];
+    let tip = |robot: &Robot| robot.mechanism().link_pose(&values, 1).unwrap();
+    let sound = Robot::from_urdf(FILE).unwrap();
+    for (from, to, line, words) in [
+        ("<link", r#"<xacro:include filename="x"/><link"#, 3, "an element of xacro is not read"),
+        (
+            "<axis",
+            r#"<xacro:arm xmlns:xacro="http://www.ros.org/wiki/xacro"/><axis"#,
+            10,
+            "an element of xacro",
+        ),
+        (
+            "<link",
+            r#"<xacro:property name="x" value="1"/><link"#,
+            3,
+            "an element of xacro is not read",
+        ),
+        (
+            "<link",
+            r#"<loop_joint name="l" type="revolute"><link1 link="tip"/></loop_joint><link"#,
+            3,
+            "is not read here",
+        ),
+        (
+            r#"<axis xyz="0 0 1"/>"#,
+            "<axis xyz=\"0 0 1\"/>\n<axis xyz=\"1 0 0\"/>",
+            11,
+            "there is one before it",
+        ),
+        (
+            "<limit lower=\"-2\"",
+            "<limit lower=\"-2\" upper=\"2\"/>\n<limit lower=\"-9\"",
+            12,
+            "there is one before it",
+        ),
+        (
+            r#"<parent link="base"/>"#,
+            "<parent link=\"base\"/>\n<parent link=\"end\"/>",
+            8,
+            "there is one before it",
+        ),
+        (r#"lower="-2" upper="2""#, r#"lower="2" upper="-2""#, 11, "the other way round"),
+    ] {
+        let robot =
+            Robot::from_urdf(&changed_to(from, to)).unwrap_or_else(|error| panic!("{to}: {error}"));
+        let [warning] = robot.warnings() else { panic!("{to}: {:?}", robot.warnings()) };
+        assert!(warning.line == line && warning.text.contains(words), "{to}: {warning}");
+        assert_eq!(tip(&robot), tip(&sound), "{to}");
+        assert_eq!(robot.value_limits(), sound.value_limits(), "{to}");
+    }
+    // What mimics nothing has no place.
+    Robot::from_urdf(&changed_to(r#"<mimic joint="hinge""#, r#"<mimic joint="ghost""#))
+        .unwrap_err();
 }
