@@ -6,7 +6,8 @@ const multiply = ([a, b, c, d], [x, y, z, w]) => [d * x + a * w + b * z - c * y,
 
 export function bvh(text) {
   const words = [];
-  text.split(/\r?\n/).forEach((line, i) => { for (const word of line.trim().split(/\s+/)) if (word) words.push([word, i + 1]); });
+  // A byte 0x1A at the end, and no space behind a colon, are in files of well-known programs.
+  text.replace(/[\x1a\0\s]+$/, "").split(/\r?\n/).forEach((line, i) => { line = line.replace(/^(\s*(?:frames|frame time):)/i, "$1 "); for (const word of line.trim().split(/\s+/)) if (word) words.push([word, i + 1]); });
   let next = 0;
   const wrong = (what) => { const [word, line] = words[Math.min(next, words.length) - 1] ?? ["nothing", 1]; throw new Error(`line ${line}: ${what}, not ${word.slice(0, 40)}`); };
   const take = () => { if (next >= words.length) throw new Error(`line ${words.at(-1)?.[1] ?? 1}: the file ends too early`); return words[next++][0]; };
@@ -14,7 +15,10 @@ export function bvh(text) {
   const number = () => { const x = Number(take()); if (!Number.isFinite(x)) wrong("a number is expected"); return x; };
   const joints = [], CHANNEL = /^([XYZ])(position|rotation)$/i;
   function joint(parent) {
-    const name = take(), own = { name, parent, offset: [0, 0, 0], channels: [] }, index = joints.push(own) - 1;
+    // A name may have spaces, up to the end of its line.
+    const parts = [take()], line = words[next - 1][1];
+    while (words[next]?.[1] === line && words[next][0] !== "{") parts.push(take());
+    const name = parts.join(" "), own = { name, parent, offset: [0, 0, 0], channels: [] }, index = joints.push(own) - 1;
     expect("{");
     for (;;) {
       const word = take().toUpperCase();
@@ -46,8 +50,10 @@ export function bvh(text) {
     keys.set([...q, ...t], to);
     to += 7;
   }
-  if (next < words.length) { next++; wrong("the end is expected"); }
-  return { parents: joints.map(({ parent }) => parent), keys: frames > 1 ? keys : Float32Array.of(...keys, ...keys), seconds, what: `${joints.length} joints, ${frames} frames` };
+  const more = words.length - next, one = joints.reduce((sum, { channels }) => sum + channels.length, 0);
+  if (more > 0 && more !== one) { next++; wrong("the end is expected"); }
+  const left = more > 0 ? "; a frame more than it says is left out" : "";
+  return { parents: joints.map(({ parent }) => parent), keys: frames > 1 ? keys : Float32Array.of(...keys, ...keys), seconds, what: `${joints.length} joints, ${frames} frames${left}` };
 }
 
 const ARRAYS = { 5120: Int8Array, 5121: Uint8Array, 5122: Int16Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array }, WIDTHS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
@@ -83,9 +89,15 @@ export function glb(buffer) {
     const { scale, matrix, name } = nodes[i];
     if (matrix || (scale ?? []).some((s) => Math.abs(s - 1) > 1e-3)) fail(`node ${i}${name ? ` (${name})` : ""}`, "scales or is a matrix: only rigid joints play here");
   }
-  const tracks = new Map(), animation = json.animations?.[0];
+  // What is in the file and not played is said.
+  const left = new Set(), tracks = new Map(), animation = json.animations?.[0];
+  if (json.animations?.length > 1) left.add(`${json.animations.length - 1} more animations`);
+  if (json.skins.length > 1) left.add(`${json.skins.length - 1} more skins`);
   let end = 0;
   animation?.channels.forEach(({ target, sampler }, c) => {
+    if (target.path === "weights") left.add("morph targets");
+    else if (target.path === "scale" && order.includes(target.node)) left.add("scale");
+    else if (target.node !== undefined && !order.includes(target.node)) left.add("what moves no joint");
     if (!order.includes(target.node) || !["rotation", "translation"].includes(target.path)) return;
     const { input, output, interpolation = "LINEAR" } = animation.samplers[sampler], times = read(input, `channel ${c}`), cubic = interpolation === "CUBICSPLINE";
     end = Math.max(end, times.at(-1));
@@ -96,7 +108,13 @@ export function glb(buffer) {
     const track = tracks.get(`${node} ${path}`);
     if (!track) return rest;
     const { times, values, step, cubic } = track, after = times.findIndex((t) => t > time), i = after < 0 ? times.length - 1 : Math.max(0, after - 1), j = Math.min(i + 1, times.length - 1);
-    const of = (k) => Array.from(values.subarray(cubic ? width * (3 * k + 1) : width * k, cubic ? width * (3 * k + 2) : width * (k + 1))), a = of(i), b = of(j), s = step || i === j ? 0 : Math.max(0, (time - times[i]) / (times[j] - times[i]));
+    // Of a cubic spline each key is a tangent in, the value, and a tangent out, for a second.
+    const of = (k, part = 1) => Array.from(cubic ? values.subarray(width * (3 * k + part), width * (3 * k + part + 1)) : values.subarray(width * k, width * (k + 1)));
+    const a = of(i), b = of(j), span = times[j] - times[i], s = step || i === j ? 0 : Math.max(0, (time - times[i]) / span);
+    if (cubic) {
+      const out = of(i, 2), into = of(j, 0), s2 = s * s, s3 = s2 * s;
+      return a.map((x, k) => (2 * s3 - 3 * s2 + 1) * x + (s3 - 2 * s2 + s) * span * out[k] + (3 * s2 - 2 * s3) * b[k] + (s3 - s2) * span * into[k]);
+    }
     const sign = width === 4 && a.reduce((sum, x, k) => sum + x * b[k], 0) < 0 ? -1 : 1;
     return a.map((x, k) => (1 - s) * x + sign * s * b[k]);
   };
@@ -105,7 +123,10 @@ export function glb(buffer) {
     keys.set([...unit(sample(node, "rotation", 4, rotation, f / RATE)), ...sample(node, "translation", 3, translation, f / RATE)], 7 * (f * order.length + j));
   });
   const made = { parents: order.map((node) => order.indexOf(up.get(node) ?? -1)), keys, seconds: 1 / RATE };
-  const node = nodes.find((node) => node.skin === 0 && node.mesh !== undefined), part = json.meshes?.[node?.mesh]?.primitives.find(({ attributes }) => attributes.JOINTS_0 !== undefined);
+  const node = nodes.find((node) => node.skin === 0 && node.mesh !== undefined), skinned = json.meshes?.[node?.mesh]?.primitives.filter(({ attributes }) => attributes.JOINTS_0 !== undefined) ?? [], [part] = skinned;
+  if (skinned.length > 1) left.add(`${skinned.length - 1} more parts of the mesh`);
+  if (part?.attributes.JOINTS_1 !== undefined) left.add("all but four joints of a vertex");
+  if (part?.targets) left.add("morph targets");
   if (part) {
     const { POSITION, JOINTS_0, WEIGHTS_0 } = part.attributes, rest = Float32Array.from(read(POSITION, "POSITION")), weights = Float32Array.from(read(WEIGHTS_0, "WEIGHTS_0"));
     const joints = Array.from(read(JOINTS_0, "JOINTS_0"), (joint) => order.indexOf(skin.joints[joint])), binds = Array.from({ length: 16 * skin.joints.length }, (_, i) => (i % 5 === 0 ? 1 : 0));
@@ -114,7 +135,7 @@ export function glb(buffer) {
     skin.joints.forEach((joint, k) => poses.set([...rotation(inverse.slice(16 * k, 16 * k + 16), k, fail), ...inverse.slice(16 * k + 12, 16 * k + 15)], 7 * order.indexOf(joint)));
     made.mesh = { rest, joints, weights, inverseBinds: poses, indices: part.indices === undefined ? Uint32Array.from({ length: rest.length / 3 }, (_, i) => i) : Uint32Array.from(read(part.indices, "indices")) };
   }
-  made.what = `${order.length} joints, ${frames} frames at ${RATE} a second${part ? `, ${made.mesh.rest.length / 3} vertices` : ""}`;
+  made.what = `${order.length} joints, ${frames} frames at ${RATE} a second${part ? `, ${made.mesh.rest.length / 3} vertices` : ""}${left.size ? `; not played: ${[...left].join(", ")}` : ""}`;
   return made;
 }
 
