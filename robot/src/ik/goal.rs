@@ -112,3 +112,11 @@ impl<R: Real> Goal<R> {
         a == b && b == c && x == y && y == z
     }
 }
+
+/// One goal, where many may stand.
+#[cfg(feature = "alloc")]
+impl<R> From<Goal<R>> for alloc::vec::Vec<Goal<R>> {
+    fn from(goal: Goal<R>) -> Self {
+        alloc::vec![goal]
+    }
+}

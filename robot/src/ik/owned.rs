@@ -5,6 +5,7 @@ use super::job::ReachJob;
 use super::problem::{Facts, Reach};
 use super::report::{Options, Report};
 use crate::mechanism::owned::OwnedMechanism;
+use crate::mechanism::tree::Mechanism;
 use alloc::vec;
 use alloc::vec::Vec;
 use dq8::{DualQuat, Real, Scalar, ShapeError, Twist};
@@ -55,6 +56,12 @@ impl<R: Real> OwnedReach<R> {
         Ok(Self { mechanism, goals, freedoms, moving, posture, facts, scratch })
     }
 
+    /// The mechanism.
+    #[must_use]
+    pub fn mechanism(&self) -> Mechanism<'_, R> {
+        self.mechanism.view()
+    }
+
     /// See [`Reach::with_posture`].
     ///
     /// # Errors
@@ -99,6 +106,19 @@ where
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
         self.with_scratch(|reach, scratch| reach.solve(targets, values, scratch, options))
+    }
+
+    /// See [`Reach::follow`], likewise.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn follow(
+        &mut self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R>, ShapeError> {
+        self.with_scratch(|reach, scratch| reach.follow(targets, values, scratch, options))
     }
 
     /// See [`Reach::track`], likewise.

@@ -139,7 +139,8 @@ impl Robot {
         &self.joints
     }
 
-    /// How fast and how hard each joint may move.
+    /// The greatest speed and effort of each joint: one for each link, 0 the root, which does not move.
+    /// [`value_drives`](Self::value_drives) has those of values.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -154,6 +155,30 @@ impl Robot {
     #[must_use]
     pub fn drives(&self) -> &[Drive] {
         &self.drives
+    }
+
+    /// The greatest speed and effort of each value of a configuration, in the order of [`value_limits`](Self::value_limits):
+    /// that of its joint. The seven of a floating joint have what is written for that.
+    ///
+    /// ```
+    /// # use dq8_robot::urdf::Robot;
+    /// let robot = Robot::from_urdf(
+    ///     "<robot name='door'><link name='wall'/><link name='door'/><joint name='hinge' type='revolute'>
+    ///      <parent link='wall'/><child link='door'/><limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
+    /// )?;
+    /// assert_eq!(robot.value_drives()[0].velocity, 1.5); // of the first value
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn value_drives(&self) -> Vec<Drive> {
+        let view = self.mechanism.view();
+        let mut drives = vec![Drive::FREE; view.values()];
+        for (joint, (from, &drive)) in self.joints.iter().zip(&self.drives).enumerate() {
+            if let (None, Some(range)) = (from.mimic, view.values_of(joint)) {
+                drives.get_mut(range).unwrap_or_default().fill(drive);
+            }
+        }
+        drives
     }
 
     /// The names of the links: link j of the mechanism.

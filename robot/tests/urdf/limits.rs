@@ -146,3 +146,14 @@ fn limits_of_what_mimics_are_those_of_the_value_where_they_leave_a_range_and_a_w
     let wider = hand(r#"multiplier="0.5""#, r#"lower="-1" upper="1""#);
     assert_eq!((wider.value_limits(), wider.warnings()), (vec![Some([0.0, 0.8])], &[][..]));
 }
+
+/// Joints are counted with the root, values without, and a joint that mimics has none.
+#[test]
+fn drives_of_values_are_those_of_their_joints() {
+    let robot = Robot::from_urdf(super::FILE).unwrap();
+    let drives: Vec<_> = robot.value_drives();
+    assert_eq!((drives.len(), drives[0].velocity, drives[0].effort), (1, 3.0, 9.0));
+    let body = robot.floating().unwrap();
+    let drives = body.value_drives();
+    assert_eq!((drives.len(), drives[6], drives[7].velocity), (8, Drive::FREE, 3.0));
+}

@@ -24,3 +24,16 @@ fn a_problem_that_owns_its_memory_asks_the_same() {
         assert!(matches!(refused, ReachError::NoGoals));
     }
 }
+
+#[test]
+fn a_problem_that_owns_its_memory_follows_one_goal_as_the_borrowed_one_does() {
+    let mut owned = OwnedReach::new(mechanism::<f64>(&seven()), Goal::pose(7)).expect("a problem");
+    let target = owned.mechanism().link_pose(&super::THERE, 7).expect("a link");
+    let options = dq8_robot::ik::Options { restarts: true, ..Default::default() };
+    let (mut values, mut others) = (super::START, super::START);
+    let report = owned.follow(&[target], &mut values, &options).expect("lengths fit");
+    let mut scratch = vec![f64::NAN; owned.view().scratch_len()];
+    let other = owned.view().follow(&[target], &mut others, &mut scratch, &options);
+    assert_eq!((Ok(report), values), (other, others));
+    assert_eq!(report.restarts, 0);
+}
