@@ -1,4 +1,4 @@
-//! Clips and skins: the same bits for many at once, one by one, and in blocks of any width.
+//! Jobs, of which clips and skins are here: the same bits for many at once, one by one, and in blocks of any width.
 
 use super::Findings;
 use dq8::hierarchy::{Clip, Sampled};
@@ -12,12 +12,14 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 /// Ways to compute the same numbers, and the bits of what they give.
-type Entries = Vec<(&'static str, Vec<u64>)>;
+pub(crate) type Entries = Vec<(&'static str, Vec<u64>)>;
 
-pub(crate) fn round<R>(random: &mut Random, seed: u64, findings: &mut Findings)
+/// Blocks have 4, 8 and `W` lanes.
+pub(crate) fn round<R, const W: usize>(random: &mut Random, seed: u64, findings: &mut Findings)
 where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
+    [R; W]: Row<Real = R>,
     R: Scalar,
 {
     let state = random.0;
@@ -26,11 +28,14 @@ where
     for backend in backends() {
         // The same numbers for each.
         random.0 = state;
-        let mut scene = Scene::<R> { random, backend, real: PhantomData };
+        let mut scene = Scene::<R, W> { random, backend, real: PhantomData };
         let jobs = [
             ("clip, NLERP", scene.clip(Nlerp)),
             ("clip, ScLERP", scene.clip(Sclerp)),
             ("skin", scene.skin()),
+            ("skeleton", scene.skeleton()),
+            ("packed clip", scene.packed()),
+            ("product", scene.slices()),
         ];
         let mut find = |job: &str, other: &str, got: &[u64], wanted: &[u64]| {
             assert_eq!(got.len(), wanted.len());
@@ -60,50 +65,60 @@ where
     }
 }
 
-fn backends() -> impl Iterator<Item = Backend> {
+/// With the feature `reproducible`, each without fused instructions too.
+pub(crate) fn backends() -> impl Iterator<Item = Backend> {
     #[cfg(feature = "reproducible")]
-    return Backend::available().chain([Backend::reproducible()]);
+    return Backend::available().flat_map(|backend| [backend, backend.unfused()]);
     #[cfg(not(feature = "reproducible"))]
     return Backend::available();
 }
 
 /// Whether products are fused with sums, so that only such backends have the same bits.
-fn fuses(backend: Backend) -> bool {
+pub(crate) fn fuses(backend: Backend) -> bool {
     let portable = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
     let unfused = backend.to_string().ends_with("unfused");
     !unfused && (portable || backend != Backend::PORTABLE)
 }
 
-struct Scene<'r, R> {
-    random: &'r mut Random,
-    backend: Backend,
+pub(crate) struct Scene<'r, R, const W: usize> {
+    pub(crate) random: &'r mut Random,
+    pub(crate) backend: Backend,
     real: PhantomData<R>,
 }
 
-impl<R> Scene<'_, R>
+impl<R, const W: usize> Scene<'_, R, W>
 where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
+    [R; W]: Row<Real = R>,
     R: Scalar,
 {
     /// An ordinary number, and seldom one of any bits.
-    fn number(&mut self) -> R {
+    pub(crate) fn number(&mut self) -> R {
         from(self.random.number(R::SINGLE, 0.01))
     }
 
-    /// Unit; seldom with numbers of any bits, and half a turn from others, so that they are at right angles.
+    /// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as joints do, often by half a
+    /// turn, so that motions are at right angles, and has zeros of both signs.
     fn motion(&mut self) -> DualQuat<R> {
-        if self.random.below(8) == 0 {
-            let mut axis = [R::ZERO; 3];
-            axis[self.random.below(3)] = R::ONE;
-            return DualQuat::from_rotation(Quat::from_parts(axis, R::ZERO));
+        if self.random.below(3) == 0 {
+            let turns = [[0.8, -0.6], [-0.96, -0.28], [0.0, 1.0], [1.0, 0.0], [1.0, 0.0]];
+            let ([sine, cosine], axis) = (self.random.one_of(&turns), self.random.below(3));
+            let turn = std::array::from_fn(|i| if i == axis { from(sine) } else { R::ZERO });
+            let way = [(); 3].map(|()| from(self.random.one_of(&[0.0, 0.0, 1.0, -0.5])));
+            let turn = Quat::from_parts(turn, from(cosine));
+            let motion = DualQuat::from_rotation_translation(turn, way);
+            return DualQuat::from_array(motion.to_array().map(|number| {
+                let negative = number == R::ZERO && self.random.below(2) == 0;
+                if negative { -R::ZERO } else { number }
+            }));
         }
         let motion = self.random.motion(2.0).to_array().map(from);
         let hostile = self.random.below(16) == 0;
         DualQuat::from_array(motion.map(|number| if hostile { self.number() } else { number }))
     }
 
-    fn motions(&mut self, count: usize) -> Vec<DualQuat<R>> {
+    pub(crate) fn motions(&mut self, count: usize) -> Vec<DualQuat<R>> {
         (0..count).map(|_| self.motion()).collect()
     }
 
@@ -214,10 +229,10 @@ fn from<R: Scalar>(number: f64) -> R {
     <R as dq8::Real>::from_f64(number)
 }
 
-fn of_numbers<R: Scalar>(numbers: &[R]) -> Vec<u64> {
+pub(crate) fn of_numbers<R: Scalar>(numbers: &[R]) -> Vec<u64> {
     numbers.iter().map(|&number| bits(number.into())).collect()
 }
 
-fn of_motions<R: Scalar>(motions: &[DualQuat<R>]) -> Vec<u64> {
+pub(crate) fn of_motions<R: Scalar>(motions: &[DualQuat<R>]) -> Vec<u64> {
     motions.iter().flat_map(|motion| motion.to_array()).map(|number| bits(number.into())).collect()
 }
