@@ -141,13 +141,16 @@ where
         }
         let mut four = Crowd::<R, 4>::new(joints, instances);
         let mut eight = Crowd::<R, 8>::new(joints, instances);
+        let mut other = Crowd::<R, W>::new(joints, instances);
         tree.job().backend(backend).locals_to_model(all, four.blocks_mut()).unwrap();
         tree.job().backend(backend).locals_to_model(all, eight.blocks_mut()).unwrap();
+        tree.job().backend(backend).locals_to_model(all, other.blocks_mut()).unwrap();
         vec![
             vec![("together", of_motions(&together)), ("one by one", of_motions(&alone))],
             vec![
                 ("blocks of 4", of_motions(&four.to_vec())),
                 ("blocks of 8", of_motions(&eight.to_vec())),
+                ("blocks of another width", of_motions(&other.to_vec())),
             ],
         ]
     }
@@ -166,7 +169,7 @@ where
         let matrices: Vec<_> = motions.iter().map(|motion| motion.to_matrix3x4()).collect();
         let rest: Vec<[R; 3]> = (0..vertices).map(|_| [(); 3].map(|()| self.number())).collect();
         let mesh = Mesh { backend: self.backend, joints, influences, who, weights, rest };
-        vec![mesh.entries(Linear::new(&matrices)), mesh.entries(DualBlend::new(&motions))]
+        vec![mesh.entries::<W>(Linear::new(&matrices)), mesh.entries::<W>(DualBlend::new(&motions))]
     }
 }
 
@@ -184,7 +187,10 @@ where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
 {
-    fn entries(&self, blend: impl Blender<R>) -> Entries {
+    fn entries<const W: usize>(&self, blend: impl Blender<R>) -> Entries
+    where
+        [R; W]: Row<Real = R>,
+    {
         let skin = Skin::new(self.joints, self.influences, &self.who, &self.weights).unwrap();
         let mut together = self.rest.clone();
         let (rest, posed) = (Surface::positions(&self.rest), SurfaceMut::positions(&mut together));
@@ -203,6 +209,7 @@ where
             ("one by one", of_numbers(alone.as_flattened())),
             ("blocks of 4", self.in_blocks::<4>(&skin, blend)),
             ("blocks of 8", self.in_blocks::<8>(&skin, blend)),
+            ("blocks of another width", self.in_blocks::<W>(&skin, blend)),
         ]
     }
 
