@@ -5,11 +5,12 @@
 
 use dq8::simd::Row;
 use dq8::storage::{Block, Element};
-use dq8::{Backend, Crowd, DualQuat, Quat, Scalar, Twist};
+use dq8::{Backend, Crowd, DualQuat, Scalar, Twist};
 use dq8_fixtures::fuzz;
 use dq8_fixtures::random::{Random, bits};
 use dq8_robot::ik::{Options, OwnedReach, Report, SixAxisArm, Solutions};
 use dq8_robot::{Goal, Joint, JointValues, OwnedMechanism, World};
+use std::iter::once;
 use std::ops::Range;
 
 /// Ways to compute the same numbers, and the bits of what they give.
@@ -23,29 +24,15 @@ fn number<R: Scalar>(random: &mut Random) -> R {
     from(random.number(R::SINGLE, 0.01))
 }
 
-/// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as placements do, often by half a
-/// turn, so that motions are at right angles, and has zeros of both signs.
+/// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as placements do, so that motions are
+/// at right angles, and has zeros of both signs.
 fn motion<R: Scalar>(random: &mut Random) -> DualQuat<R> {
     if random.below(3) == 0 {
-        return turned(random);
+        return random.turned();
     }
     let motion = random.motion(2.0).to_array();
     let hostile = random.below(16) == 0;
     DualQuat::from_array(motion.map(|of| if hostile { number(random) } else { from(of) }))
-}
-
-/// A turn about a coordinate axis, then a translation; zeros of both signs.
-fn turned<R: Scalar>(random: &mut Random) -> DualQuat<R> {
-    let turns = [[0.8, -0.6], [-0.96, -0.28], [0.0, 1.0], [1.0, 0.0], [1.0, 0.0]];
-    let ([sine, cosine], axis) = (random.one_of(&turns), random.below(3));
-    let turn = core::array::from_fn(|i| if i == axis { from(sine) } else { R::ZERO });
-    let way = [(); 3].map(|()| from(random.one_of(&[0.0, 0.0, 1.0, -0.5])));
-    let turn = Quat::from_parts(turn, from(cosine));
-    let motion = DualQuat::from_rotation_translation(turn, way);
-    DualQuat::from_array(motion.to_array().map(|number| {
-        let negative = number == R::ZERO && random.below(2) == 0;
-        if negative { -R::ZERO } else { number }
-    }))
 }
 
 /// Where a joint is, and its axis: as drawings have it, or any.
@@ -53,7 +40,7 @@ fn place<R: Scalar>(random: &mut Random) -> (DualQuat<R>, [R; 3]) {
     if random.below(2) == 0 {
         return (random.motion(0.5).cast(), random.direction().map(from));
     }
-    let (at, along) = (turned(random), random.below(3));
+    let (at, along) = (random.turned(), random.below(3));
     (at, core::array::from_fn(|i| if i == along { R::ONE } else { -R::ZERO }))
 }
 
@@ -238,7 +225,7 @@ where
     let moving = Moving::<R>::new(random, backend);
     let (count, split) = (moving.count, random.below(moving.count + 1));
     vec![
-        ("together", moving.parts([0..count])),
+        ("together", moving.parts(once(0..count))),
         ("split", moving.parts([0..split, split..count])),
         ("one by one", moving.parts((0..count).map(|i| i..i + 1))),
         ("blocks of 4", moving.in_blocks::<4>()),

@@ -157,7 +157,6 @@ impl Backend {
     #[cfg(feature = "reproducible")]
     #[doc(hidden)]
     #[inline]
-    #[must_use]
     pub fn unfused(self) -> Self {
         let proof = match self.proof {
             #[cfg(any(target_arch = "aarch64", target_feature = "fma"))]

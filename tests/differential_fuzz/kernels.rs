@@ -5,7 +5,7 @@ use dq8::hierarchy::{Clip, Sampled};
 use dq8::law::{Law, Nlerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, pack, unpack};
-use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar};
+use dq8::{Backend, Crowd, DualQuat, Hierarchy, Scalar};
 use dq8_contract::random::{Random, bits};
 use dq8_simd::Row;
 use std::marker::PhantomData;
@@ -98,20 +98,11 @@ where
         from(self.random.number(R::SINGLE, 0.01))
     }
 
-    /// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as joints do, often by half a
-    /// turn, so that motions are at right angles, and has zeros of both signs.
+    /// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as joints do, so that motions are
+    /// at right angles, and has zeros of both signs.
     fn motion(&mut self) -> DualQuat<R> {
         if self.random.below(3) == 0 {
-            let turns = [[0.8, -0.6], [-0.96, -0.28], [0.0, 1.0], [1.0, 0.0], [1.0, 0.0]];
-            let ([sine, cosine], axis) = (self.random.one_of(&turns), self.random.below(3));
-            let turn = std::array::from_fn(|i| if i == axis { from(sine) } else { R::ZERO });
-            let way = [(); 3].map(|()| from(self.random.one_of(&[0.0, 0.0, 1.0, -0.5])));
-            let turn = Quat::from_parts(turn, from(cosine));
-            let motion = DualQuat::from_rotation_translation(turn, way);
-            return DualQuat::from_array(motion.to_array().map(|number| {
-                let negative = number == R::ZERO && self.random.below(2) == 0;
-                if negative { -R::ZERO } else { number }
-            }));
+            return self.random.turned();
         }
         let motion = self.random.motion(2.0).to_array().map(from);
         let hostile = self.random.below(16) == 0;

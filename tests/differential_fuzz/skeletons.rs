@@ -9,6 +9,7 @@ use dq8::law::{NlerpLerp, Sclerp};
 use dq8::storage::{Block, Element, pack, unpack};
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Scalar};
 use dq8_simd::Row;
+use std::iter::once;
 use std::num::NonZeroU32;
 use std::ops::Range;
 
@@ -73,7 +74,7 @@ where
     fn cuts(&self) -> [(&'static str, Vec<Range<usize>>); 3] {
         let count = self.roots.len();
         [
-            ("together", vec![0..count]),
+            ("together", once(0..count).collect()),
             ("split", vec![0..self.split, self.split..count]),
             ("one by one", (0..count).map(|i| i..i + 1).collect()),
         ]
@@ -92,7 +93,7 @@ where
             entries.push((cut, of_motions(&models)));
         }
         #[cfg(feature = "rayon")]
-        self.parts([0..self.roots.len()], |range, root| {
+        self.parts(once(0..self.roots.len()), |range, root| {
             let mut models = vec![DualQuat::IDENTITY; joints * range.len()];
             job.clone().threads(3).on(root).locals_to_model(locals(range), &mut models).unwrap();
             entries.push(("three threads", of_motions(&models)));
@@ -114,7 +115,7 @@ where
             });
             entries.push((cut, of_motions(&models)));
         }
-        self.parts([0..self.roots.len()], |_, root| {
+        self.parts(once(0..self.roots.len()), |_, root| {
             let mut models = vec![DualQuat::IDENTITY; locals.len()];
             let job = job.clone().on(root);
             job.clone().joints(..self.joint).local_to_model(locals, &mut models).unwrap();
@@ -130,7 +131,7 @@ where
         let job = self.tree.job().backend(self.backend).renormalize(self.renormalize);
         let mut entries = Entries::new();
         for (name, instances) in [("scratch of 1", 1), ("scratch of 3", 3), ("scratch of 16", 16)] {
-            self.parts([0..self.roots.len()], |_, root| {
+            self.parts(once(0..self.roots.len()), |_, root| {
                 let mut scratch = vec![DualQuat::IDENTITY; instances * joints];
                 let mut matrices = vec![[[R::ZERO; 4]; 3]; locals.len()];
                 let job = job.clone().on(root);
