@@ -133,15 +133,12 @@ impl<R: Scalar> Moving<R> {
         Self { robot, backend, count, values, rates, points, ends }
     }
 
-    /// Some of them, in plain slices.
-    fn plain(&self, range: Range<usize>) -> Moved
+    /// Configurations in plain slices, on so many threads where there are any.
+    fn plain(&self, values: &[R], rates: &[R], count: usize, threads: usize) -> Moved
     where
         R: JointValues<In<DualQuat<R>>>,
     {
-        let (view, count) = (self.robot.view(), range.len());
-        let (links, each) = (view.links(), view.rates());
-        let values = &self.values[range.start * view.values()..range.end * view.values()];
-        let rates = &self.rates[range.start * each..range.end * each];
+        let (links, each) = (self.robot.view().links(), self.robot.view().rates());
         let mut poses = vec![DualQuat::IDENTITY; count * links];
         let mut ends = vec![DualQuat::IDENTITY; count * 2];
         let mut twists = vec![[R::ZERO; 6]; count * links];
@@ -149,6 +146,10 @@ impl<R: Scalar> Moving<R> {
         let mut columns = vec![[R::ZERO; 6]; count * 2 * each];
         let mut places = vec![[R::ZERO; 3]; count * 2];
         let job = self.robot.job().backend(self.backend);
+        #[cfg(feature = "rayon")]
+        let job = job.threads(threads);
+        #[cfg(not(feature = "rayon"))]
+        let _ = threads;
         job.accelerations(values, rates, rates, &mut poses, &mut twists, &mut second).unwrap();
         job.points(&self.points, values, &mut places).unwrap();
         job.links(&self.ends).jacobians(World, values, &mut ends, &mut columns).unwrap();
@@ -169,10 +170,34 @@ impl<R: Scalar> Moving<R> {
     {
         let mut all = Moved::default();
         for range in parts {
-            let part = self.plain(range);
+            let count = range.len();
+            let of = |numbers: &[R]| {
+                let each = numbers.len() / self.count;
+                numbers[range.start * each..range.end * each].to_vec()
+            };
+            let part = self.plain(&of(&self.values), &of(&self.rates), count, 1);
             all.iter_mut().zip(part).for_each(|(all, part)| all.extend(part));
         }
         all.concat()
+    }
+
+    /// All again and again, as many as more than one thread takes; threads may part in the midst of a turn.
+    #[cfg(feature = "rayon")]
+    fn on_threads(&self) -> Vec<u64>
+    where
+        R: JointValues<In<DualQuat<R>>>,
+    {
+        let times = 6000_usize.div_ceil(self.count * self.robot.view().links());
+        let (values, rates) = (self.values.repeat(times), self.rates.repeat(times));
+        let all = self.plain(&values, &rates, times * self.count, 3);
+        all.map(|all| {
+            let length = all.len() / times;
+            let turn = |turn: usize| &all[turn * length..(turn + 1) * length];
+            // An odd one shows itself in place of the first.
+            let odd = (1..times).find(|&other| turn(other) != turn(0));
+            turn(odd.unwrap_or(0)).to_vec()
+        })
+        .concat()
     }
 
     fn in_blocks<const N: usize>(&self) -> Vec<u64>
@@ -224,14 +249,21 @@ where
 {
     let moving = Moving::<R>::new(random, backend);
     let (count, split) = (moving.count, random.below(moving.count + 1));
-    vec![
+    let entries = vec![
         ("together", moving.parts(once(0..count))),
         ("split", moving.parts([0..split, split..count])),
         ("one by one", moving.parts((0..count).map(|i| i..i + 1))),
         ("blocks of 4", moving.in_blocks::<4>()),
         ("blocks of 8", moving.in_blocks::<8>()),
         ("blocks of another width", moving.in_blocks::<W>()),
-    ]
+    ];
+    // Seldom: it takes many of them.
+    #[cfg(feature = "rayon")]
+    let entries = match random.below(8) {
+        0 => [entries, vec![("three threads", moving.on_threads())]].concat(),
+        _ => entries,
+    };
+    entries
 }
 
 /// Rates of many and of each, and two clips at once and each.
