@@ -381,11 +381,13 @@ pub trait PackedDualQuat: Lanes {
         [Self::load(level, x), Self::load(level, y), Self::load(level, z), self]
     }
 
-    /// εσ: the lower half in the upper one, and zero below, for ε² = 0.
+    /// εσ: the lower half in the upper one, and −0 below, for ε² = 0.
+    ///
+    /// A sum with −0 is the other number, of whichever sign; a sum of −0 and +0 would be +0.
     #[inline(always)]
     #[must_use]
     fn raised(self) -> Self {
-        let mut raised = Self::Array::zeroed();
+        let mut raised = self.constant(-0.0).to_array();
         let half = self.to_array();
         for (slot, &value) in raised.as_mut().iter_mut().skip(4).zip(half.as_ref()) {
             *slot = value;

@@ -153,10 +153,11 @@ impl Backend {
         Self::available().last().unwrap_or(Self::PORTABLE).unfused()
     }
 
-    /// The same instructions but for fused ones.
+    /// The same instructions but for fused ones. For tests of one CPU, which hold all levels to each other's bits.
     #[cfg(feature = "reproducible")]
+    #[doc(hidden)]
     #[inline]
-    fn unfused(self) -> Self {
+    pub fn unfused(self) -> Self {
         let proof = match self.proof {
             #[cfg(any(target_arch = "aarch64", target_feature = "fma"))]
             Proof::Portable => Proof::UnfusedPortable,

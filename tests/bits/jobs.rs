@@ -2,6 +2,7 @@
 
 use super::R;
 use super::robots::{robots, solutions};
+use super::zeros;
 use crate::deal::Hash;
 use crate::random::Random;
 use dq8::hierarchy::{
@@ -63,6 +64,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
     robots(k, say, [&a, &b], &mut random);
     solutions(k, say, &mut random.clone());
     skins(k, say, &a, &points, &mut random);
+    zeros::run(k, say);
 }
 
 /// A job over plain things and over blocks.

@@ -22,6 +22,8 @@ mod single {
     pub(crate) mod jobs;
     #[path = "robots.rs"]
     mod robots;
+    #[path = "zeros.rs"]
+    mod zeros;
 }
 #[path = "."]
 #[allow(clippy::duplicate_mod, reason = "the other number")]
@@ -31,6 +33,8 @@ mod double {
     pub(crate) mod jobs;
     #[path = "robots.rs"]
     mod robots;
+    #[path = "zeros.rs"]
+    mod zeros;
 }
 
 use dq8::simd::{Portable, Unfused};
@@ -81,12 +85,9 @@ pub fn example(sink: &mut Sink<'_>) {
     }
 }
 
-/// The reproducible one, and portable lanes, where they do not fuse either and are others.
+/// All instructions of this CPU, without fused ones: the last are those of `Backend::reproducible`.
 fn backends() -> impl Iterator<Item = Backend> {
-    let fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
-    let reproducible = Backend::reproducible();
-    let portable = Some(Backend::PORTABLE).filter(|portable| !fuses && *portable != reproducible);
-    [Some(reproducible), portable].into_iter().flatten()
+    Backend::available().map(Backend::unfused)
 }
 
 /// How many hashes are those of [`KNOWN`]; the others are told, with what is known of them.

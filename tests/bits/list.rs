@@ -10,10 +10,12 @@ pub(crate) fn list() -> String {
     ] {
         let of_entry = |line: &&str| line.starts_with(&format!("f32\t{entry}\t"));
         let lines = dq8_bits::KNOWN.lines().filter(of_entry);
-        let names: Vec<_> = lines.filter_map(|line| line.split('\t').nth(2)).collect();
-        let mut names: Vec<_> =
-            names.iter().map(|name| name.split(", ").next().unwrap_or(name)).collect();
-        names.dedup();
+        let mut names: Vec<&str> = Vec::new();
+        for name in lines.filter_map(|line| line.split(['\t', ',']).nth(2)) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
         list += &format!("{title}: `{}`.\n\n", names.join("`, `"));
     }
     list

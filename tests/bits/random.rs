@@ -63,6 +63,27 @@ impl Random {
         [x, y, z, w, dual[0], dual[1], dual[2], last]
     }
 
+    /// A turn about a coordinate axis, one in three by half a turn, then a translation that is often along one: most numbers
+    /// are zeros, of both signs.
+    pub(crate) fn turned<R: Scalar>(&mut self) -> [R; 8] {
+        let turns =
+            [[0.8, -0.6], [-0.96, -0.28], [1.0, 0.0], [-0.0, 1.0], [-1.0, -0.0], [0.6, 0.8]];
+        let ([sine, cosine], axis) =
+            (turns[self.below(6) as usize].map(<R as dq8::Real>::from_f64), self.below(3) as usize);
+        let mut zero = || if self.below(2) == 0 { R::ZERO } else { -R::ZERO };
+        let [x, y, z] = [0, 1, 2].map(|i| if i == axis { sine } else { zero() });
+        let [a, b, c] = [(); 3].map(|()| match self.below(4) {
+            0 => R::ONE,
+            1 => -R::HALF,
+            2 => R::ZERO,
+            _ => -R::ZERO,
+        });
+        let (w, half) = (cosine, R::HALF);
+        let dual = [a * w + b * z - c * y, b * w + c * x - a * z, c * w + a * y - b * x];
+        let last = -(a * x) - b * y - c * z;
+        [x, y, z, w, half * dual[0], half * dual[1], half * dual[2], half * last]
+    }
+
     /// The rows of [R | t], or, one in four, any.
     pub(crate) fn matrix<R: Scalar>(&mut self) -> [R; 12] {
         let [x, y, z, w, a, b, c, _] = self.motion::<R>();

@@ -1,23 +1,25 @@
-//! Clips and skins: the same bits for many at once, one by one, and in blocks of any width.
+//! Jobs, of which clips and skins are here: the same bits for many at once, one by one, and in blocks of any width.
 
 use super::Findings;
 use dq8::hierarchy::{Clip, Sampled};
 use dq8::law::{Law, Nlerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, pack, unpack};
-use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar};
+use dq8::{Backend, Crowd, DualQuat, Hierarchy, Scalar};
 use dq8_contract::random::{Random, bits};
 use dq8_simd::Row;
 use std::marker::PhantomData;
 use std::ops::Range;
 
 /// Ways to compute the same numbers, and the bits of what they give.
-type Entries = Vec<(&'static str, Vec<u64>)>;
+pub(crate) type Entries = Vec<(&'static str, Vec<u64>)>;
 
-pub(crate) fn round<R>(random: &mut Random, seed: u64, findings: &mut Findings)
+/// Blocks have 4, 8 and `W` lanes.
+pub(crate) fn round<R, const W: usize>(random: &mut Random, seed: u64, findings: &mut Findings)
 where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
+    [R; W]: Row<Real = R>,
     R: Scalar,
 {
     let state = random.0;
@@ -26,11 +28,14 @@ where
     for backend in backends() {
         // The same numbers for each.
         random.0 = state;
-        let mut scene = Scene::<R> { random, backend, real: PhantomData };
+        let mut scene = Scene::<R, W> { random, backend, real: PhantomData };
         let jobs = [
             ("clip, NLERP", scene.clip(Nlerp)),
             ("clip, ScLERP", scene.clip(Sclerp)),
             ("skin", scene.skin()),
+            ("skeleton", scene.skeleton()),
+            ("packed clip", scene.packed()),
+            ("product", scene.slices()),
         ];
         let mut find = |job: &str, other: &str, got: &[u64], wanted: &[u64]| {
             assert_eq!(got.len(), wanted.len());
@@ -60,50 +65,51 @@ where
     }
 }
 
-fn backends() -> impl Iterator<Item = Backend> {
+/// With the feature `reproducible`, each without fused instructions too.
+pub(crate) fn backends() -> impl Iterator<Item = Backend> {
     #[cfg(feature = "reproducible")]
-    return Backend::available().chain([Backend::reproducible()]);
+    return Backend::available().flat_map(|backend| [backend, backend.unfused()]);
     #[cfg(not(feature = "reproducible"))]
     return Backend::available();
 }
 
 /// Whether products are fused with sums, so that only such backends have the same bits.
-fn fuses(backend: Backend) -> bool {
+pub(crate) fn fuses(backend: Backend) -> bool {
     let portable = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
     let unfused = backend.to_string().ends_with("unfused");
     !unfused && (portable || backend != Backend::PORTABLE)
 }
 
-struct Scene<'r, R> {
-    random: &'r mut Random,
-    backend: Backend,
+pub(crate) struct Scene<'r, R, const W: usize> {
+    pub(crate) random: &'r mut Random,
+    pub(crate) backend: Backend,
     real: PhantomData<R>,
 }
 
-impl<R> Scene<'_, R>
+impl<R, const W: usize> Scene<'_, R, W>
 where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
+    [R; W]: Row<Real = R>,
     R: Scalar,
 {
     /// An ordinary number, and seldom one of any bits.
-    fn number(&mut self) -> R {
+    pub(crate) fn number(&mut self) -> R {
         from(self.random.number(R::SINGLE, 0.01))
     }
 
-    /// Unit; seldom with numbers of any bits, and half a turn from others, so that they are at right angles.
+    /// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as joints do, so that motions are
+    /// at right angles, and has zeros of both signs.
     fn motion(&mut self) -> DualQuat<R> {
-        if self.random.below(8) == 0 {
-            let mut axis = [R::ZERO; 3];
-            axis[self.random.below(3)] = R::ONE;
-            return DualQuat::from_rotation(Quat::from_parts(axis, R::ZERO));
+        if self.random.below(3) == 0 {
+            return self.random.turned();
         }
         let motion = self.random.motion(2.0).to_array().map(from);
         let hostile = self.random.below(16) == 0;
         DualQuat::from_array(motion.map(|number| if hostile { self.number() } else { number }))
     }
 
-    fn motions(&mut self, count: usize) -> Vec<DualQuat<R>> {
+    pub(crate) fn motions(&mut self, count: usize) -> Vec<DualQuat<R>> {
         (0..count).map(|_| self.motion()).collect()
     }
 
@@ -126,13 +132,16 @@ where
         }
         let mut four = Crowd::<R, 4>::new(joints, instances);
         let mut eight = Crowd::<R, 8>::new(joints, instances);
+        let mut other = Crowd::<R, W>::new(joints, instances);
         tree.job().backend(backend).locals_to_model(all, four.blocks_mut()).unwrap();
         tree.job().backend(backend).locals_to_model(all, eight.blocks_mut()).unwrap();
+        tree.job().backend(backend).locals_to_model(all, other.blocks_mut()).unwrap();
         vec![
             vec![("together", of_motions(&together)), ("one by one", of_motions(&alone))],
             vec![
                 ("blocks of 4", of_motions(&four.to_vec())),
                 ("blocks of 8", of_motions(&eight.to_vec())),
+                ("blocks of another width", of_motions(&other.to_vec())),
             ],
         ]
     }
@@ -151,7 +160,7 @@ where
         let matrices: Vec<_> = motions.iter().map(|motion| motion.to_matrix3x4()).collect();
         let rest: Vec<[R; 3]> = (0..vertices).map(|_| [(); 3].map(|()| self.number())).collect();
         let mesh = Mesh { backend: self.backend, joints, influences, who, weights, rest };
-        vec![mesh.entries(Linear::new(&matrices)), mesh.entries(DualBlend::new(&motions))]
+        vec![mesh.entries::<W>(Linear::new(&matrices)), mesh.entries::<W>(DualBlend::new(&motions))]
     }
 }
 
@@ -169,7 +178,10 @@ where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
 {
-    fn entries(&self, blend: impl Blender<R>) -> Entries {
+    fn entries<const W: usize>(&self, blend: impl Blender<R>) -> Entries
+    where
+        [R; W]: Row<Real = R>,
+    {
         let skin = Skin::new(self.joints, self.influences, &self.who, &self.weights).unwrap();
         let mut together = self.rest.clone();
         let (rest, posed) = (Surface::positions(&self.rest), SurfaceMut::positions(&mut together));
@@ -188,6 +200,7 @@ where
             ("one by one", of_numbers(alone.as_flattened())),
             ("blocks of 4", self.in_blocks::<4>(&skin, blend)),
             ("blocks of 8", self.in_blocks::<8>(&skin, blend)),
+            ("blocks of another width", self.in_blocks::<W>(&skin, blend)),
         ]
     }
 
@@ -214,10 +227,10 @@ fn from<R: Scalar>(number: f64) -> R {
     <R as dq8::Real>::from_f64(number)
 }
 
-fn of_numbers<R: Scalar>(numbers: &[R]) -> Vec<u64> {
+pub(crate) fn of_numbers<R: Scalar>(numbers: &[R]) -> Vec<u64> {
     numbers.iter().map(|&number| bits(number.into())).collect()
 }
 
-fn of_motions<R: Scalar>(motions: &[DualQuat<R>]) -> Vec<u64> {
+pub(crate) fn of_motions<R: Scalar>(motions: &[DualQuat<R>]) -> Vec<u64> {
     motions.iter().flat_map(|motion| motion.to_array()).map(|number| bits(number.into())).collect()
 }

@@ -1,7 +1,7 @@
 //! Random calls of every operation of the contract, on every implementation, against the scalar path in `f64`, with
 //! input of every kind: far, tiny, nearly opposite, of many turns, of any bits. Lanes of one kind of instructions are
 //! held to each other's bits, whatever their width and whatever lies in the other lanes: also in the tables of geometry,
-//! and in clips and skins, which are run for many at once, one by one, and in blocks.
+//! and in the jobs of skeletons, clips and skins, which are run for many at once, split, one by one, and in blocks.
 //!
 //! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what is found names the seed of
 //! its round. One lane of one operation is one call.
@@ -11,6 +11,8 @@ mod families;
 mod geometry;
 mod judge;
 mod kernels;
+mod skeletons;
+mod zeros;
 
 use dq8_contract::case::Case;
 use dq8_contract::fuzz;
@@ -126,9 +128,9 @@ fn round(single: bool, seed: u64, findings: &mut Findings) {
     }
     geometry::round(&all, &mut random, seed, findings);
     if single {
-        kernels::round::<f32>(&mut random, seed, findings);
+        kernels::round::<f32, 16>(&mut random, seed, findings);
     } else {
-        kernels::round::<f64>(&mut random, seed, findings);
+        kernels::round::<f64, 2>(&mut random, seed, findings);
     }
 }
 

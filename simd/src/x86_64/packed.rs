@@ -94,15 +94,15 @@ macro_rules! packed {
 packed! {
     avx2::F32x8,
         |v| columns!(v, const { signs_f32::<8>() }, _mm256_permute_ps, _mm256_xor_ps, _mm256_loadu_ps),
-        _mm256_permute2f128_ps::<0x08>(v, v),
+        _mm256_insertf128_ps::<1>(_mm256_set1_ps(-0.0), _mm256_castps256_ps128(v)),
         |from| _mm256_set_m128(_mm_loadu_ps(from), _mm_loadu_ps(from));
     avx512::F32x8,
         |v| picked_columns(v),
-        _mm256_permute2f128_ps::<0x08>(v, v),
+        _mm256_insertf128_ps::<1>(_mm256_set1_ps(-0.0), _mm256_castps256_ps128(v)),
         |from| _mm256_set_m128(_mm_loadu_ps(from), _mm_loadu_ps(from));
     avx512::F64x8,
         |v| columns!(v, const { signs_f64::<8>() }, _mm512_permutex_pd, _mm512_xor_pd, _mm512_loadu_pd),
-        _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v),
+        _mm512_insertf64x4::<1>(_mm512_set1_pd(-0.0), _mm512_castpd512_pd256(v)),
         |from| _mm512_broadcast_f64x4(_mm256_loadu_pd(from));
 }
 
@@ -134,6 +134,6 @@ impl PackedDualQuat for Pair<avx2::F64x4> {
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn raised(self) -> Self {
-        Self(self.0.constant(0.0), self.0)
+        Self(self.0.constant(-0.0), self.0)
     }
 }
