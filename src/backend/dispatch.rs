@@ -297,8 +297,11 @@ pub struct UnavailableBackend;
 
 impl fmt::Display for UnavailableBackend {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("no such backend here; this CPU has")?;
-        Backend::available().try_for_each(|backend| write!(f, " {backend}"))
+        f.write_str("no such backend here; this CPU has ")?;
+        let mut available = Backend::available().enumerate();
+        available.try_for_each(|(index, backend)| {
+            write!(f, "{}{backend}", if index == 0 { "" } else { ", " })
+        })
     }
 }
 

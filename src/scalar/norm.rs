@@ -1,6 +1,6 @@
 //! Norm, normalization and inverses.
 
-use super::error::{InverseError, NormalizeError};
+use super::error::{InverseError, NormalizeError, Normed};
 use super::{Dual, DualQuat, Quat, vector};
 use crate::everyday;
 use crate::number::Real;
@@ -78,7 +78,8 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
-        self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
+        self.unit()
+            .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
     /// The same, or the norm of the real part: an error holds it as `f64`, which would cost a target
@@ -151,7 +152,8 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     pub fn try_inverse(self) -> Result<Self, InverseError> {
-        self.reciprocal().map_err(|norm| InverseError { real_norm: norm.into() })
+        self.reciprocal()
+            .map_err(|norm| InverseError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
     /// The same, or the norm of the real part: see `unit`.

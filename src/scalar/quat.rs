@@ -1,4 +1,4 @@
-use super::error::NormalizeError;
+use super::error::{NormalizeError, Normed};
 use super::vector::{self, Length};
 use crate::everyday;
 use crate::number::Real;
@@ -201,7 +201,8 @@ impl<R: Real> Quat<R> {
     /// ```
     #[inline]
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
-        self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
+        self.unit()
+            .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::Quaternion })
     }
 
     /// The same, or |q|.
