@@ -201,7 +201,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         self.locals_to_model(Poses(locals), models)
     }
 
-    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory.
+    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory. A [`Crowd`](super::Crowd) gives its
+    /// poses by [`blocks_mut`](super::Crowd::blocks_mut).
     ///
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.

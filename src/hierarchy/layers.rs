@@ -14,6 +14,13 @@ use dq8_simd::{Lanes, Level};
 
 /// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
 /// ([`Poses`], [`RotationsTranslations`], [`Tracks`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` are no poses of {C} numbers each",
+    note = "layers have the numbers of their law, and poses of 7 numbers and of 8 do not mix: 7, a rotation and a translation, are \
+            `RotationsTranslations`, `Tracks` and samples of packed clips, by the law `NlerpLerp`; 8, a motion, are `Poses` \
+            and samples of motions, by `Nlerp` or `Sclerp`",
+    note = "all are of one precision, and lie in the layout of the models: plain slices, or blocks"
+)]
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// Their name in errors, and how many elements of the layout they fill, for so many joints.
     ///
