@@ -70,7 +70,7 @@ pub trait Kernel {
 /// assert!(Backend::available().any(|backend| backend == Backend::best()));
 /// assert_eq!(Backend::PORTABLE.to_string(), "portable");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[must_use]
 pub struct Backend {
     proof: Proof,
@@ -286,6 +286,19 @@ impl Backend {
 impl fmt::Display for Backend {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
+    }
+}
+
+/// Its name, and how many threads it has if there are several.
+impl fmt::Debug for Backend {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut tuple = f.debug_tuple("Backend");
+        tuple.field(&format_args!("{self}"));
+        #[cfg(feature = "rayon")]
+        if self.threads.get() > 1 {
+            tuple.field(&format_args!("{} threads", self.threads));
+        }
+        tuple.finish()
     }
 }
 

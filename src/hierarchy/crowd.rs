@@ -1,4 +1,5 @@
 use crate::backend::Backend;
+use crate::brief::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
@@ -27,7 +28,7 @@ use dq8_simd::Row;
 /// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Crowd<R, const N: usize, const C: usize = 8>
 where
     [R; N]: Row<Real = R>,
@@ -36,6 +37,10 @@ where
     joints: usize,
     instances: usize,
 }
+
+brief!([R, const N: usize, const C: usize] Crowd<R, N, C>, where [[R; N]: Row<Real = R>]: Crowd |it| {
+    joints: it.joints, instances: it.instances, lanes: N, components: C,
+});
 
 impl<R: Scalar, const N: usize, const C: usize> Crowd<R, N, C>
 where

@@ -7,6 +7,7 @@ use super::root::{NoRoot, Roots};
 use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize};
 use crate::backend::Choice;
+use crate::brief::brief;
 use crate::palette_entry::MatrixOrder;
 use crate::scalar::DualQuat;
 use crate::storage::Element;
@@ -30,7 +31,7 @@ use core::ops::{Bound, Range, RangeBounds};
 /// assert_eq!(models[2].translation(), [2.0, 5.0, 10.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 #[must_use]
 pub struct Job<'a, S = NoRoot, P = NoPlan> {
     parents: &'a [u32],
@@ -41,6 +42,10 @@ pub struct Job<'a, S = NoRoot, P = NoPlan> {
     pub(super) order: MatrixOrder,
     plan: P,
 }
+
+brief!([S, P] Job<'_, S, P>: Job |it| {
+    joints: it.joints, of: it.parents.len(), renormalize: it.renormalize, choice: it.choice,
+});
 
 impl<'a> Hierarchy<'a> {
     /// Model poses of all joints from local ones: model(j) = model(parent(j)) · local(j).

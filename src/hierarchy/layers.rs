@@ -4,11 +4,13 @@ use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, Poses, RotationsTranslations, Tracks, part_of};
 use super::rows::{GROUP, GROUPS, Rows, each, load, resized, store};
 use super::slot::JointSlot;
+use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Layout, Number, Register};
 use bytemuck::Zeroable;
+use core::fmt::Debug;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
@@ -184,7 +186,7 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
 /// assert_eq!(models[1].translation(), [3.0, 0.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 #[must_use]
 pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
     law: W,
@@ -193,6 +195,10 @@ pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
     weights: &'w [R],
     mask: Option<&'w [R]>,
 }
+
+brief!([W: Debug, A: Debug, B: Debug, R, const C: usize, const ADDS: bool] Layered<'_, W, A, B, R, C, ADDS>: Layered |it| {
+    law: it.law, base: it.base, layer: it.layer, adds: ADDS, instances: it.weights.len(), masked: it.mask.is_some(),
+});
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
     /// From `base` (weight 0) to `layer` (weight 1). One weight for each instance.

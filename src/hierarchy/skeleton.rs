@@ -3,6 +3,7 @@ use super::owned_plan::OwnedPlan;
 use super::parent_index::{ParentIndex, as_written, index};
 use super::root::NoRoot;
 use super::{Hierarchy, Job, Plan};
+use crate::brief::brief;
 use crate::storage::Element;
 use crate::storage::shape::ShapeError;
 use alloc::boxed::Box;
@@ -41,7 +42,7 @@ use core::ops::Range;
 /// assert_eq!(models[2].translation(), [0.0, 3.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Skeleton {
     /// Checked: every parent comes before its children.
     parents: Box<[u32]>,
@@ -49,6 +50,8 @@ pub struct Skeleton {
     /// One for each joint, or none.
     names: Box<[Box<str>]>,
 }
+
+brief!([] Skeleton: Skeleton |it| { joints: it.parents.len(), names: it.names.len() });
 
 impl Skeleton {
     /// Of parents that come before their children.
