@@ -153,6 +153,13 @@ impl Backend {
         Self::available().last().unwrap_or(Self::PORTABLE).unfused()
     }
 
+    /// `true` if nothing fuses: then every machine has the same bits.
+    #[cfg(feature = "reproducible")]
+    #[must_use]
+    pub fn is_reproducible(self) -> bool {
+        self == self.unfused()
+    }
+
     /// The same instructions but for fused ones.
     #[cfg(feature = "reproducible")]
     #[inline]

@@ -17,6 +17,7 @@ use dq8_simd::{Gather, Lanes, Records};
 /// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
 #[derive(Clone, Copy)]
 #[must_use]
+#[doc(alias("animation"))]
 pub struct Clip<'c, K> {
     pub(super) keys: &'c [K],
     pub(super) joints: usize,

@@ -56,6 +56,7 @@ impl<'a> Hierarchy<'a> {
     /// # Errors
     /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
     #[inline]
+    #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
         &self,
         locals: &[E],
@@ -195,6 +196,7 @@ impl<S, P: Plans> Job<'_, S, P> {
     /// # Errors
     /// If lengths or the range do not fit; `models` is untouched.
     #[inline]
+    #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
         &self,
         locals: &[E],

@@ -188,6 +188,7 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
 /// ```
 #[derive(Clone, Copy)]
 #[must_use]
+#[doc(alias("BlendingJob", "additive"))]
 pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
     law: W,
     base: A,

@@ -40,6 +40,7 @@ use dq8_simd::Level;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy)]
+#[doc(alias("SamplingJob"))]
 pub struct Sampled<'s, W, P, R, const C: usize> {
     law: W,
     keys: P,

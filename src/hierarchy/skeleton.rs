@@ -43,6 +43,7 @@ use core::ops::Range;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone)]
+#[doc(alias("rig", "armature"))]
 pub struct Skeleton {
     /// Checked: every parent comes before its children.
     parents: Box<[u32]>,
@@ -178,8 +179,14 @@ impl Skeleton {
         self.names.get(joint).map(|name| &**name).filter(|name| !name.is_empty())
     }
 
+    /// The name of each joint that has one, `None` for the others.
+    pub fn names(&self) -> impl ExactSizeIterator<Item = Option<&str>> {
+        (0..self.joints()).map(|joint| self.name(joint))
+    }
+
     /// The joint of this name.
     #[must_use]
+    #[doc(alias("find_joint", "joint_index", "bone_index"))]
     pub fn joint(&self, name: &str) -> Option<usize> {
         (0..self.names.len()).find(|&joint| self.name(joint) == Some(name))
     }
@@ -212,6 +219,17 @@ impl Skeleton {
         self.hierarchy().children(joint)
     }
 
+    /// As [`Hierarchy::ancestors`].
+    pub fn ancestors(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        self.hierarchy().ancestors(joint)
+    }
+
+    /// As [`Hierarchy::is_leaf`].
+    #[must_use]
+    pub fn is_leaf(&self, joint: usize) -> bool {
+        self.hierarchy().is_leaf(joint)
+    }
+
     /// As [`Hierarchy::subtree`].
     ///
     /// # Errors
@@ -235,6 +253,7 @@ impl Skeleton {
     ///
     /// # Errors
     /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
+    #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
         &self,
         locals: &[E],

@@ -14,6 +14,7 @@ impl<R: Real> Quat<R> {
     /// assert_eq!(Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse().to_array(), [0.0, 0.0, -0.5, 0.0]);
     /// ```
     #[inline]
+    #[doc(alias("inv"))]
     pub fn inverse(self) -> Self {
         let unit = self.normalize().conjugate();
         Self::from_array(vector::over_norm(unit.to_array(), self.norm()))
@@ -132,6 +133,7 @@ impl<R: Real> DualQuat<R> {
     /// same and cheaper.
     #[inline]
     #[must_use]
+    #[doc(alias("inv"))]
     pub fn inverse(self) -> Self {
         if let Some(inverse) = R::quick(everyday::Inverse(self.to_array())) {
             return Self::from_array(inverse);

@@ -22,6 +22,7 @@ use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};
 /// # Ok::<(), SkinningError>(())
 /// ```
 #[derive(Clone, Copy)]
+#[doc(alias("SkinningJob"))]
 pub struct Skin<'a, J, W> {
     joints: CheckedIndices<'a, J>,
     /// From those of the first vertex on.

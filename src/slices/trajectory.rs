@@ -148,6 +148,7 @@ impl Backend {
     /// assert!((means[1].translation()[0] - 4.0).abs() < 1e-12);
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
+    #[doc(alias("smooth", "moving_average", "filter"))]
     pub fn dib_windows<R: Scalar, const W: usize>(
         self,
         poses: &[DualQuat<R>],

@@ -28,6 +28,7 @@ use dq8_simd::{Lanes, Portable};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone)]
+#[doc(alias("inverse_kinematics"))]
 pub struct OwnedReach<R> {
     mechanism: OwnedMechanism<R>,
     goals: Vec<Goal<R>>,

@@ -47,6 +47,7 @@ use dq8::seams::brief;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy)]
+#[doc(alias("inverse_kinematics"))]
 pub struct Reach<'a, R> {
     pub(super) mechanism: Mechanism<'a, R>,
     pub(super) goals: &'a [Goal<R>],

@@ -79,12 +79,14 @@ impl<R: Copy> Mechanism<'_, R> {
 
     /// How many values a configuration has.
     #[must_use]
+    #[doc(alias("nq"))]
     pub fn values(&self) -> usize {
         self.values
     }
 
     /// How many rates, and columns of a Jacobian, a configuration has.
     #[must_use]
+    #[doc(alias("dof", "nv"))]
     pub fn rates(&self) -> usize {
         self.rates
     }

@@ -166,6 +166,7 @@ impl Robot {
 
     /// The number of a link.
     #[must_use]
+    #[doc(alias("find_link", "get_frame_id"))]
     pub fn link(&self, name: &str) -> Option<usize> {
         self.links.get(name).copied()
     }
@@ -178,6 +179,7 @@ impl Robot {
 
     /// The number of the joint of this name, which is that of the link it carries.
     #[must_use]
+    #[doc(alias("find_joint", "get_joint_id"))]
     pub fn joint(&self, name: &str) -> Option<usize> {
         self.joint_names.iter().position(|joint| joint.as_deref() == Some(name))
     }
