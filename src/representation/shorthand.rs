@@ -153,7 +153,6 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn with_rotation(self, rotation: Quat<R>) -> Self {
         crate::scalar::must_be_unit::motions("DualQuat::with_rotation", [self]);
-        crate::scalar::must_be_unit::rotations("DualQuat::with_rotation", [rotation]);
         Self::from_rotation_translation(rotation, self.translation())
     }
 

@@ -61,7 +61,7 @@ fn operations<R: Real>() -> Vec<Operation<R>> {
         (line!(), "DualQuat::from_axis_angle", |g| { let _ = DualQuat::from_axis_angle(g.axis, g.half); }),
         (line!(), "DualQuat::with_translation", |g| { let _ = g.motion.with_translation(g.vector); }),
         (line!(), "DualQuat::with_rotation", |g| { let _ = g.motion.with_rotation(g.unit.real()); }),
-        (line!(), "DualQuat::with_rotation", |g| { let _ = g.unit.with_rotation(g.rotation); }),
+        (line!(), "DualQuat::from_rotation_translation", |g| { let _ = g.unit.with_rotation(g.rotation); }),
         (line!(), "DualQuat::mean", |g| { let _ = DualQuat::mean(&[g.unit, g.motion]); }),
         (line!(), "DualQuat::from_rotation_translation", |g| { let _ = DualQuat::from_rotation_translation(g.rotation, g.vector); }),
         (line!(), "DualQuat::from_translation_rotation", |g| { let _ = DualQuat::from_translation_rotation(g.vector, g.rotation); }),
