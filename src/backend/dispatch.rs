@@ -229,11 +229,14 @@ impl Backend {
                 || kernel.run(Portable),
             ),
             #[cfg(target_arch = "x86_64")]
-            Proof::Avx512(level, _) if K::WIDE && (!K::SHUFFLES || level.shuffles_wide()) => level
-                .run(
+            Proof::Avx512(level, _)
+                if const { K::WIDE } && (!K::SHUFFLES || level.shuffles_wide()) =>
+            {
+                level.run(
                     #[inline(always)]
                     || kernel.run(level),
-                ),
+                )
+            }
             #[cfg(target_arch = "x86_64")]
             Proof::Avx2(level) | Proof::Avx512(_, level) => level.run(
                 #[inline(always)]
@@ -246,7 +249,7 @@ impl Backend {
             Proof::UnfusedPortable => kernel.run(Unfused(Portable)),
             #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
             Proof::UnfusedAvx512(level, _)
-                if K::WIDE && (!K::SHUFFLES || level.shuffles_wide()) =>
+                if const { K::WIDE } && (!K::SHUFFLES || level.shuffles_wide()) =>
             {
                 level.run(
                     #[inline(always)]

@@ -240,7 +240,11 @@ impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C
     where
         W: Law<C>,
     {
-        if ADDS { self.law.add(base, layer, weight) } else { self.law.between(base, layer, weight) }
+        if const { ADDS } {
+            self.law.add(base, layer, weight)
+        } else {
+            self.law.between(base, layer, weight)
+        }
     }
 }
 
