@@ -72,11 +72,11 @@ pub trait Records: Lanes {
     ) -> [Self; C] {
         // What constants decide is decided before there is code of it, here and below.
         if const { Self::LANES == 1 } {
-            let record = from.first().unwrap_or(padding);
-            return record.map(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |number| Self::splat(level, number),
-            );
+            let mut components = [Self::splat(level, Self::Real::default()); C];
+            for (component, &number) in components.iter_mut().zip(from.first().unwrap_or(padding)) {
+                *component = Self::splat(level, number);
+            }
+            return components;
         }
         let flat = from.as_flattened();
         let apart = C.saturating_mul(stride.unwrap_or(1));
