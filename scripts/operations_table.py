@@ -146,7 +146,8 @@ FEW = {"from_euler", "to_euler", "look_to", "look_at", "gram_schmidt"}
 EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite", "neg", "apply", "scale", "from_rotation",
                           "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
                           "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
-# What operations are made of, for kernels of users or for C: not in the tables. Nor is anything of `vector.rs`.
+# What operations are made of, for kernels of users or for C: not in the tables. Nor is anything of `vector.rs`, nor of
+# `shorthand.rs`, which are other ways to write operations that are.
 PIECES = {"lie_bracket", "dib", "weighted_sum"}
 
 
@@ -156,7 +157,7 @@ def functions(*folders):
     for folder in folders:
         path = ROOT / folder
         for file in [path] if path.is_file() else sorted(path.rglob("*.rs")):
-            if file.name == "vector.rs":
+            if file.name in ("vector.rs", "shorthand.rs"):
                 continue
             owner, bare = None, None
             for text in file.read_text(encoding="utf-8").splitlines():
@@ -306,7 +307,8 @@ def main():
         "in the reference, or returns an error, ends in `_checked` there.",
         "",
         "Written by `scripts/operations_table.py` from the sources; `.ci/run` fails where the two differ. Jobs over memory "
-        "(hierarchies, mechanisms, skins, trajectories) are not operations, and not here.",
+        "(hierarchies, mechanisms, skins, trajectories) are not operations, and not here; nor are the short ways to write some of "
+        "these in [shorthand.rs](../src/representation/shorthand.rs).",
         "",
         "**Error** says where the bound of the rounding error comes from, in units of the roundoff and of the lengths of the "
         "arguments, against the formula computed exactly on the given floats: *exact*, nothing is rounded; *proved*, by Coq, of the "

@@ -46,3 +46,13 @@ macro_rules! __errors {
     };
 }
 pub use __errors as errors;
+
+/// A number of things, by their name: "1 element", "2 elements".
+pub(crate) struct Count(pub(crate) usize, pub(crate) &'static str);
+
+impl core::fmt::Display for Count {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self(number, name) = self;
+        write!(f, "{number} {name}{}", if *number == 1 { "" } else { "s" })
+    }
+}

@@ -90,6 +90,7 @@ compile_error!("dq8 needs square roots and trigonometry: enable the feature `std
 
 mod backend;
 pub mod batch;
+mod brief;
 mod contract;
 mod conversions;
 mod errors;

@@ -1,6 +1,7 @@
 //! What dq8-robot and dq8-capi have of dq8 that is not for others: it may change in any version.
 
 pub use crate::backend::{Choice, Outputs, Rows, options};
+pub use crate::brief::brief;
 pub use crate::errors::errors;
 pub use crate::everyday::{Number, Quick};
 pub use crate::scalar::blend::weighted_sum;

@@ -90,7 +90,10 @@ fn operations(fuzz: &mut Fuzz) {
         assert!(inverse.is_finite(), "{a:?} has the inverse {inverse:?}");
     }
     // Of quaternions of any length; those of the table are normalized first.
-    let _ = black_box((a.real().to_axis_angle(), a.real().to_scaled_axis()));
+    let _ = black_box((a.real().to_axis_angle(), a.real().to_scaled_axis(), a.real().to_rpy()));
+    let _ = black_box((a.real().log(), Quat::exp(v), a.real().pow(w[0])));
+    let others = [fuzz.any(), a];
+    let _ = black_box((DualQuat::mean(&others), Quat::mean(&others.map(DualQuat::real))));
     if let Ok(turn) = Quat::look_to(v, w) {
         assert!(turn.is_unit(IN_SINGLE), "{v:?} {w:?} {turn:?}");
     }

@@ -256,6 +256,170 @@ fn angles_of_every_custom_make_the_turn_that_they_name() {
 }
 
 #[test]
+fn orders_of_euler_angles_have_the_names_of_glam_and_scipy() {
+    let (q, turns) = (a().rotation(), [1.9, -0.7, 0.3]);
+    let glam = glam::DQuat::from_euler(glam::EulerRot::ZYX, turns[0], turns[1], turns[2]);
+    let ours = Quat::from_euler(EulerOrder::ZYX, turns[0], turns[1], turns[2]);
+    assert!(ours.abs_diff_eq(Quat::from_array(glam.to_array()), ROUNDING));
+    let glam = glam::DQuat::from_euler(glam::EulerRot::XYZEx, 0.3, -0.7, 1.9);
+    let ours = Quat::from_euler(EulerOrder::XYZ.extrinsic(), 0.3, -0.7, 1.9);
+    assert!(ours.abs_diff_eq(Quat::from_array(glam.to_array()), ROUNDING));
+    let names = [EulerOrder::XYZ, EulerOrder::XZY, EulerOrder::YXZ, EulerOrder::YZX];
+    let more = [EulerOrder::ZXY, EulerOrder::ZYX, EulerOrder::XYX, EulerOrder::XZX];
+    let proper = [EulerOrder::YXY, EulerOrder::YZY, EulerOrder::ZXZ, EulerOrder::ZYZ];
+    let all = [names, more, proper];
+    assert_eq!(all.as_flattened(), &EulerOrder::ALL[..12]);
+    assert!(all.iter().flatten().map(|order| order.extrinsic()).eq(EulerOrder::ALL[12..].to_vec()));
+    let [roll, pitch, yaw] = q.to_rpy();
+    assert!(Quat::from_rpy(roll, pitch, yaw).abs_diff_eq(q, ROUNDING));
+    assert_eq!((-q).to_rpy(), q.to_rpy());
+    // At gimbal lock roll has the whole turn.
+    let [roll, pitch, yaw] = Quat::from_rpy(0.5, FRAC_PI_2, 0.25).to_rpy();
+    assert!((roll - 0.25).abs() < LENGTHS && (pitch - FRAC_PI_2).abs() < LENGTHS && yaw == 0.0);
+}
+
+#[test]
+fn quaternions_have_logarithms_powers_and_means() {
+    let tiny = Quat::from_axis_angle([0.6, 0.0, 0.8], 1e-30);
+    let still = -Quat::<f64>::IDENTITY;
+    let half_turn = Quat::from_xyzw(0.0, -1.0, 0.0, 0.0);
+    for q in [a().rotation(), b().rotation(), tiny, still, half_turn, -a().rotation()] {
+        let (log, of_motions) = (q.log(), DualQuat::from_rotation(q).log().real);
+        for (ours, wanted) in log.into_iter().zip(of_motions) {
+            assert!((ours - wanted).abs() <= ROUNDING * wanted.abs(), "{q}: {log:?}");
+        }
+        assert!((Quat::exp(log).dot(q).abs() - 1.0).abs() < ROUNDING);
+        for t in [0.0, 0.5, 1.0, -2.0, 0.3] {
+            let power = DualQuat::from_rotation(q).pow(t).rotation();
+            assert!(q.pow(t).abs_diff_eq(power, LENGTHS), "{q} {t}");
+        }
+    }
+    assert!(Quat::<f64>::from_xyzw(f64::NAN, 0.0, 0.0, 1.0).log()[0].is_nan());
+    assert!(!Quat::exp([f64::INFINITY, 0.0, 0.0]).is_finite());
+    assert_eq!(Quat::exp([0.0, -0.0, 0.0]), Quat::<f64>::IDENTITY);
+
+    let turns: Vec<_> = (0..1000).map(|i| Quat::from_rotation_z(0.001 * f64::from(i))).collect();
+    let mean = Quat::mean(&turns).unwrap();
+    assert!(mean.abs_diff_eq(Quat::from_rotation_z(0.4995), 1e-13));
+    let signed: Vec<_> =
+        turns.iter().enumerate().map(|(i, &q)| if i % 3 == 0 { -q } else { q }).collect();
+    assert!(Quat::mean(&signed).unwrap().dot(mean).abs() > 1.0 - 1e-13);
+    let motions = [a(), -b(), a()];
+    let exact = DualQuat::dib(&motions.map(|m| (m, 1.0)), 1e-12, 64).unwrap().motion;
+    assert!(DualQuat::mean(&motions).unwrap().abs_diff_eq(exact, 1e-12));
+    assert!(a().abs_diff_eq(DualQuat::mean(&[a()]).unwrap(), LENGTHS));
+    assert_eq!((DualQuat::<f32>::mean(&[]), Quat::<f32>::mean(&[])), (None, None));
+    assert_eq!(DualQuat::mean(&[a(), a() * f64::NAN]), None);
+}
+
+#[test]
+fn motions_are_made_of_what_files_and_axes_say() {
+    let (xyz, rpy) = ([1.0, -2.0, 0.5], [0.3, -0.7, 1.9]);
+    let origin = DualQuat::from_xyz_rpy(xyz, rpy);
+    assert_eq!(origin.rotation(), Quat::from_rpy(rpy[0], rpy[1], rpy[2]));
+    assert!(near(origin.transform_point([0.0; 3]), xyz));
+    let turns = [DualQuat::from_rotation_x, DualQuat::from_rotation_y, DualQuat::from_rotation_z];
+    for (axis, turn) in turns.into_iter().enumerate() {
+        let mut unit = [0.0; 3];
+        unit[axis] = 1.0;
+        assert_eq!(turn(0.7), DualQuat::from_axis_angle(unit, 0.7));
+        assert_eq!(turn(0.7), DualQuat::from_rotation(Quat::from_axis_angle(unit, 0.7)));
+    }
+    let (moved, turned) = (a().with_translation(xyz), a().with_rotation(b().rotation()));
+    assert!(moved.rotation() == a().rotation() && near(moved.translation(), xyz));
+    assert!(turned.rotation() == b().rotation() && near(turned.translation(), a().translation()));
+    let twist = Twist::from(([0.0, 3.0, 0.0], [0.0, 0.0, 4.0]));
+    assert_eq!((twist.norm(), twist.is_finite(), twist.angular[1]), (5.0, true, 3.0));
+    assert!(!Twist { linear: [f64::NAN, 0.0, 0.0], ..twist }.is_finite());
+    assert!(Twist::<f64>::from(([1e200; 3], [0.0; 3])).norm().is_finite());
+}
+
+#[test]
+fn crowds_are_made_read_and_written_by_instances() {
+    let at = |instance: usize, joint: usize| {
+        DualQuat::from_translation([instance as f32, joint as f32, 0.0])
+    };
+    let mut crowd = Crowd::<f32, 4>::from_fn(3, 7, at);
+    let wanted: Vec<_> = (0..7).flat_map(|i| (0..3).map(move |j| at(i, j))).collect();
+    assert_eq!(crowd, Crowd::from_slice(3, &wanted).unwrap());
+    assert_eq!(crowd.iter().len(), 7);
+    assert!(crowd.iter().flatten().eq(wanted.iter().copied()));
+    crowd.set_instance(6, &[at(9, 0), at(9, 1), at(9, 2)]).unwrap();
+    assert!(crowd.instance(6).eq((0..3).map(|j| at(9, j))));
+    assert!(crowd.instance(5).eq(wanted[15..18].iter().copied()));
+    let before = crowd.clone();
+    assert!(crowd.set_instance(7, &[at(0, 0); 3]).is_err());
+    assert!(crowd.set_instance(0, &[at(1, 1); 2]).is_err());
+    assert!(crowd.set_instance(0, &[at(1, 1); 4]).is_err());
+    assert_eq!(crowd, before);
+}
+
+#[test]
+fn skeletons_know_names_ancestors_and_leaves() {
+    let leg = dq8::Skeleton::new(&[-1, 0, 1, 0]).unwrap();
+    assert!(leg.names().eq([None; 4]));
+    let leg = leg.with_names(["hip", "knee", "", "tail"]).unwrap();
+    assert!(leg.names().eq([Some("hip"), Some("knee"), None, Some("tail")]));
+    assert_eq!(leg.names().len(), 4);
+    assert!(leg.ancestors(2).eq([1, 0]) && leg.ancestors(0).eq([]) && leg.ancestors(9).eq([]));
+    assert!((0..6).map(|joint| leg.is_leaf(joint)).eq([false, false, true, true, false, false]));
+}
+
+#[cfg(feature = "reproducible")]
+#[test]
+fn backends_know_whether_they_are_reproducible() {
+    assert!(Backend::reproducible().is_reproducible());
+    for backend in Backend::available() {
+        assert_eq!(backend.is_reproducible(), !backend.to_string().contains("AVX") && !FUSES);
+    }
+}
+/// Whether portable lanes fuse here.
+#[cfg(feature = "reproducible")]
+const FUSES: bool = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
+
+/// What is printed with the struct of a game that holds it.
+#[test]
+fn what_holds_many_numbers_is_printed_on_a_line() {
+    use dq8::hierarchy::{Clip, Layered, OwnedClip, PackedClip, Poses, Sampled};
+    use dq8::law::{Nlerp, NlerpLerp};
+    let keys = [[0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]; 21 * 3].map(RotationTranslation::from);
+    let clip = Clip::new(21, &keys).unwrap().with_rate(30.0);
+    assert_eq!(format!("{clip:?}"), "Clip { joints: 21, frames: 3, rate: 30.0, loops: false }");
+    let owned = OwnedClip::new(21, keys).unwrap();
+    assert_eq!(
+        format!("{owned:?}"),
+        "OwnedClip { joints: 21, frames: 3, rate: 1.0, loops: false }"
+    );
+    let poses = vec![DualQuat::<f32>::default(); 21];
+    let layered = Layered::blend(Nlerp, Poses(&poses), Poses(&poses), &[0.5]);
+    assert_eq!(
+        format!("{layered:?}"),
+        "Layered { law: Nlerp, base: Poses { elements: 21 }, layer: Poses { elements: 21 }, adds: false, \
+         instances: 1, masked: false }"
+    );
+    let sampled = Sampled::new(NlerpLerp, clip, &[0; 5], &[0.5; 5]).unwrap();
+    let crowd = Crowd::<f32, 8>::new(21, 500);
+    assert_eq!(
+        format!("{crowd:?}"),
+        "Crowd { joints: 21, instances: 500, lanes: 8, components: 8 }"
+    );
+    let parents: Vec<_> = (-1..20).collect();
+    let skeleton = dq8::Skeleton::new(&parents).unwrap();
+    assert_eq!(format!("{skeleton:?}"), "Skeleton { joints: 21, names: 0 }");
+    assert_eq!(format!("{:?}", Backend::PORTABLE), "Backend(portable)");
+    let packed = PackedClip::new(21, &keys, Default::default()).unwrap();
+    for text in [
+        format!("{packed:?}"),
+        format!("{sampled:?}"),
+        format!("{:?}", skeleton.job()),
+        format!("{:?}", skeleton.hierarchy()),
+        format!("{:?}", Backend::best()),
+    ] {
+        assert!(text.len() < 160 && !text.contains('['), "{text}");
+    }
+}
+
+#[test]
 fn twists_and_wrenches_pair_and_rest_is_zero() {
     let wrench = Wrench { force: [1.0, 2.0, 3.0], torque: [4.0, 5.0, 6.0] };
     let twist = Twist { angular: [0.5, 0.25, 0.125], linear: [2.0, 3.0, 4.0] };

@@ -3,7 +3,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 pub(crate) const USAGE: &str = "\
-usage: skin [FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--pack OUT]] [--svg OUT]
+usage: skin [FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--normalize] [--times T0,T1,…] [--obj DIR] [--pack OUT]] [--svg OUT]
 ";
 
 /// How a mesh is posed.
@@ -20,6 +20,8 @@ pub(crate) struct Args {
     pub(crate) file: Option<PathBuf>,
     pub(crate) animation: Option<String>,
     pub(crate) method: Method,
+    /// Weights are divided by their sum.
+    pub(crate) normalize: bool,
     pub(crate) times: Option<Vec<f64>>,
     pub(crate) obj: Option<PathBuf>,
     pub(crate) svg: Option<PathBuf>,
@@ -28,7 +30,10 @@ pub(crate) struct Args {
 
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
     let options = ["--animation", "--method", "--times", "--obj", "--pack", "--svg"];
-    read(words, options, |[animation, method, times, obj, pack, svg], others| {
+    read(words, options, |[animation, method, times, obj, pack, svg], mut others| {
+        let all = others.len();
+        others.retain(|word| word != "--normalize");
+        let normalize = all > others.len();
         let mut files = files(others)?;
         if let Some(second) = files.get(1) {
             return Err(format!("{} is not expected", second.display()));
@@ -37,7 +42,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
             .map(|word| word.as_deref().map(Path::to_string_lossy).map(String::from));
         let method = method.map_or(Ok(Method::Dual), |word| self::method(&word))?;
         let times = times.map(|list| self::times(&list)).transpose()?;
-        Ok(Args { file: files.pop(), animation, method, times, obj, svg, pack })
+        Ok(Args { file: files.pop(), animation, method, normalize, times, obj, svg, pack })
     })
 }
 

@@ -22,6 +22,8 @@ const BAD: &str = r#"
 "byteOffset":36 | "byteOffset":36000 | view
 "path":"scale" | "path":"size" | channel 1: its path
 "node":1,"path":"scale" | "node":3,"path":"scale" | channel 1: there is no node 3
+"sampler":1,"target":{"node":1,"path":"scale" | "sampler":0,"target":{"node":1,"path":"rotation" | channel 1: the rotation of node 1 is what channel 0 moves
+"sampler":0,"target":{"node":1,"path":"rotation" | "sampler":1,"target":{"node":1,"path":"scale" | channel 1: the scale of node 1 is what channel 0 moves
 "asset" | "asset | line"#;
 
 #[test]
@@ -42,6 +44,29 @@ fn bad_files_get_an_error_with_its_place() {
             bytes[at] ^= flip;
             let _ = tried(&bytes);
         }
+    }
+}
+
+#[test]
+fn a_key_of_zeros_is_named_by_its_channel() {
+    let accessor = |more: &str| {
+        format!(r#""componentType":5121}},{{{more}"type":"VEC4","componentType":5126}}]"#)
+    };
+    // Zeros behind a rotation: four numbers of accessor 5 that are zero.
+    let (all, second) = (
+        accessor(r#""count":2,"#),
+        accessor(
+            r#""count":2,"sparse":{"count":1,
+        "indices":{"bufferView":6,"componentType":5121},"values":{"bufferView":4,"byteOffset":16}},"#,
+        ),
+    );
+    for (accessor, key) in [(all, 0), (second, 1)] {
+        let changes =
+            [(r#""componentType":5121}]"#, accessor.as_str()), (r#""output":4"#, r#""output":7"#)];
+        let wanted = format!(
+            "animation 0, channel 0: key {key} is a quaternion of zeros, which is no rotation"
+        );
+        assert_eq!(strip(&changes).unwrap_err(), wanted);
     }
 }
 

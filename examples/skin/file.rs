@@ -143,8 +143,9 @@ impl File {
                 None => Bones::node(node.index()),
             };
             for primitive in mesh.primitives() {
-                let read = Mesh::read(&self.buffers, &primitive, &bones, node.skin().is_some());
                 let place = format!("mesh {}, primitive {}", mesh.index(), primitive.index());
+                let skinned = node.skin().is_some();
+                let read = Mesh::read(&place, &self.buffers, &primitive, &bones, skinned);
                 meshes.push(read.map_err(|what| format!("{place}: {what}"))?);
             }
         }

@@ -10,6 +10,9 @@ use gltf::Semantic;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
 
+/// Four weights that are rounded to `f32` sum to one by less than 10⁻⁶; the smallest step of integers of 16 bits is 1.5·10⁻⁵.
+const ROUNDING: f64 = 1e-5;
+
 /// A primitive with its skin, or with its node as the only joint.
 #[derive(Debug)]
 pub(crate) struct Mesh {
@@ -24,6 +27,7 @@ pub(crate) struct Mesh {
 
 impl Mesh {
     pub(crate) fn read(
+        place: &str,
         buffers: &[Vec<u8>],
         primitive: &gltf::Primitive<'_>,
         bones: &Bones,
@@ -46,7 +50,7 @@ impl Mesh {
             return Err(format!("index {index} of {} vertices", positions.len()));
         }
         let mesh = Self {
-            place: format!("primitive {}", primitive.index()),
+            place: place.to_owned(),
             bones: bones.clone(),
             influences,
             influence_joints,
@@ -56,6 +60,33 @@ impl Mesh {
         };
         mesh.skin().map_err(|error| error.to_string())?;
         Ok(mesh)
+    }
+
+    /// A warning if weights do not sum to one, as glTF 2.0 demands (§3.7.3.3): how many vertices have such weights, and which
+    /// one is farthest off.
+    pub(crate) fn unbalanced(&self) -> Option<String> {
+        let sums = self.weights.chunks(self.influences).map(|weights| weights.iter().sum::<f64>());
+        let off: Vec<_> =
+            sums.enumerate().filter(|(_, sum)| (sum - 1.0).abs() > ROUNDING).collect();
+        let (vertex, sum) =
+            off.iter().max_by(|(_, a), (_, b)| (a - 1.0).abs().total_cmp(&(b - 1.0).abs()))?;
+        let vertices = match off.len() {
+            1 => "1 vertex".into(),
+            many => format!("{many} vertices"),
+        };
+        Some(format!(
+            "{}: the weights of {vertices} do not sum to 1; those of vertex {vertex} sum to {}, which is farthest off \
+             (--normalize divides by the sum)",
+            self.place, *sum as f32
+        ))
+    }
+
+    /// Divides the weights of each vertex by their sum.
+    pub(crate) fn normalize(&mut self) {
+        for weights in self.weights.chunks_mut(self.influences) {
+            let sum: f64 = weights.iter().sum();
+            weights.iter_mut().for_each(|weight| *weight /= sum);
+        }
     }
 
     fn skin(&self) -> Result<Skin<'_, u16, f64>, SkinningError> {

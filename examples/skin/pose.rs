@@ -4,6 +4,7 @@ use crate::sampler::{Sampler, lerp, slerp};
 use dq8::{DualQuat, Quat, representation::Affine};
 use gltf::accessor::Dimensions;
 use gltf::animation::Property;
+use std::collections::HashMap;
 
 /// What moves the nodes of a file.
 #[derive(Debug, Default)]
@@ -24,23 +25,31 @@ impl Animation {
         animation: &gltf::Animation<'_>,
         numbers: &[usize],
     ) -> Result<Self, String> {
-        let mut channels = Vec::new();
+        let (mut channels, mut moved) = (Vec::new(), HashMap::new());
         for (index, channel) in numbers.iter().zip(animation.channels()) {
             let place = |what| format!("animation {}, channel {index}: {what}", animation.index());
             let (target, sampler) = (channel.target(), channel.sampler());
+            let (node, property) = (target.node().index(), target.property());
+            // "Different channels of the same animation MUST NOT have identical targets" (glTF 2.0, §3.11).
+            if let Some(first) = moved.insert((node, property as u8), index) {
+                let path = path(property);
+                return Err(place(format!(
+                    "the {path} of node {node} is what channel {first} moves"
+                )));
+            }
             let vector = || Sampler::read(buffers, &sampler, Dimensions::Vec3);
-            let read = match target.property() {
+            let read = match property {
                 Property::Translation => vector().map(Channel::Translation),
                 Property::Scale => vector().map(Channel::Scale),
-                Property::Rotation => {
-                    Sampler::read(buffers, &sampler, Dimensions::Vec4).map(Channel::Rotation)
-                }
+                Property::Rotation => Sampler::read(buffers, &sampler, Dimensions::Vec4)
+                    .and_then(Sampler::of_rotations)
+                    .map(Channel::Rotation),
                 Property::MorphTargetWeights => {
                     check_weights(buffers, &channel).map_err(place)?;
                     continue;
                 }
             };
-            channels.push((target.node().index(), read.map_err(place)?));
+            channels.push((node, read.map_err(place)?));
         }
         Ok(Self { channels })
     }
@@ -74,6 +83,16 @@ impl Animation {
             *node = Local::Parts { translation, rotation, scale };
         }
         nodes.iter().map(Local::map).collect()
+    }
+}
+
+/// The name of a path in a file.
+fn path(property: Property) -> &'static str {
+    match property {
+        Property::Translation => "translation",
+        Property::Rotation => "rotation",
+        Property::Scale => "scale",
+        Property::MorphTargetWeights => "weights",
     }
 }
 

@@ -37,6 +37,12 @@ impl<const N: usize> Sampler<N> {
         self.times.last().copied().unwrap_or(0.0)
     }
 
+    /// The value of a key: a key of a spline is a tangent in, a value and a tangent out.
+    fn value(&self, key: usize) -> [f64; N] {
+        let cubic = self.interpolation == Interpolation::CubicSpline;
+        self.values[if cubic { 3 * key + 1 } else { key }]
+    }
+
     /// The value at a time; before and after the curve, its ends. `between` is how values are interpolated
     /// linearly.
     pub(crate) fn at(
@@ -45,8 +51,7 @@ impl<const N: usize> Sampler<N> {
         between: impl Fn([f64; N], [f64; N], f64) -> [f64; N],
     ) -> [f64; N] {
         let cubic = self.interpolation == Interpolation::CubicSpline;
-        // A key of a spline is a tangent in, a value and a tangent out.
-        let value = |key: usize| self.values[if cubic { 3 * key + 1 } else { key }];
+        let value = |key| self.value(key);
         let after = self.times.partition_point(|&key| key <= time);
         let Some(key) = after.checked_sub(1) else { return value(0) };
         if after == self.times.len() || self.interpolation == Interpolation::Step {
@@ -66,6 +71,16 @@ impl<const N: usize> Sampler<N> {
                 + (3.0 * square - 2.0 * cube) * b[c]
                 + length * (cube - square) * into[c]
         })
+    }
+}
+
+impl Sampler<4> {
+    /// Checks that each key is a rotation, of whatever norm.
+    pub(crate) fn of_rotations(self) -> Result<Self, String> {
+        match (0..self.times.len()).find(|&key| self.value(key) == [0.0; 4]) {
+            Some(key) => Err(format!("key {key} is a quaternion of zeros, which is no rotation")),
+            None => Ok(self),
+        }
     }
 }
 

@@ -105,6 +105,35 @@ fn a_strip_is_posed_as_by_hand() {
     assert!(close(&got[2..], &[[0.5 * half, 1.0 + 2.5 * half, 5.0]]), "{got:?}");
 }
 
+/// Vertex 1 has the weights 0, 0, √½, √½, all of joint 0; vertex 2 those of the file.
+#[test]
+fn weights_that_do_not_sum_to_one_are_said_and_divided_by_their_sum_if_asked() {
+    let read = |change: &str| {
+        let bytes = glb(|json| json.replace(r#""bufferView":1,"count":3,"#, change));
+        let file = File::parse(Path::new("strip.glb"), &bytes).unwrap();
+        let worlds = file.worlds(&file.animation(None).unwrap(), 0.0).unwrap();
+        (file.meshes().unwrap().remove(0), worlds)
+    };
+    let (whole, _) = read(r#""bufferView":1,"count":3,"#);
+    assert_eq!(whole.unbalanced(), None);
+    let (mut mesh, worlds) = read(
+        r#""bufferView":1,"count":3,"sparse":{"count":1,"indices":{"bufferView":6,"byteOffset":5,"componentType":5121},
+        "values":{"bufferView":4,"byteOffset":16}},"#,
+    );
+    let said = "mesh 0, primitive 0: the weights of 1 vertex do not sum to 1; those of vertex 1 sum to 1.4142135, \
+                which is farthest off (--normalize divides by the sum)";
+    assert_eq!(mesh.unbalanced().as_deref(), Some(said));
+    let root = core::f64::consts::SQRT_2;
+    let large = [[0.0, 0.0, 5.0], [0.0, root, 5.0 * root], [1.0, 2.0, 5.0]];
+    assert!(close(&mesh.pose(&worlds, Method::Linear).unwrap(), &large));
+    mesh.normalize();
+    assert_eq!(mesh.unbalanced(), None);
+    for method in [Method::Linear, Method::Dual] {
+        let got = mesh.pose(&worlds, method).unwrap();
+        assert!(close(&got, &[[0.0, 0.0, 5.0], [0.0, 1.0, 5.0], [1.0, 2.0, 5.0]]), "{got:?}");
+    }
+}
+
 #[test]
 fn a_skinned_mesh_ignores_its_own_node_and_another_follows_it() {
     let rest = posed(&glb(str::to_owned), 0.5, Method::Dual).unwrap();

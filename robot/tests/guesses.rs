@@ -64,3 +64,24 @@ fn a_search_with_memory_of_its_own_needs_no_scratch() {
     assert!(!report.is_converged());
     assert!(reach.solve(&[far], &mut angles[..1], &Options::default()).is_err());
 }
+
+/// As a struct of a cell prints what it holds.
+#[test]
+fn robots_and_reaches_are_printed_on_a_line() {
+    let robot: Robot = ELBOW.parse().expect("a robot");
+    assert_eq!(format!("{robot:?}"), r#"Robot { name: "arm", links: 4, values: 2, warnings: 0 }"#);
+    let mechanism = robot.cast::<f64>().expect("the same in f64");
+    let printed = "Mechanism { links: 4, values: 2, rates: 2 }";
+    assert_eq!(format!("{:?}", robot.mechanism()), printed);
+    assert_eq!(format!("{mechanism:?}"), format!("Owned{printed}"));
+    let reach = OwnedReach::new(mechanism, [Goal::position(3)]).expect("a goal");
+    let printed = |owned| {
+        format!(
+            "{owned}Reach {{ mechanism: {owned}Mechanism {{ links: 4, values: 2, rates: 2 }}, goals: 1 }}"
+        )
+    };
+    assert_eq!(
+        (format!("{reach:?}"), format!("{:?}", reach.view())),
+        (printed("Owned"), printed(""))
+    );
+}

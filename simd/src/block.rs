@@ -199,6 +199,10 @@ fn part_of<A: Row, V: Level>(
 /// A row of numbers in memory, `[f32; N]` or `[f64; N]`, and the lanes that read it.
 ///
 /// Sealed: blocks rely on a row being plain numbers of at least sixteen bytes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no row of a block",
+    note = "a row has 4, 8 or 16 numbers of `f32`, or 2, 4 or 8 of `f64`: as in `Block<f32, 8>` and `Crowd::<f64, 4>`"
+)]
 pub trait Row:
     Pod + Send + Sync + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed::Sealed
 {

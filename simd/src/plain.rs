@@ -15,16 +15,35 @@ unsafe impl<T, const N: usize> Numbers<T> for [T; N] {}
 // SAFETY: as above, twice.
 unsafe impl<T, const N: usize, const M: usize> Numbers<T> for [[T; N]; M] {}
 
-/// Compiles for numbers only.
+/// The size in bytes of a field, which compiles for numbers only.
 #[doc(hidden)]
-pub const fn only<T, F: Numbers<T>>(_: &F) {}
+pub const fn size_of_numbers<T, F: Numbers<T>>(_: &F) -> usize {
+    size_of::<F>()
+}
+
+/// The bytes of a struct that are zero.
+#[doc(hidden)]
+pub const fn zeroed<P: Zeroable>() -> P {
+    // SAFETY: `Zeroable` promises that zeros are a value.
+    unsafe { core::mem::MaybeUninit::zeroed().assume_init() }
+}
+
+/// Checks the finished struct, whatever the attributes have done to it: it lies as close as bytes do, and its fields fill
+/// it.
+#[doc(hidden)]
+pub const fn check_padding<P>(size_of_fields: usize) {
+    assert!(align_of::<P>() == 1, "an attribute gives this struct an alignment of its own");
+    assert!(size_of::<P>() == size_of_fields, "an attribute gives this struct padding");
+}
 
 /// Defines a struct that is generic over its number, and makes it `bytemuck::Pod`, which bytemuck derives for structs of
 /// one field only. All fields are numbers, arrays of numbers, or plain themselves; anything else does not compile.
 ///
-/// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. No name that it uses is looked up
-/// where it is called. It takes documentation, `must_use`, derives and, for a feature, derives and what `serde` reads: no
-/// other attribute, for one may change the layout or take the struct away.
+/// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. It takes documentation, `must_use`,
+/// derives and, for a feature, derives and what `serde` reads: no other attribute, for one may change the layout or take the
+/// struct away. Where it is called, `derive` and `serde` may be attributes that somebody else wrote; so the finished struct
+/// is checked: one that has an alignment or padding of its own does not compile. No other name that the macro uses is looked
+/// up there.
 ///
 /// ```
 /// dq8_simd::plain! {
@@ -88,15 +107,16 @@ macro_rules! plain {
         $seen struct $name<$number> $fields $($end)?
 
         const _: () = {
-            const fn only_numbers<$number>(plain: &$name<$number>) {
+            const fn size_of_fields<$number>(plain: &$name<$number>) -> $crate::plain::Size {
                 let $name { $($field: _),+ } = plain;
-                $($crate::plain::only::<$number, _>(&plain.$field);)+
+                0 $(+ $crate::plain::size_of_numbers::<$number, _>(&plain.$field))+
             }
-            let _ = only_numbers::<$crate::plain::Byte>;
+            let plain = $crate::plain::zeroed::<$name<$crate::plain::Byte>>();
+            $crate::plain::check_padding::<$name<$crate::plain::Byte>>(size_of_fields(&plain));
         };
-        // SAFETY: the struct above has its fields in this order, and no attribute that changes this. `only_numbers` compiles,
-        // so every field is numbers and nothing else: all have the alignment of a number, and no padding lies between or
-        // behind them.
+        // SAFETY: `size_of_fields` compiles, so the finished struct has the fields above and no other, and every one is numbers
+        // and nothing else: all have the alignment of a number, and no padding lies between or behind them. Nor does an
+        // attribute add any, for the struct of bytes, whose alignment and padding would be the same, has none.
         unsafe impl<$number> $crate::plain::Numbers<$number> for $name<$number> {}
         // SAFETY: all fields are zeroable where a number is.
         unsafe impl<$number: $crate::plain::Zeroable> $crate::plain::Zeroable for $name<$number> {}
@@ -117,8 +137,12 @@ pub use bytemuck::{Pod, Zeroable};
 /// A number that no name at the place of the call can stand for.
 #[doc(hidden)]
 pub type Byte = u8;
+/// As above.
+#[doc(hidden)]
+pub type Size = usize;
 
-/// Programs of safe code that once made `Pod` of what has padding, or of a layout that nothing promises.
+/// Programs of safe code that once made `Pod` of what has padding, or of a layout that nothing promises. Those with
+/// attributes of their own are in `tests/attributes`.
 ///
 /// The struct only named, and `align_of` or `assert!` another one where the macro is called:
 ///

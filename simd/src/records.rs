@@ -70,8 +70,9 @@ pub trait Records: Lanes {
         stride: Option<usize>,
         padding: &[Self::Real; C],
     ) -> [Self; C] {
-        let mut components = [Self::splat(level, Self::Real::default()); C];
-        if Self::LANES == 1 {
+        // What constants decide is decided before there is code of it, here and below.
+        if const { Self::LANES == 1 } {
+            let mut components = [Self::splat(level, Self::Real::default()); C];
             for (component, &number) in components.iter_mut().zip(from.first().unwrap_or(padding)) {
                 *component = Self::splat(level, number);
             }
@@ -80,17 +81,23 @@ pub trait Records: Lanes {
         let flat = from.as_flattened();
         let apart = C.saturating_mul(stride.unwrap_or(1));
         // Numbers one after the other need no transpose.
-        if let (1, None, Some(row)) = (C, stride, flat.get(..Self::LANES)) {
+        if const { C == 1 }
+            && let (None, Some(row)) = (stride, flat.get(..Self::LANES))
+        {
             let mut array = Self::Array::zeroed();
             array.as_mut().copy_from_slice(row);
-            components.fill(Self::load(level, &array));
-            return components;
+            return [Self::load(level, &array); C];
         }
         // Four numbers are read of a record of three.
-        if C < 3 || flat.len() < reach(Self::LANES, apart, C.max(4)) {
+        if const { C < 3 }
+            || flat.len() < reach(Self::LANES, apart, const { if C < 4 { 4 } else { C } })
+        {
             let rows = load_each::<Self, C>(from, stride.unwrap_or(1), padding);
-            for (component, row) in components.iter_mut().zip(&rows) {
-                *component = Self::load(level, row);
+            let mut components = [Self::splat(level, Self::Real::default()); C];
+            let mut component = 0;
+            while component < C {
+                components[component] = Self::load(level, &rows[component]);
+                component += 1;
             }
             return components;
         }
@@ -158,7 +165,7 @@ pub trait Records: Lanes {
         to: &mut [[Self::Real; C]],
         stride: Option<usize>,
     ) {
-        if Self::LANES == 1 {
+        if const { Self::LANES == 1 } {
             let record = to.first_mut().into_iter().flatten();
             for (slot, component) in record.zip(components) {
                 if let [number] = component.to_array().as_ref() {
@@ -170,14 +177,18 @@ pub trait Records: Lanes {
         let flat = to.as_flattened_mut();
         let apart = C.saturating_mul(stride.unwrap_or(1));
         let fits = flat.len() >= reach(Self::LANES, apart, C);
-        if let (&[x, y, z], true, 3) = (components.as_slice(), fits, apart) {
+        if const { C == 3 }
+            && let (&[x, y, z], true, 3) = (components.as_slice(), fits, apart)
+        {
             // SAFETY: checked above.
             return unsafe { Self::store_triples([x, y, z], flat.as_mut_ptr()) };
         }
-        if C < 4 || !fits {
+        if const { C < 4 } || !fits {
             let mut rows = [Self::Array::zeroed(); C];
-            for (row, component) in rows.iter_mut().zip(components) {
-                component.store(row);
+            let mut component = 0;
+            while component < C {
+                components[component].store(&mut rows[component]);
+                component += 1;
             }
             return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
         }
@@ -189,18 +200,33 @@ pub trait Records: Lanes {
 impl<L: Lanes> Records for L {}
 
 /// Where four of `C` components begin, the fours one after the other; the last begin earlier where `C` is not a multiple of
-/// four. `None` if all have come.
-///
-/// Asked four times where a loop would do, which is left to matrices of six rows: whether the compiler unrolls a loop depends
-/// on how it weighs bytes, and one that it leaves goes through memory, which takes 1.4 of the time in WebAssembly.
+/// four.
 #[cfg_attr(not(opt_level_0), inline(always))]
-const fn four<const C: usize>(number: usize) -> Option<usize> {
-    let first = 4 * number;
-    match (first < C, first + 4 <= C) {
-        (false, _) => None,
-        (true, false) => Some(C.saturating_sub(4)),
-        (true, true) => Some(first),
-    }
+const fn four<const C: usize>(number: usize) -> usize {
+    if 4 * number + 4 <= C { 4 * number } else { C.saturating_sub(4) }
+}
+
+/// Does something for each four of `C` components.
+///
+/// Written four times where a loop would do, which is left to matrices of six rows: whether the compiler unrolls a loop depends
+/// on how it weighs bytes, and one that it leaves goes through memory, which takes 1.4 of the time in WebAssembly. What an
+/// instance has no fours for is decided by a constant, and no code of it: a program has dozens of instances.
+macro_rules! fours {
+    ($C:ident, |$first:ident| $each:expr) => {
+        fours!(@ $C, |$first| $each, 0 1 2 3);
+        if const { $C > 16 } {
+            for number in 4..$C.div_ceil(4) {
+                let $first = four::<$C>(number);
+                $each
+            }
+        }
+    };
+    (@ $C:ident, |$first:ident| $each:expr, $($number:literal)*) => {$(
+        if const { 4 * $number < $C } {
+            let $first = const { four::<$C>($number) };
+            $each
+        }
+    )*};
 }
 
 /// # Safety
@@ -213,21 +239,15 @@ unsafe fn load_all<L: Lanes, const C: usize>(
     place: impl Fn(usize) -> usize + Copy,
 ) -> [L; C] {
     let mut components = [L::splat(level, L::Real::default()); C];
-    macro_rules! fours {
-        ($($number:expr),*) => {$(
-            if let Some(first) = four::<C>($number) {
-                // SAFETY: promised.
-                let quad = unsafe { L::load_quads(level, from.add(first), place) };
-                for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
-                    *component = loaded;
-                }
-            }
-        )*};
-    }
-    fours!(0, 1, 2, 3);
-    for number in 4..C.div_ceil(4) {
-        fours!(number);
-    }
+    fours!(C, |first| {
+        // SAFETY: the numbers may be read, as promised. `first` is at most C − 4, or 0 where C is less, so neither place holds
+        // less than is copied.
+        unsafe {
+            let quad = L::load_quads(level, from.add(first), place);
+            let to = components.as_mut_ptr().add(first);
+            to.copy_from_nonoverlapping(quad.as_ptr(), const { if C < 4 { C } else { 4 } });
+        }
+    });
     components
 }
 
@@ -235,20 +255,13 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 /// `C`, four or more, numbers that begin `i · stride` numbers after `to` may be written, for each lane `i`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Real, stride: usize) {
-    macro_rules! fours {
-        ($($number:expr),*) => {$(
-            if let Some(first) = four::<C>($number)
-                && let Some(&quad) = components.get(first..).and_then(|rest| rest.first_chunk())
-            {
-                // SAFETY: promised.
-                unsafe { L::store_quads(quad, to.add(first), stride) };
-            }
-        )*};
-    }
-    fours!(0, 1, 2, 3);
-    for number in 4..C.div_ceil(4) {
-        fours!(number);
-    }
+    fours!(C, |first| {
+        // SAFETY: `first` is at most C − 4, and C at least four, so four components are there; the rest is promised.
+        unsafe {
+            let quad = components.as_ptr().add(first).cast::<[L; 4]>().read();
+            L::store_quads(quad, to.add(first), stride);
+        }
+    });
 }
 
 /// How many numbers `lanes` records of `count` reach over, `stride` apart.

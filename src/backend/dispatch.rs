@@ -70,7 +70,7 @@ pub trait Kernel {
 /// assert!(Backend::available().any(|backend| backend == Backend::best()));
 /// assert_eq!(Backend::PORTABLE.to_string(), "portable");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[must_use]
 pub struct Backend {
     proof: Proof,
@@ -153,6 +153,13 @@ impl Backend {
         Self::available().last().unwrap_or(Self::PORTABLE).unfused()
     }
 
+    /// `true` if nothing fuses: then every machine has the same bits.
+    #[cfg(feature = "reproducible")]
+    #[must_use]
+    pub fn is_reproducible(self) -> bool {
+        self == self.unfused()
+    }
+
     /// The same instructions but for fused ones. For tests of one CPU, which hold all levels to each other's bits.
     #[cfg(feature = "reproducible")]
     #[doc(hidden)]
@@ -223,11 +230,14 @@ impl Backend {
                 || kernel.run(Portable),
             ),
             #[cfg(target_arch = "x86_64")]
-            Proof::Avx512(level, _) if K::WIDE && (!K::SHUFFLES || level.shuffles_wide()) => level
-                .run(
+            Proof::Avx512(level, _)
+                if const { K::WIDE } && (!K::SHUFFLES || level.shuffles_wide()) =>
+            {
+                level.run(
                     #[inline(always)]
                     || kernel.run(level),
-                ),
+                )
+            }
             #[cfg(target_arch = "x86_64")]
             Proof::Avx2(level) | Proof::Avx512(_, level) => level.run(
                 #[inline(always)]
@@ -240,7 +250,7 @@ impl Backend {
             Proof::UnfusedPortable => kernel.run(Unfused(Portable)),
             #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
             Proof::UnfusedAvx512(level, _)
-                if K::WIDE && (!K::SHUFFLES || level.shuffles_wide()) =>
+                if const { K::WIDE } && (!K::SHUFFLES || level.shuffles_wide()) =>
             {
                 level.run(
                     #[inline(always)]
@@ -290,6 +300,19 @@ impl fmt::Display for Backend {
     }
 }
 
+/// Its name, and how many threads it has if there are several.
+impl fmt::Debug for Backend {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut tuple = f.debug_tuple("Backend");
+        tuple.field(&format_args!("{self}"));
+        #[cfg(feature = "rayon")]
+        if self.threads.get() > 1 {
+            tuple.field(&format_args!("{} threads", self.threads));
+        }
+        tuple.finish()
+    }
+}
+
 /// Instructions that this CPU does not have, or that have another name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -298,8 +321,11 @@ pub struct UnavailableBackend;
 
 impl fmt::Display for UnavailableBackend {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("no such backend here; this CPU has")?;
-        Backend::available().try_for_each(|backend| write!(f, " {backend}"))
+        f.write_str("no such backend here; this CPU has ")?;
+        let mut available = Backend::available().enumerate();
+        available.try_for_each(|(index, backend)| {
+            write!(f, "{}{backend}", if index == 0 { "" } else { ", " })
+        })
     }
 }
 

@@ -29,6 +29,7 @@ crate::plain::plain! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
     #[must_use]
+    #[doc(alias("motion", "spatial_velocity", "se3"))]
     pub struct Twist<T> {
         /// ω, radians per unit of time.
         pub angular: [T; 3],

@@ -10,6 +10,7 @@ crate::plain::plain! {
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
+    #[doc(alias("force", "spatial_force"))]
     pub struct Wrench<T> {
         /// f
         pub force: [T; 3],

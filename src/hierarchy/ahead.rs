@@ -14,7 +14,7 @@ pub(super) struct Ahead<E: Element<8>, V: Level>(Option<[Rows<Register<E, V, 8>>
 impl<E: Element<8>, V: Level> Ahead<E, V> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of<L: Locals<E>>(_: &L) -> Self {
-        Self(if L::MADE { Some([Zeroable::zeroed(); GROUP]) } else { None })
+        Self(if const { L::MADE } { Some([Zeroable::zeroed(); GROUP]) } else { None })
     }
 
     /// The local of a slot; the slots of all joints of `run` are asked for one after the other.
@@ -27,7 +27,7 @@ impl<E: Element<8>, V: Level> Ahead<E, V> {
         models: &[E],
         slot: JointSlot,
     ) -> Option<Numbers<E, V>> {
-        if !L::MADE {
+        if const { !L::MADE } {
             return locals.load(level, models, slot);
         }
         let rows = self.0.as_mut()?;

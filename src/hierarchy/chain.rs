@@ -74,7 +74,7 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
         // A chain in blocks was cut when it was packed: its last segment is filled up with identities.
-        if E::Layout::THINGS > 1 {
+        if const { E::Layout::THINGS > 1 } {
             scan(InBlocks { level, links, products });
             return;
         }
@@ -86,7 +86,9 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
             // Where a register holds one number, one segment after the other: eight at once would be memory, and much code.
-            let mut before = if <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native::LANES == 1 {
+            let mut before = if const {
+                <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native::LANES == 1
+            } {
                 scan(Strided::<_, _, <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native>::new(
                     level, steps, links, products,
                 ))

@@ -4,6 +4,7 @@ use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
 use super::rows::{Rows, each};
 use super::slot::JointSlot;
+use crate::brief::brief;
 use crate::law::Law;
 use crate::number::{Real, Scalar};
 use crate::storage::shape::{ShapeError, whole_instances};
@@ -14,8 +15,9 @@ use dq8_simd::{Gather, Lanes, Records};
 
 /// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
 /// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 #[must_use]
+#[doc(alias("animation"))]
 pub struct Clip<'c, K> {
     pub(super) keys: &'c [K],
     pub(super) joints: usize,
@@ -23,6 +25,10 @@ pub struct Clip<'c, K> {
     pub(super) rate: f64,
     pub(super) loops: bool,
 }
+
+brief!([K] Clip<'_, K>: Clip |it| {
+    joints: it.joints, frames: it.frames, rate: it.rate, loops: it.loops,
+});
 
 impl<'c, K> Clip<'c, K> {
     /// A clip of `joints` joints.
@@ -135,12 +141,16 @@ where
 }
 
 /// Frames of a clip, one for each instance, that another one follows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Frames<'s, K, R> {
     clip: Clip<'s, K>,
     frames: Gather<'s>,
     number: PhantomData<R>,
 }
+
+brief!([K, R] Frames<'_, K, R>: Frames |it| {
+    clip: it.clip, instances: it.frames.frames().len(),
+});
 
 impl<K, R: Scalar, const C: usize> PlacedKeys<R, C> for Frames<'_, K, R>
 where

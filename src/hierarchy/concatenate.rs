@@ -86,7 +86,7 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
         JointSlot::in_block(joint, instance * run.parents.len(), register, first)
     };
     for joint in run.joints.clone() {
-        if L::MADE && (joint - run.joints.start).is_multiple_of(GROUP) {
+        if const { L::MADE } && (joint - run.joints.start).is_multiple_of(GROUP) {
             let group = GROUP.min(run.joints.end - joint);
             for (instance, models) in &mut instances {
                 for register in 0..E::Layout::registers::<V>() {
@@ -118,7 +118,7 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                 }
                 // The turn of this register ends: nothing of the next one may be begun before its store.
                 compiler_fence(Ordering::SeqCst);
-                if !renormalize && !X::ACTIVE {
+                if !renormalize && const { !X::ACTIVE } {
                     continue;
                 }
                 // Read back, for the reason above; it is in the first cache.
@@ -127,7 +127,7 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                     model = model.normalize();
                     store(model, models, slot);
                 }
-                if X::ACTIVE {
+                if const { X::ACTIVE } {
                     epilogue.run(level, slot, model);
                 }
             }
@@ -168,7 +168,11 @@ fn local<E: Element<8>, L: Locals<E>, V: Level>(
     models: &[E],
     slot: JointSlot,
 ) -> Option<Numbers<E, V>> {
-    if L::MADE { InPlace.load(level, models, slot) } else { locals.load(level, models, slot) }
+    if const { L::MADE } {
+        InPlace.load(level, models, slot)
+    } else {
+        locals.load(level, models, slot)
+    }
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]

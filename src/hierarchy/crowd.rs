@@ -1,4 +1,5 @@
 use crate::backend::Backend;
+use crate::brief::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
@@ -27,7 +28,7 @@ use dq8_simd::Row;
 /// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Crowd<R, const N: usize, const C: usize = 8>
 where
     [R; N]: Row<Real = R>,
@@ -36,6 +37,10 @@ where
     joints: usize,
     instances: usize,
 }
+
+brief!([R, const N: usize, const C: usize] Crowd<R, N, C>, where [[R; N]: Row<Real = R>]: Crowd |it| {
+    joints: it.joints, instances: it.instances, lanes: N, components: C,
+});
 
 impl<R: Scalar, const N: usize, const C: usize> Crowd<R, N, C>
 where
@@ -144,6 +149,60 @@ impl<R: Scalar, const N: usize> Crowd<R, N>
 where
     [R; N]: Row<Real = R>,
 {
+    /// Each pose by its instance and joint.
+    ///
+    /// # Panics
+    /// As [`new`](Self::new).
+    ///
+    /// ```
+    /// use dq8::{Crowd, DualQuat};
+    /// let at = |instance, joint| DualQuat::from_translation([instance as f32, joint as f32, 0.0]);
+    /// let mut crowd = Crowd::<f32, 8>::from_fn(2, 3, at);
+    /// crowd.set_instance(1, &[at(7, 0), at(7, 1)])?;
+    /// let elbows = crowd.iter().map(|mut joints| joints.nth(1).unwrap().translation());
+    /// assert!(elbows.eq([[0.0, 1.0, 0.0], [7.0, 1.0, 0.0], [2.0, 1.0, 0.0]]));
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    #[must_use]
+    pub fn from_fn(
+        joints: usize,
+        instances: usize,
+        mut pose: impl FnMut(usize, usize) -> DualQuat<R>,
+    ) -> Self {
+        let mut crowd = Self::new(joints, instances);
+        for instance in 0..instances {
+            for joint in 0..joints {
+                // There is such a pose.
+                let _ = crowd.set(instance, joint, pose(instance, joint));
+            }
+        }
+        crowd
+    }
+
+    /// The poses of each [`instance`](Self::instance).
+    pub fn iter(
+        &self,
+    ) -> impl ExactSizeIterator<Item = impl ExactSizeIterator<Item = DualQuat<R>>> {
+        (0..self.instances).map(|instance| self.instance(instance))
+    }
+
+    /// Writes the poses of one instance, joint by joint.
+    ///
+    /// # Errors
+    /// If there is no such instance, or not one pose for each joint; nothing is written then.
+    pub fn set_instance(
+        &mut self,
+        instance: usize,
+        poses: &[DualQuat<R>],
+    ) -> Result<(), ShapeError> {
+        same_length("poses", poses.len(), self.joints)?;
+        if instance >= self.instances {
+            let (instances, joints) = (self.instances, self.joints);
+            return Err(ShapeError::NoPose { instance, joint: 0, instances, joints });
+        }
+        poses.iter().enumerate().try_for_each(|(joint, &pose)| self.set(instance, joint, pose))
+    }
+
     /// As `[instance][joint]`.
     #[must_use]
     pub fn to_vec(&self) -> Vec<DualQuat<R>> {

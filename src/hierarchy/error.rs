@@ -1,6 +1,6 @@
 //! [`HierarchyError`]: parents that are not a hierarchy.
 
-use crate::errors::errors;
+use crate::errors::{Count, errors};
 use core::fmt;
 
 errors! {
@@ -17,13 +17,13 @@ errors! {
             parent: i128 = "Its parent, as it was written: a number of any type.",
             joints: usize = "The number of joints."
         }
-            => "joint {joint} has parent {parent}{}, but there are only {joints} joints, counted from 0, and −1 is none",
-            Signed(*parent);
+            => "joint {joint} has parent {parent}{}, which is none of {}, counted from 0 (the parent of a root is −1)",
+            Signed(*parent), Count(*joints, "joint");
         /// A joint is its own ancestor.
         Cycle { joint: usize = "The joint." } => "joint {joint} is its own ancestor";
         /// A joint that there is not.
         NoJoint { joint: usize = "The joint asked for.", joints: usize = "The number of joints." }
-            => "there is no joint {joint} among {joints}, counted from 0";
+            => "there is no joint {joint} among {}, counted from 0", Count(*joints, "joint");
         /// The joints below a joint do not lie in one range.
         Scattered {
             joint: usize = "The joint.",
@@ -33,12 +33,12 @@ errors! {
                 (`Skeleton::sorted` numbers subtrees in one range)";
         /// Not as many names as joints.
         Names { names: usize = "The number of names.", joints: usize = "The number of joints." }
-            => "{names} names are not one for each of {joints} joints";
+            => "{} for {}: each needs one", Count(*names, "name"), Count(*joints, "joint");
         /// A joint has the name of an earlier one.
         SameName { joint: usize = "The joint.", earlier: usize = "The earlier one." }
             => "joint {joint} has the name of joint {earlier}";
         /// More joints than a `u32` can number.
-        TooManyJoints { joints: usize = "The number of joints." } => "{joints} joints are more than a u32 can number";
+        TooManyJoints { joints: usize = "The number of joints." } => "{joints} joints are more than a u32 can count";
     }
 }
 

@@ -26,6 +26,27 @@ impl<'a> Hierarchy<'a> {
         of_parent(self.parents(), after, parent)
     }
 
+    /// The parent of a joint, its parent, and so on up to the root; none where there is no such joint.
+    ///
+    /// ```
+    /// use dq8::Skeleton;
+    /// // hip → knee → foot, hip → tail
+    /// let leg = Skeleton::new(&[-1, 0, 1, 0])?;
+    /// assert!(leg.ancestors(2).eq([1, 0]));
+    /// assert!(leg.is_leaf(3) && !leg.is_leaf(1));
+    /// # Ok::<(), dq8::hierarchy::HierarchyError>(())
+    /// ```
+    pub fn ancestors(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
+        let of = *self;
+        core::iter::successors(of.parent(joint), move |&joint| of.parent(joint))
+    }
+
+    /// `true` if nothing hangs from the joint; false where there is no such joint.
+    #[must_use]
+    pub fn is_leaf(&self, joint: usize) -> bool {
+        joint < self.joints() && self.children(joint).next().is_none()
+    }
+
     /// The joint and all that hang from it, as a range of joints: for [`Job::joints`](super::Job::joints), for a mask, and
     /// for slices of locals and models.
     ///
@@ -43,6 +64,7 @@ impl<'a> Hierarchy<'a> {
     /// assert_eq!(mixed.subtree(1), Err(HierarchyError::Scattered { joint: 1, beyond: 3 }));
     /// # Ok::<(), HierarchyError>(())
     /// ```
+    #[doc(alias("descendants"))]
     pub fn subtree(&self, joint: usize) -> Result<Range<usize>, HierarchyError> {
         let joints = self.joints();
         let Some(after) = self.parents().get(joint.saturating_add(1)..) else {
@@ -64,16 +86,14 @@ impl<'a> Hierarchy<'a> {
         name: impl Fn(usize) -> Option<&'n str>,
     ) -> fmt::Result {
         for joint in 0..self.joints() {
-            let above =
-                |joint: usize| core::iter::successors(self.parent(joint), |&j| self.parent(j));
-            write!(f, "{:1$}{joint}", "", 2 * above(joint).count())?;
+            write!(f, "{:1$}{joint}", "", 2 * self.ancestors(joint).count())?;
             if let Some(name) = name(joint) {
                 write!(f, " {name}")?;
             }
             // Where the line before neither is the parent nor hangs from it, the indent does not say who is.
             if let (Some(parent), Some(before)) = (self.parent(joint), joint.checked_sub(1))
                 && parent != before
-                && !above(before).any(|of| of == parent)
+                && !self.ancestors(before).any(|of| of == parent)
             {
                 write!(f, " (of {parent})")?;
             }

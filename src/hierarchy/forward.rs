@@ -19,7 +19,8 @@ pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     models: &mut [E],
     mut epilogue: X,
 ) {
-    if E::Layout::THINGS > 1 {
+    // Decided before there is code of the other loops: half of what a program would compile.
+    if const { E::Layout::THINGS > 1 } {
         backend.run(Forward { run, locals, models, epilogue });
     } else {
         transposed::forward(backend, run, locals, models, &mut epilogue);
@@ -39,7 +40,7 @@ pub(super) fn palette<E: Element<8>, L: Locals<E>, M, const C: usize>(
     let Palette { inverse_binds, order, entries: palette } = palette;
     let joints = run.parents.len();
     let mut done = 0;
-    if transposed::MANY && E::Layout::THINGS == 1 {
+    if const { transposed::MANY && E::Layout::THINGS == 1 } {
         let instances = palette.len() / joints.max(1);
         let epilogue = Palette { inverse_binds, order, entries: &mut *palette };
         done = joints * backend.run(Unkept { run, locals, instances, scratch, epilogue });

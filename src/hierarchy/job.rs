@@ -7,6 +7,7 @@ use super::root::{NoRoot, Roots};
 use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize};
 use crate::backend::Choice;
+use crate::brief::brief;
 use crate::palette_entry::MatrixOrder;
 use crate::scalar::DualQuat;
 use crate::storage::Element;
@@ -30,7 +31,7 @@ use core::ops::{Bound, Range, RangeBounds};
 /// assert_eq!(models[2].translation(), [2.0, 5.0, 10.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 #[must_use]
 pub struct Job<'a, S = NoRoot, P = NoPlan> {
     parents: &'a [u32],
@@ -42,6 +43,10 @@ pub struct Job<'a, S = NoRoot, P = NoPlan> {
     plan: P,
 }
 
+brief!([S, P] Job<'_, S, P>: Job |it| {
+    joints: it.joints, of: it.parents.len(), renormalize: it.renormalize, choice: it.choice,
+});
+
 impl<'a> Hierarchy<'a> {
     /// Model poses of all joints from local ones: model(j) = model(parent(j)) · local(j).
     ///
@@ -51,6 +56,7 @@ impl<'a> Hierarchy<'a> {
     /// # Errors
     /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
     #[inline]
+    #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
         &self,
         locals: &[E],
@@ -190,6 +196,7 @@ impl<S, P: Plans> Job<'_, S, P> {
     /// # Errors
     /// If lengths or the range do not fit; `models` is untouched.
     #[inline]
+    #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
         &self,
         locals: &[E],
@@ -201,7 +208,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         self.locals_to_model(Poses(locals), models)
     }
 
-    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory.
+    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory. A [`Crowd`](super::Crowd) gives its
+    /// poses by [`blocks_mut`](super::Crowd::blocks_mut).
     ///
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.

@@ -10,6 +10,12 @@ use dq8_simd::Lanes;
 
 /// Key frames of a skeleton, in numbers of `R`, `C` for each joint: a [`Clip`](super::Clip) or
 /// [`PackedClips`](super::PackedClips). Sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` are no keys of {C} numbers of `{R}` for each joint",
+    note = "packed clips have 7 numbers of `f32` for each joint, a rotation and a translation: the law `NlerpLerp` plays them, in \
+            `f32`",
+    note = "a `Clip` has 7 for `NlerpLerp`, or 8, a motion, for `Nlerp` and `Sclerp`"
+)]
 pub trait Keys<'s, R, const C: usize>: Copy + Sealed {
     /// Where an instance is: the number of a frame, or a clip and a frame.
     type Place;

@@ -4,16 +4,25 @@ use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, Poses, RotationsTranslations, Tracks, part_of};
 use super::rows::{GROUP, GROUPS, Rows, each, load, resized, store};
 use super::slot::JointSlot;
+use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Layout, Number, Register};
 use bytemuck::Zeroable;
+use core::fmt::Debug;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 /// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
 /// ([`Poses`], [`RotationsTranslations`], [`Tracks`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` are no poses of {C} numbers each",
+    note = "layers have the numbers of their law, and poses of 7 numbers and of 8 do not mix: 7, a rotation and a translation, are \
+            `RotationsTranslations`, `Tracks` and samples of packed clips, by the law `NlerpLerp`; 8, a motion, are `Poses` \
+            and samples of motions, by `Nlerp` or `Sclerp`",
+    note = "all are of one precision, and lie in the layout of the models: plain slices, or blocks"
+)]
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// Their name in errors, and how many elements of the layout they fill, for so many joints.
     ///
@@ -177,8 +186,9 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
 /// assert_eq!(models[1].translation(), [3.0, 0.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 #[must_use]
+#[doc(alias("BlendingJob", "additive"))]
 pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
     law: W,
     base: A,
@@ -186,6 +196,10 @@ pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
     weights: &'w [R],
     mask: Option<&'w [R]>,
 }
+
+brief!([W: Debug, A: Debug, B: Debug, R, const C: usize, const ADDS: bool] Layered<'_, W, A, B, R, C, ADDS>: Layered |it| {
+    law: it.law, base: it.base, layer: it.layer, adds: ADDS, instances: it.weights.len(), masked: it.mask.is_some(),
+});
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
     /// From `base` (weight 0) to `layer` (weight 1). One weight for each instance.
@@ -226,7 +240,11 @@ impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C
     where
         W: Law<C>,
     {
-        if ADDS { self.law.add(base, layer, weight) } else { self.law.between(base, layer, weight) }
+        if const { ADDS } {
+            self.law.add(base, layer, weight)
+        } else {
+            self.law.between(base, layer, weight)
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::rows::{self, Rows};
 use super::slot::JointSlot;
 use crate::batch;
+use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
 pub(super) use crate::palette_entry::{Motions, motions};
 use crate::storage::shape::{ShapeError, same_length};
@@ -83,11 +84,13 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
 }
 
 /// Any motions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Poses<'s, E>(
     /// One for each joint.
     pub &'s [E],
 );
+
+brief!([E] Poses<'_, E>: Poses |it| { elements: it.0.len() });
 
 impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
@@ -128,12 +131,14 @@ impl<E: Element<8>> Locals<E> for InPlace {
 }
 
 /// Rotations and translations, r + ½εtr: an eighth less memory than motions, and no more operations.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct RotationsTranslations<'s, T>(
     /// One for each joint: [`RotationTranslation`](crate::representation::RotationTranslation), `[x, y, z, w, tx, ty, tz]`, or
     /// blocks of seven rows.
     pub &'s [T],
 );
+
+brief!([T] RotationsTranslations<'_, T>: RotationsTranslations |it| { elements: it.0.len() });
 
 /// Rotations and translations of each joint in two arrays, as animation tracks have them:
 /// [`RotationsTranslations`] taken apart.
@@ -150,7 +155,7 @@ pub struct RotationsTranslations<'s, T>(
 /// assert_eq!(models[1].translation(), [-2.0, 0.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Tracks<'s, Q, T> {
     /// One for each joint.
     pub rotations: &'s [Q],
@@ -158,15 +163,23 @@ pub struct Tracks<'s, Q, T> {
     pub translations: &'s [T],
 }
 
+brief!([Q, T] Tracks<'_, Q, T>: Tracks |it| {
+    rotations: it.rotations.len(), translations: it.translations.len(),
+});
+
 /// Rotations, and the offset of each joint from its parent, the same for all instances: what
 /// animation clips hold, and half the memory of motions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Bones<'s, Q: Element<4>> {
     /// One for each joint.
     pub rotations: &'s [Q],
     /// One for each joint of the skeleton: its place in its parent.
     pub offsets: &'s [[Number<Q, 4>; 3]],
 }
+
+brief!([Q: Element<4>] Bones<'_, Q>: Bones |it| {
+    rotations: it.rotations.len(), offsets: it.offsets.len(),
+});
 
 impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q> {
     fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {

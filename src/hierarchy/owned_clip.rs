@@ -1,4 +1,5 @@
 use super::Clip;
+use crate::brief::brief;
 use crate::storage::shape::ShapeError;
 use alloc::vec::Vec;
 
@@ -14,7 +15,7 @@ use alloc::vec::Vec;
 /// assert!((hip.translation()[0] - 2.0).abs() < 1e-12);
 /// # Ok::<(), dq8::ShapeError>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 #[must_use]
 pub struct OwnedClip<K> {
     keys: Vec<K>,
@@ -23,6 +24,10 @@ pub struct OwnedClip<K> {
     rate: f64,
     loops: bool,
 }
+
+brief!([K] OwnedClip<K>: OwnedClip |it| {
+    joints: it.joints, frames: it.frames, rate: it.rate, loops: it.loops,
+});
 
 impl<K> OwnedClip<K> {
     /// See [`Clip::new`].

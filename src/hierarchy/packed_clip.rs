@@ -3,6 +3,7 @@
 use super::locals::RotationsTranslations;
 use super::packed_clips::{self as form, ONE, PackedClips, neighbours};
 use super::{Hierarchy, PackedError, Sampled};
+use crate::brief::brief;
 use crate::law::NlerpLerp;
 use crate::number::Real;
 use crate::scalar::DualQuat;
@@ -43,11 +44,15 @@ type Key = [f32; 7];
 /// assert!((models[1].translation()[0] - 0.25_f32.cos()).abs() < 1e-4);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct PackedClip {
     tracks: OwnedTracks,
     rests: Range<usize>,
 }
+
+brief!([] PackedClip: PackedClip |it| {
+    joints: it.clips().joints(), clips: it.clips().clips(), bytes: it.as_bytes().len(),
+});
 
 /// What a track may move in a clip and still be kept as one key.
 #[derive(Clone, Copy, Debug, PartialEq)]

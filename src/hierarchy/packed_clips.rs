@@ -5,6 +5,7 @@ use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
 use super::packed_error::PackedError;
 use super::slot::JointSlot;
+use crate::brief::brief;
 use crate::law::Law;
 use crate::number::Scalar;
 use crate::storage::aos;
@@ -42,11 +43,13 @@ pub(super) type Rest = [u8; 16];
 /// | R · 2J · `u16` | twice how far the first key is from the clip's, and 1 more if there is one for each frame: J rotations, J translations |
 ///
 /// Clips in which the same tracks move have one row.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct PackedClips<'a> {
     pub(super) tracks: Tracks<'a>,
     pub(super) rests: &'a [Rest],
 }
+
+brief!([] PackedClips<'_>: PackedClips |it| { joints: it.joints(), clips: it.clips() });
 
 pub(super) const MAGIC: &[u8; 8] = b"dq8clips";
 pub(super) const VERSION: u32 = 2;
@@ -235,11 +238,13 @@ impl<'s, R: Scalar> Keys<'s, R, 7> for PackedClips<'s> {
 }
 
 /// Packed clips, and a place in them for each instance.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Playback<'s> {
     tracks: PlacedTracks<'s, 's>,
     rests: &'s [Rest],
 }
+
+brief!([] Playback<'_>: Playback |it| { joints: it.rests.len() });
 
 impl Playback<'_> {
     /// Of the lanes' tracks, rotations or translations.

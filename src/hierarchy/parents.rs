@@ -1,4 +1,5 @@
 use super::error::HierarchyError;
+use crate::brief::brief;
 
 /// A joint hierarchy: the parent of every joint, checked once, so that no run has to.
 ///
@@ -16,17 +17,19 @@ use super::error::HierarchyError;
 /// assert_eq!(poses[2].translation(), [0.0, -3.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Hierarchy<'a> {
     parents: &'a [u32],
 }
+
+brief!([] Hierarchy<'_>: Hierarchy |it| { joints: it.joints() });
 
 impl<'a> Hierarchy<'a> {
     /// The parent of a joint that has none: −1 as a `u32`.
     pub const ROOT: u32 = u32::MAX;
 
-    /// Checks `parents`: `parents[j]` is the parent of joint `j`, or [`ROOT`](Self::ROOT). Parents of another type or in
-    /// another order: [`Skeleton`](super::Skeleton).
+    /// Checks `parents`: `parents[j]` is the parent of joint `j`, or [`ROOT`](Self::ROOT). A
+    /// [`Skeleton`](super::Skeleton) takes parents of another type, such as `usize`, or in another order.
     ///
     /// # Errors
     /// If a parent is not a joint, or does not come before its child (a forward reference or a

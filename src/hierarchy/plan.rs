@@ -4,6 +4,7 @@ use super::Hierarchy;
 use super::product::product;
 use super::schedule::{PlanScratch, schedule};
 use crate::backend::{Backend, Kernel};
+use crate::brief::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::Source;
@@ -37,12 +38,14 @@ const MIN_CHAIN: usize = 24;
 /// assert_eq!(models[2].translation(), [0.0, 6.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Plan<'a> {
     pub(super) parents: &'a [u32],
     /// `None` for a chain in segments.
     pub(super) order: Option<Order<'a>>,
 }
+
+brief!([] Plan<'_>: Plan |it| { joints: it.parents.len() });
 
 /// A [`Job`](super::Job) without a plan: whoever has no memory for one links no code of plans.
 #[derive(Clone, Copy, Debug)]

@@ -49,7 +49,7 @@ pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
         };
         plan.run(backend, source, models);
     }
-    if X::ACTIVE {
+    if const { X::ACTIVE } {
         backend.run(End { models, epilogue });
     }
 }

@@ -6,10 +6,12 @@ use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, part_of};
 use super::rows::{GROUPS, Rows, resized};
 use super::slot::JointSlot;
+use crate::brief::brief;
 use crate::law::Law;
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Register};
+use core::fmt::Debug;
 use core::ops::Range;
 use dq8_simd::Level;
 
@@ -37,12 +39,17 @@ use dq8_simd::Level;
 /// assert_eq!(models[3].translation(), [6.0, 0.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
+#[doc(alias("SamplingJob"))]
 pub struct Sampled<'s, W, P, R, const C: usize> {
     law: W,
     keys: P,
     t: &'s [R],
 }
+
+brief!([W: Debug, P: Debug, R, const C: usize] Sampled<'_, W, P, R, C>: Sampled |it| {
+    law: it.law, keys: it.keys, instances: it.t.len(),
+});
 
 impl<'s, W: Law<C>, P: PlacedKeys<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
     /// One place and one `t` for each instance. A place is the number of a frame in a [`Clip`](super::Clip), and what

@@ -3,6 +3,7 @@ use super::owned_plan::OwnedPlan;
 use super::parent_index::{ParentIndex, as_written, index};
 use super::root::NoRoot;
 use super::{Hierarchy, Job, Plan};
+use crate::brief::brief;
 use crate::storage::Element;
 use crate::storage::shape::ShapeError;
 use alloc::boxed::Box;
@@ -41,7 +42,8 @@ use core::ops::Range;
 /// assert_eq!(models[2].translation(), [0.0, 3.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
+#[doc(alias("rig", "armature"))]
 pub struct Skeleton {
     /// Checked: every parent comes before its children.
     parents: Box<[u32]>,
@@ -49,6 +51,8 @@ pub struct Skeleton {
     /// One for each joint, or none.
     names: Box<[Box<str>]>,
 }
+
+brief!([] Skeleton: Skeleton |it| { joints: it.parents.len(), names: it.names.len() });
 
 impl Skeleton {
     /// Of parents that come before their children.
@@ -175,8 +179,14 @@ impl Skeleton {
         self.names.get(joint).map(|name| &**name).filter(|name| !name.is_empty())
     }
 
+    /// The name of each joint that has one, `None` for the others.
+    pub fn names(&self) -> impl ExactSizeIterator<Item = Option<&str>> {
+        (0..self.joints()).map(|joint| self.name(joint))
+    }
+
     /// The joint of this name.
     #[must_use]
+    #[doc(alias("find_joint", "joint_index", "bone_index"))]
     pub fn joint(&self, name: &str) -> Option<usize> {
         (0..self.names.len()).find(|&joint| self.name(joint) == Some(name))
     }
@@ -209,6 +219,17 @@ impl Skeleton {
         self.hierarchy().children(joint)
     }
 
+    /// As [`Hierarchy::ancestors`].
+    pub fn ancestors(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        self.hierarchy().ancestors(joint)
+    }
+
+    /// As [`Hierarchy::is_leaf`].
+    #[must_use]
+    pub fn is_leaf(&self, joint: usize) -> bool {
+        self.hierarchy().is_leaf(joint)
+    }
+
     /// As [`Hierarchy::subtree`].
     ///
     /// # Errors
@@ -232,6 +253,7 @@ impl Skeleton {
     ///
     /// # Errors
     /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
+    #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
         &self,
         locals: &[E],

@@ -55,12 +55,13 @@ pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     epilogue: &mut X,
 ) {
     // Where a register holds one number, one instance fills it.
-    let one_lane = Register::<E, Portable, 8>::LANES == 1;
     let mut done = 0;
-    if one_lane || (MANY && models.len() > run.parents.len()) {
+    if const { Register::<E, Portable, 8>::LANES == 1 }
+        || (const { MANY } && models.len() > run.parents.len())
+    {
         done = backend.run(Instances { run, locals, models, epilogue });
     }
-    if !one_lane && done < models.len() {
+    if const { Register::<E, Portable, 8>::LANES > 1 } && done < models.len() {
         backend.run(Walk { run, locals, models, epilogue, done });
     }
 }
@@ -163,7 +164,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         if run.renormalize.applies_to(joint) {
             normalize_lanes::<E, V>(level, models, slot, &mut recent[joint % RECENT]);
         }
-        if X::ACTIVE {
+        if const { X::ACTIVE } {
             epilogue.run(level, slot, batch::DualQuat::from_array(recent[joint % RECENT]));
         }
     }
@@ -264,7 +265,7 @@ fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             model = model.normalize();
         }
         E::store(model.to_array(), models, slot.own_tile());
-        if X::ACTIVE {
+        if const { X::ACTIVE } {
             epilogue.run(level, slot, model);
         }
     }
@@ -340,7 +341,7 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
                 normalize::<_, V>(level, slot);
             }
         }
-        if X::ACTIVE {
+        if const { X::ACTIVE } {
             let Some(models) = motions(level, models, slot.own_tile()) else { return };
             epilogue.run(level, slot, models);
         }

@@ -88,7 +88,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     } else {
         None
     };
-    if L::MADE {
+    if const { L::MADE } {
         let rows = models.get_mut(joints.clone()).unwrap_or_default();
         for (first, rows) in joints.clone().step_by(GROUP).zip(rows.chunks_mut(GROUP)) {
             if locals.ahead(level, slot(first), rows).is_none() {
@@ -98,8 +98,11 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     }
     for joint in joints {
         let Some(rows) = models.get(joint) else { return };
-        let local =
-            if L::MADE { Some(load(level, rows)) } else { locals.load(level, &[], slot(joint)) };
+        let local = if const { L::MADE } {
+            Some(load(level, rows))
+        } else {
+            locals.load(level, &[], slot(joint))
+        };
         let Some(local) = local else { return };
         let local = locals.motion(local).to_array();
         if place(level, run, epilogue, slot(joint), local, base, models).is_none() {

@@ -27,7 +27,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
             for register in 0..E::Layout::registers::<V>() {
                 let mut ahead = Ahead::of(&locals);
                 for joint in run.joints.clone().step_by(E::Layout::records::<V>()) {
-                    let slot = if E::Layout::THINGS > 1 {
+                    let slot = if const { E::Layout::THINGS > 1 } {
                         let first = instance * E::Layout::THINGS + register * lanes;
                         JointSlot::in_block(joint, instance * joints, register, first)
                     } else {

@@ -24,6 +24,7 @@ use crate::scalar::{DualQuat, Quat};
 /// # Ok::<(), dq8::ik::LimbError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias("IKTwoBoneJob"))]
 pub struct TwoBone<R> {
     /// The rotation of the bone at the root, in the frame of the root and the target.
     pub upper: Quat<R>,

@@ -24,6 +24,8 @@ conversions! {
     [R: Real] [R; 6] => Twist<R>: |components| Self::from_array(components);
     /// `[ωx, ωy, ωz, vx, vy, vz]`
     [R: Real] Twist<R> => [R; 6]: |twist| twist.to_array();
+    /// Angular and linear velocity.
+    [R: Real] ([R; 3], [R; 3]) => Twist<R>: |(angular, linear)| Self { angular, linear };
     /// Force and torque.
     [R: Real] ([R; 3], [R; 3]) => Wrench<R>: |(force, torque)| Self { force, torque };
     /// [`DualQuat::from_rotation`]

@@ -1,7 +1,7 @@
 //! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads it back to
 //! the last bit.
 
-use crate::errors::errors;
+use crate::errors::{Count, errors};
 use crate::geometry::Twist;
 use crate::number::Real;
 use crate::representation::RotationTranslation;
@@ -19,7 +19,7 @@ errors! {
             => "element {index} of the list is not a number";
         /// The list has the wrong length.
         Count { found: usize = "Their number.", expected: usize = "The number that there must be." }
-            => "the list has {found} numbers where {expected} are needed";
+            => "the list has {} where {expected} are needed", Count(*found, "number");
     }
 }
 

@@ -36,6 +36,7 @@ impl<R: Real> Quat<R> {
     /// use dq8::Quat;
     /// assert_eq!(Quat::from_scaled_axis([0.0_f32; 3]), Quat::IDENTITY);
     /// ```
+    #[doc(alias("from_rotvec", "rotvec", "rotation_vector", "exp3"))]
     pub fn from_scaled_axis(v: [R; 3]) -> Self {
         // cos(θ/2) and sin(θ/2)/θ are 1 and ½ to the last place, and their derivatives finite.
         if vector::dot(v, v) < R::EPSILON {
@@ -56,6 +57,7 @@ impl<R: Real> Quat<R> {
     /// ```
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("as_rotvec", "rotvec", "rotation_vector", "log3"))]
     pub fn to_scaled_axis(self) -> [R; 3] {
         crate::scalar::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
         let short = if self.points_back() { -self } else { self };

@@ -40,6 +40,7 @@ impl<R: Real> Quat<R> {
     /// let [x, y, z] = turn.rotate([1.0, 0.0, 0.0]);
     /// assert!(x.abs() < 1e-15 && y == 0.0 && (z - 1.0).abs() < 1e-15);
     /// ```
+    #[doc(alias("rotation_between", "from_two_vectors", "shortest_arc"))]
     pub fn from_rotation_arc(from: [R; 3], to: [R; 3]) -> Self {
         let (a, b) = (unit(from), unit(to));
         let (sum, difference) = (vector::add(a, b), vector::sub(b, a));
@@ -69,6 +70,7 @@ impl<R: Real> Quat<R> {
     /// assert!((x - 1.0).abs() < 1e-15 && y.abs() + z.abs() < 1e-15);
     /// # Ok::<(), dq8::representation::OrthonormalError>(())
     /// ```
+    #[doc(alias("face_towards", "look_rotation"))]
     pub fn look_to(forward: [R; 3], up: [R; 3]) -> Result<Self, OrthonormalError> {
         for (column, direction) in [forward, up].into_iter().enumerate() {
             if vector::largest(direction) == R::ZERO {

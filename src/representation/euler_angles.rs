@@ -89,6 +89,7 @@ impl<R: Real> Quat<R> {
     /// let [x, y, z] = turn.rotate([0.0, 1.0, 0.0]);
     /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 1.0).abs() < 1e-15);
     /// ```
+    #[doc(alias("from_euler_angles", "rpy", "roll_pitch_yaw"))]
     pub fn from_rpy(roll: R, pitch: R, yaw: R) -> Self {
         let order = EulerOrder { axes: EulerAxes::XYZ, frame: EulerFrame::Extrinsic };
         Self::from_euler(order, roll, pitch, yaw)

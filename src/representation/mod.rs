@@ -27,6 +27,7 @@ mod euler_order;
 mod gram_schmidt;
 mod polar;
 mod rotation_translation;
+mod shorthand;
 mod symmetric;
 
 pub use affine::Affine;

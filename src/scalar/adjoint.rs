@@ -23,6 +23,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("action_matrix", "Ad"))]
     pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::adjoint", [self]);
         let (angular, linear) = self.carry(twist.angular, twist.linear);

@@ -9,6 +9,7 @@ impl<R: Real> Quat<R> {
     /// `t` = 0 gives `self`, 1 gives ±`other`. On the same arc as [`slerp`](Self::slerp), cheaper, and
     /// not at constant speed. NaN if the sum is zero.
     #[inline]
+    #[doc(alias("lerp"))]
     pub fn nlerp(self, other: Self, t: R) -> Self {
         let near = if self.dot(other) < R::ZERO { -other } else { other };
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
@@ -31,6 +32,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[doc(alias("lerp"))]
     pub fn nlerp(self, other: Self, t: R) -> Self {
         if let Some(sum) = R::quick(everyday::Lerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(sum).normalize();
@@ -59,6 +61,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[doc(alias("blend"))]
     pub fn dlb(influences: &[(Self, R)]) -> Option<Self> {
         Some(weighted_sum(influences.iter().copied())?.normalize())
     }

@@ -108,6 +108,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[doc(alias("exp6"))]
     pub fn from_twist(twist: Twist<R>) -> Self {
         Self::exp(half(twist))
     }
@@ -123,6 +124,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("log6"))]
     pub fn to_twist(self) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::to_twist", [self]);
         let log = self.log();
@@ -145,6 +147,7 @@ impl<R: Real> DualQuat<R> {
     /// assert!((x - 2.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("inv_mul", "relative_pose", "log6", "pose_error"))]
     pub fn twist_to(self, other: Self) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::twist_to", [self, other]);
         (self.conjugate() * other).to_twist()

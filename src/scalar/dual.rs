@@ -1,4 +1,4 @@
-use super::error::InverseError;
+use super::error::{InverseError, Normed};
 use crate::contract::{power, sums};
 use crate::number::Real;
 use core::ops::{Div, Mul};
@@ -59,7 +59,7 @@ impl<R: Real> Dual<R> {
     pub fn inverse(self) -> Result<Self, InverseError> {
         // What cannot divide zero is zero itself, or 0 + bε, which has no inverse either.
         if !self.real.is_finite() || !(R::ZERO / self.real).is_finite() {
-            return Err(InverseError { real_norm: self.real.abs().into() });
+            return Err(InverseError { real_norm: self.real.abs().into(), of: Normed::DualNumber });
         }
         Ok(Self::ONE / self)
     }

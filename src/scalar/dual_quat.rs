@@ -23,6 +23,7 @@ crate::plain::plain! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
     #[cfg_attr(feature = "serde", serde(transparent))]
+    #[doc(alias("transform", "pose", "isometry", "se3", "rigid_transform", "screw_motion"))]
     pub struct DualQuat<R>([R; 8]);
 }
 
@@ -150,6 +151,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[doc(alias("quaternion_conjugate"))]
     pub fn conjugate(self) -> Self {
         Self::new(self.real().conjugate(), self.dual().conjugate())
     }

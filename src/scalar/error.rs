@@ -3,7 +3,7 @@
 use crate::errors::errors;
 use core::fmt;
 
-/// A dual quaternion that cannot be normalized: its real part is zero or some component is not finite
+/// A quaternion or dual quaternion that cannot be normalized: it, or its real part, is zero or some component is not finite
 /// (or the quotient would not be).
 ///
 /// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") omits it, and says that the solution "would be to
@@ -12,38 +12,64 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct NormalizeError {
-    /// The norm of the real part.
+    /// The norm of the real part, which is all of a quaternion.
     pub real_norm: f64,
+    pub(super) of: Normed,
 }
 
 impl fmt::Display for NormalizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "cannot normalize: the norm of the real part is {} and every component must be finite",
-            self.real_norm
-        )
+        f.write_str("cannot normalize: ")?;
+        self.of.write(self.real_norm, f)
     }
 }
 
 impl core::error::Error for NormalizeError {}
 
-/// A dual quaternion or dual number without an inverse: its real part is zero or not finite.
+/// A dual quaternion or dual number without an inverse: its real part is zero, or some component is not finite (or would
+/// not be).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct InverseError {
-    /// The norm of the real part.
+    /// The norm of the real part; of a dual number its absolute value.
     pub real_norm: f64,
+    pub(super) of: Normed,
 }
 
 impl fmt::Display for InverseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "no inverse: the norm of the real part is {}", self.real_norm)
+        f.write_str("no inverse: ")?;
+        self.of.write(self.real_norm, f)
     }
 }
 
 impl core::error::Error for InverseError {}
+
+/// The thing whose norm an error tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) enum Normed {
+    Quaternion,
+    DualQuaternion,
+    DualNumber,
+}
+
+impl Normed {
+    /// A norm that is neither zero nor infinite is no fault: then the dual part has it.
+    fn write(self, norm: f64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = match self {
+            Self::Quaternion => "norm of the quaternion",
+            Self::DualQuaternion => "norm of the real part",
+            Self::DualNumber => "absolute value of the real part",
+        };
+        write!(f, "the {part} is {norm}")?;
+        if self == Self::DualQuaternion && norm > 0.0 && norm < f64::INFINITY {
+            f.write_str(", but a component is not finite, or would not be")?;
+        }
+        Ok(())
+    }
+}
 
 errors! {
     /// A matrix that is not a rigid motion.

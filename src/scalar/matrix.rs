@@ -16,6 +16,7 @@ impl<R: Real> Quat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("to_rotation_matrix", "to_mat3", "as_matrix"))]
     pub fn to_matrix3(self) -> [[R; 3]; 3] {
         crate::scalar::must_be_unit::rotations("Quat::to_matrix3", [self]);
         let [x, y, z, w] = self.to_array();
@@ -34,6 +35,7 @@ impl<R: Real> Quat<R> {
     /// Shepperd (1978): what is divided by is w where the trace is not negative, so that w ≥ ½, and else the largest of
     /// the other three components, so that it is not small.
     #[inline]
+    #[doc(alias("from_mat3", "from_rotation_matrix"))]
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
         let one = R::ONE;
@@ -137,6 +139,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("to_homogeneous", "to_mat4", "homogeneous"))]
     pub fn to_matrix4(self) -> [[R; 4]; 4] {
         crate::scalar::must_be_unit::motions("DualQuat::to_matrix4", [self]);
         let [a, b, c] = self.to_matrix3x4();
@@ -186,6 +189,7 @@ impl<R: Real> DualQuat<R> {
     /// # Errors
     /// As there, and if the last row is not 0 0 0 1.
     #[inline]
+    #[doc(alias("from_mat4", "from_homogeneous"))]
     pub fn try_from_matrix4(rows: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {
         let [a, b, c, last] = rows;
         for (column, value) in last.into_iter().enumerate() {

@@ -39,6 +39,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("average", "mean", "karcher_mean", "frechet_mean"))]
     pub fn dib(
         influences: &[(Self, R)],
         tolerance: R,
@@ -64,6 +65,7 @@ impl<R: Real> DualQuat<R> {
 
 /// [`DualQuat::dib`] of influences that are not in one slice: C has weights apart.
 #[inline]
+#[doc(alias("average", "mean", "karcher_mean", "frechet_mean"))]
 pub fn dib<R: Real>(
     influences: impl Iterator<Item = (DualQuat<R>, R)> + Clone,
     tolerance: R,

@@ -9,6 +9,7 @@ impl<R: Real> Quat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("angle_between"))]
     pub fn angle_to(self, other: Self) -> R {
         crate::scalar::must_be_unit::rotations("Quat::angle_to", [self, other]);
         let between = self.conjugate() * other;
@@ -39,6 +40,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("angle_between"))]
     pub fn angle_to(self, other: Self) -> R {
         crate::scalar::must_be_unit::motions("DualQuat::angle_to", [self, other]);
         self.real().angle_to(other.real())

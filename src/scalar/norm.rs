@@ -1,6 +1,6 @@
 //! Norm, normalization and inverses.
 
-use super::error::{InverseError, NormalizeError};
+use super::error::{InverseError, NormalizeError, Normed};
 use super::{Dual, DualQuat, Quat, vector};
 use crate::everyday;
 use crate::number::Real;
@@ -14,6 +14,7 @@ impl<R: Real> Quat<R> {
     /// assert_eq!(Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse().to_array(), [0.0, 0.0, -0.5, 0.0]);
     /// ```
     #[inline]
+    #[doc(alias("inv"))]
     pub fn inverse(self) -> Self {
         let unit = self.normalize().conjugate();
         Self::from_array(vector::over_norm(unit.to_array(), self.norm()))
@@ -78,7 +79,8 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
-        self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
+        self.unit()
+            .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
     /// The same, or the norm of the real part: an error holds it as `f64`, which would cost a target
@@ -131,6 +133,7 @@ impl<R: Real> DualQuat<R> {
     /// same and cheaper.
     #[inline]
     #[must_use]
+    #[doc(alias("inv"))]
     pub fn inverse(self) -> Self {
         if let Some(inverse) = R::quick(everyday::Inverse(self.to_array())) {
             return Self::from_array(inverse);
@@ -151,7 +154,8 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     pub fn try_inverse(self) -> Result<Self, InverseError> {
-        self.reciprocal().map_err(|norm| InverseError { real_norm: norm.into() })
+        self.reciprocal()
+            .map_err(|norm| InverseError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
     /// The same, or the norm of the real part: see `unit`.

@@ -1,4 +1,4 @@
-use super::error::NormalizeError;
+use super::error::{NormalizeError, Normed};
 use super::vector::{self, Length};
 use crate::everyday;
 use crate::number::Real;
@@ -21,6 +21,7 @@ crate::plain::plain! {
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
     #[cfg_attr(feature = "serde", serde(transparent))]
     #[must_use]
+    #[doc(alias("quaternion", "rotation", "unit_quaternion", "so3"))]
     pub struct Quat<R>([R; 4]);
 }
 
@@ -46,6 +47,7 @@ impl<R: Real> Quat<R> {
 
     /// From components in the order of the literature.
     #[inline]
+    #[doc(alias("scalar_first"))]
     pub const fn from_wxyz([w, x, y, z]: [R; 4]) -> Self {
         Self([x, y, z, w])
     }
@@ -151,6 +153,7 @@ impl<R: Real> Quat<R> {
     /// |q| = √(q q*), without overflow or underflow on the way.
     #[inline]
     #[must_use]
+    #[doc(alias("length", "magnitude"))]
     pub fn norm(self) -> R {
         vector::norm(self.0)
     }
@@ -201,7 +204,8 @@ impl<R: Real> Quat<R> {
     /// ```
     #[inline]
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
-        self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
+        self.unit()
+            .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::Quaternion })
     }
 
     /// The same, or |q|.
@@ -228,6 +232,7 @@ impl<R: Real> Quat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("apply", "mul_vec3", "transform_vector"))]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
         crate::scalar::must_be_unit::rotations("Quat::rotate", [self]);
         if let Some(turned) = R::quick(everyday::Rotate(self.0, v)) {

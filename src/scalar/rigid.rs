@@ -32,6 +32,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("from_parts", "from_components"))]
     pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
         crate::scalar::must_be_unit::rotations("DualQuat::from_rotation_translation", [rotation]);
         let half = vector::scale(translation, R::HALF);

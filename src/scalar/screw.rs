@@ -80,6 +80,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("ln"))]
     pub fn log(self) -> DualVector<R> {
         crate::scalar::must_be_unit::motions("DualQuat::log", [self]);
         if let Some(log) = R::quick(everyday::Log(self.to_array())) {
@@ -156,6 +157,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("powf"))]
     pub fn pow(self, t: R) -> Self {
         crate::scalar::must_be_unit::motions("DualQuat::pow", [self]);
         if let Some(power) = R::quick(everyday::Pow(self.to_array(), t)) {
@@ -201,6 +203,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("lerp_slerp", "screw_interpolation", "interpolate"))]
     pub fn sclerp(self, other: Self, t: R) -> Self {
         crate::scalar::must_be_unit::motions("DualQuat::sclerp", [self, other]);
         if let Some(between) = R::quick(everyday::Sclerp(self.to_array(), other.to_array(), t)) {

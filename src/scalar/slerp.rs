@@ -85,6 +85,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("lerp_slerp", "interpolate"))]
     pub fn slerp_lerp(self, other: Self, t: R) -> Self {
         crate::scalar::must_be_unit::motions("DualQuat::slerp_lerp", [self, other]);
         let rotation = self.rotation().slerp(other.rotation(), t);

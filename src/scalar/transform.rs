@@ -10,6 +10,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("transform_point3", "apply", "act"))]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
         crate::scalar::must_be_unit::motions("DualQuat::transform_point", [self]);
         if let Some(moved) = R::quick(everyday::Point(self.to_array(), point)) {
@@ -22,6 +23,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
+    #[doc(alias("transform_vector3", "rotate_vector"))]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
         crate::scalar::must_be_unit::motions("DualQuat::transform_vector", [self]);
         self.real().rotate(vector)

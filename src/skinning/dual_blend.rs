@@ -1,6 +1,7 @@
 use super::blender::{Blender, SurfaceMap};
 use super::influences::{GROUP, Scratch};
 use crate::batch::{self, vector};
+use crate::brief::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
@@ -18,10 +19,12 @@ use dq8_simd::{Lanes, Mask, Records};
 ///
 /// A vertex of a single influence of weight 1 moves by that motion to the last bit. Normals and tangents
 /// turn with σ.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct DualBlend<'a, R> {
     palette: &'a [DualQuat<R>],
 }
+
+brief!([R] DualBlend<'_, R>: DualBlend |it| { joints: it.palette.len() });
 
 impl<'a, R: Scalar> DualBlend<'a, R> {
     /// Each joint's motion, from the mesh at rest to the posed mesh; unit.

@@ -1,4 +1,4 @@
-use crate::errors::errors;
+use crate::errors::{Count, errors};
 use crate::storage::shape::ShapeError;
 
 errors! {
@@ -17,7 +17,8 @@ errors! {
             joint: u32 = "The joint.",
             joints: usize = "The number of joints."
         }
-            => "vertex {vertex}: influence {influence} is joint {joint}, but there are only {joints} joints";
+            => "vertex {vertex}: influence {influence} is joint {joint}, and there is no such one among {}, counted from 0",
+            Count(*joints, "joint");
         /// A weight is negative, infinite or not a number.
         Weight {
             vertex: usize = "The vertex.",
@@ -39,7 +40,8 @@ errors! {
             first: usize = "The begin of the field.",
             stride: usize = "The number of numbers of a vertex."
         }
-            => "{what}: three numbers from {first} on do not lie in a vertex of {stride} numbers, or lie in another field";
+            => "{what}: three numbers from {first} on do not lie in a vertex of {}, or lie in another field",
+            Count(*stride, "number");
         /// The influences of a vertex do not lie in it: so many elements from `first` on, where a vertex has `stride`.
         InfluenceField {
             what: &'static str = "Their name, `joints` or `weights`.",
@@ -47,7 +49,8 @@ errors! {
             stride: usize = "The number of elements of a vertex.",
             influences: usize = "The number of influences it should have."
         }
-            => "{what}: {influences} elements from {first} on do not lie in a vertex of {stride} elements";
+            => "{what}: {} from {first} on {} not lie in a vertex of {}", Count(*influences, "element"),
+            if *influences == 1 { "does" } else { "do" }, Count(*stride, "element");
         /// An element of a joint's matrix is not finite.
         NotFinite { joint: usize = "The joint.", value: f64 = "The value." }
             => "joint {joint}: an element of its matrix is {value}";

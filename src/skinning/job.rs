@@ -9,6 +9,7 @@ use super::weight::Weight;
 #[cfg(doc)]
 use super::{DualBlend, Linear, Mixed, StretchedDualBlend};
 use crate::backend::Choice;
+use crate::brief::brief;
 use crate::number::Scalar;
 use crate::storage::{Element, Number};
 use dq8_simd::picks::Index;
@@ -26,12 +27,14 @@ use dq8_simd::picks::Index;
 /// assert_eq!(posed, [[1.0, 2.0, 3.0], [1.0, 2.0, 6.0]]);
 /// # Ok::<(), dq8::skinning::SkinningError>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 #[must_use]
 pub struct Job<'s, J, W> {
     skin: Skin<'s, J, W>,
     choice: Choice,
 }
+
+brief!([J: Index, W: Weight] Job<'_, J, W>: Job |it| { skin: it.skin, choice: it.choice });
 
 impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
     /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`], [`DualBlend`],

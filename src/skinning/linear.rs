@@ -3,6 +3,7 @@ use super::influences::{GROUP, Scratch, settled};
 use super::linear_map::LinearMap;
 use super::skin::Skin;
 use super::weight::Weight;
+use crate::brief::brief;
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::picks::Index;
@@ -13,10 +14,12 @@ use dq8_simd::{Float, Lanes, Level, PackedDualQuat, Records};
 /// collapse.
 ///
 /// Normals become cof(Σ wᵢMᵢ)n, normalized; tangents (Σ wᵢMᵢ)t, normalized; zero where that is zero.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Linear<'a, R> {
     palette: &'a [[[R; 4]; 3]],
 }
+
+brief!([R] Linear<'_, R>: Linear |it| { joints: it.palette.len() });
 
 impl<'a, R: Scalar> Linear<'a, R> {
     /// The rows of each joint's 3×4 matrix, from the mesh at rest to the posed mesh: [`MatrixOrder::Rows`], as palettes are

@@ -2,20 +2,24 @@ use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
 use super::influences::Scratch;
 use super::linear_map::unit;
+use crate::brief::brief;
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
+use core::fmt::Debug;
 use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 
 /// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With [`Linear`](super::Linear) and
 /// [`DualBlend`](super::DualBlend) that is the usual weighted blend of the two, against the bulge of the second at bent
 /// joints. Normals and tangents are mixed in the same way and normalized.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Mixed<'a, A, B, R> {
     a: A,
     b: B,
     shares: &'a [R],
 }
+
+brief!([A: Debug, B: Debug, R] Mixed<'_, A, B, R>: Mixed |it| { a: it.a, b: it.b, vertices: it.shares.len() });
 
 impl<'a, A, B, R: Scalar> Mixed<'a, A, B, R> {
     /// The share of `b` for each vertex, from 0 to 1.

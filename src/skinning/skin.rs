@@ -1,9 +1,9 @@
 use super::SkinningError;
 use super::influences::{GROUP, Influences, Scratch};
 use super::weight::Weight;
+use crate::brief::brief;
 use crate::number::{Real, Scalar};
 use crate::storage::shape::{same_length, whole_instances};
-use core::fmt::Debug;
 use core::ops::RangeInclusive;
 use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};
 
@@ -21,7 +21,8 @@ use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};
 /// assert_eq!(error, SkinningError::JointOutOfRange { vertex: 1, influence: 1, joint: 2, joints: 2 });
 /// # Ok::<(), SkinningError>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
+#[doc(alias("SkinningJob"))]
 pub struct Skin<'a, J, W> {
     joints: CheckedIndices<'a, J>,
     /// From those of the first vertex on.
@@ -29,6 +30,10 @@ pub struct Skin<'a, J, W> {
     /// The number of weights from a vertex to the next: fewer than influences where the last one is implied.
     stride: usize,
 }
+
+brief!([J: Index, W: Weight] Skin<'_, J, W>: Skin |it| {
+    vertices: it.vertices(), influences: it.influences(), joints: it.joint_count(),
+});
 
 /// Four influences of some vertices: the records that their joints are, and weights.
 type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);

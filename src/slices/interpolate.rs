@@ -23,7 +23,8 @@ impl Backend {
         interpolate(self, Nlerp, a, b, One(t), between)
     }
 
-    /// [`nlerp`](Self::nlerp) with a t for each.
+    /// [`nlerp`](Self::nlerp) with a t for each, in the precision of the motions: `&[0.5_f32; 4]`, where bare literals are
+    /// `f64`.
     ///
     /// # Errors
     /// If the slices differ in length; `between` is untouched.
@@ -66,7 +67,7 @@ impl Backend {
         interpolate(self, Sclerp, a, b, One(t), between)
     }
 
-    /// [`sclerp`](Self::sclerp) with a t for each.
+    /// [`sclerp`](Self::sclerp) with a t for each, in the precision of the motions.
     ///
     /// # Errors
     /// If the slices differ in length; `between` is untouched.

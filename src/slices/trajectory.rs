@@ -137,7 +137,7 @@ impl Backend {
     ///
     /// # Errors
     /// If there are no weights, or `means` does not hold one element for each whole window,
-    /// `poses.len() + 1 - W`; `means` is untouched.
+    /// `poses.len() + 1 - W`, of which fewer than W poses have none; `means` is untouched.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat};
@@ -148,6 +148,7 @@ impl Backend {
     /// assert!((means[1].translation()[0] - 4.0).abs() < 1e-12);
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
+    #[doc(alias("smooth", "moving_average", "filter"))]
     pub fn dib_windows<R: Scalar, const W: usize>(
         self,
         poses: &[DualQuat<R>],
@@ -158,6 +159,9 @@ impl Backend {
     ) -> Result<usize, ShapeError> {
         if W == 0 {
             return same_length("weights", 0, 1).map(|()| 0);
+        }
+        if poses.len() < W && !means.is_empty() {
+            return Err(ShapeError::NoWindow { poses: poses.len(), window: W });
         }
         same_length("means", means.len(), (poses.len() + 1).saturating_sub(W))?;
         #[cfg(feature = "rayon")]

@@ -8,7 +8,8 @@ use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, Records};
 
 /// Array of structures: one thing after the other. They are transposed in registers on the way in, and
-/// back on the way out.
+/// back on the way out. An error of the compiler that expects `Aos<f32>` and finds `Aos<f64>` has met numbers of two
+/// precisions: a slice of bare literals such as `&[0.5; 4]` is one of `f64`, and `&[0.5_f32; 4]` is not.
 #[derive(Clone, Copy, Debug)]
 pub struct Aos<R>(PhantomData<R>);
 

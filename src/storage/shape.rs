@@ -1,6 +1,6 @@
 //! [`ShapeError`]: slices that do not fit each other, and the checks that return it.
 
-use crate::errors::errors;
+use crate::errors::{Count, errors};
 use core::ops::Range;
 
 errors! {
@@ -14,7 +14,7 @@ errors! {
             length: usize = "Its length.",
             joints: usize = "The joints of one instance."
         }
-            => "{what} holds {length} elements, which is not a multiple of the {joints} joints";
+            => "{what} holds {}, which is not a multiple of the {}", Count(*length, "element"), Count(*joints, "joint");
         /// A slice holds nothing where something is needed.
         Empty { what: &'static str = "The name of the slice." } => "{what} holds no element";
         /// A slice has the wrong length.
@@ -23,10 +23,10 @@ errors! {
             length: usize = "Its length.",
             expected: usize = "The length it must have."
         }
-            => "{what} holds {length} elements where {expected} are needed";
+            => "{what} holds {} where {expected} {} needed", Count(*length, "element"), if *expected == 1 { "is" } else { "are" };
         /// A range of joints that is not a range of this hierarchy.
         Joints { range: Range<usize> = "The range.", joints: usize = "The number of joints." }
-            => "joints {range:?} are not a range of a hierarchy of {joints} joints";
+            => "joints {range:?} are not a range of a hierarchy of {}", Count(*joints, "joint");
         /// A joint of a range, whose parent is not in it: models that go through scratch are not kept for it.
         NoParent { joint: usize = "The joint.", parent: usize = "Its parent." }
             => "the parent of joint {joint}, joint {parent}, is not among those that are computed";
@@ -45,17 +45,20 @@ errors! {
             instances: usize = "The number of instances.",
             joints: usize = "The number of joints."
         }
-            => "no joint {joint} of instance {instance} among {instances} instances of {joints} joints";
+            => "no joint {joint} of instance {instance} among {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
         /// A frame that a clip does not have, or that no frame follows.
         NoFrame {
             instance: usize = "The instance that is to be there.",
             frame: usize = "The frame asked for.",
             frames: usize = "The number of frames."
         }
-            => "instance {instance} lies after frame {frame}, and none follows it among {frames} frames";
+            => "instance {instance} lies after frame {frame}, and none follows it among {}", Count(*frames, "frame");
         /// A place that packed clips do not have: it was made of others.
         NoPlace { instance: usize = "The instance that is to be there." }
             => "instance {instance} lies at a place of other clips than these";
+        /// So few poses that no window of this length lies in them.
+        NoWindow { poses: usize = "The number of poses.", window: usize = "The length of the window." }
+            => "{} {} no window of {window}", Count(*poses, "pose"), if *poses == 1 { "holds" } else { "hold" };
     }
 }
 

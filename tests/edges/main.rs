@@ -3,6 +3,7 @@
 
 mod beyond;
 mod empty;
+mod errors;
 mod half_turn;
 mod infinite;
 mod parts;

@@ -13,6 +13,7 @@ use std::collections::BTreeSet;
 /// knows the names of the operations, and the answers come through `Real` alone: so there are numbers
 /// without any, to test with.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("brief", &[]),
     ("errors", &[]),
     ("conversions", &[]),
     ("plain", &["dq8_simd"]),
@@ -62,6 +63,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     (
         "skinning",
         &[
+            "brief",
             "errors",
             "number",
             "dq8_simd",
@@ -73,11 +75,12 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("seams", &["errors", "scalar", "everyday", "backend"]),
+    ("seams", &["brief", "errors", "scalar", "everyday", "backend"]),
     ("ik", &["errors", "number", "scalar"]),
     (
         "hierarchy",
         &[
+            "brief",
             "errors",
             "number",
             "geometry",
@@ -147,6 +150,7 @@ const REFERENCE_ONLY: &[&str] = &[
     "gram_schmidt.rs",
     "polar.rs",
     "rotation_translation.rs",
+    "shorthand.rs",
     "symmetric.rs",
 ];
 

@@ -187,7 +187,7 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     fails(() => dq8.packedClip(damaged), /^these are no packed clips: their version is another, at byte 8$/);
     fails(() => dq8.packedClip([]), /at byte 0$/);
     fails(() => skeleton.localToModel(walk.sample(at), four), /^each frame of the clip holds 21 elements where 2 are needed$/);
-    fails(() => skeleton.localToModel(walk.sample(at, dq8.floats(1)), four), /^clips holds 1 elements where 2 are needed$/);
+    fails(() => skeleton.localToModel(walk.sample(at, dq8.floats(1)), four), /^clips holds 1 element where 2 are needed$/);
     for (const clip of [1, -1, 0.5, NaN]) fails(() => skeleton.localToModel(walk.sample(at, dq8.floats([0, clip])), four), /^instance 1 lies at a place of other clips/);
     fails(() => skeleton.localToModel(walk.sample(at, 1), four), /^instance 0 lies at a place of other clips/);
     fails(() => skeleton.localToModel(walk.sample(at, -1), four), /^clips is -1, not a whole number$/);

@@ -8,6 +8,7 @@ use crate::mechanism::owned::OwnedMechanism;
 use crate::mechanism::tree::Mechanism;
 use alloc::vec;
 use alloc::vec::Vec;
+use dq8::seams::brief;
 use dq8::{DualQuat, Real, Scalar, ShapeError, Twist};
 use dq8_simd::{Lanes, Portable};
 
@@ -27,7 +28,8 @@ use dq8_simd::{Lanes, Portable};
 /// assert!(report.is_converged());
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
+#[doc(alias("inverse_kinematics"))]
 pub struct OwnedReach<R> {
     mechanism: OwnedMechanism<R>,
     goals: Vec<Goal<R>>,
@@ -38,6 +40,8 @@ pub struct OwnedReach<R> {
     facts: Facts<R>,
     scratch: Vec<R>,
 }
+
+brief!([R] OwnedReach<R>: OwnedReach |it| { mechanism: it.mechanism, goals: it.goals.len() });
 
 impl<R: Real> OwnedReach<R> {
     /// See [`Reach::new`].

@@ -6,6 +6,7 @@ use crate::mechanism::poses::carries;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
 use dq8::Real;
+use dq8::seams::brief;
 
 /// An inverse kinematics problem: a mechanism, and what is asked of its links; checked once. Targets and
 /// starts come with each call: [`solve`](Self::solve) for one configuration, [`job`](Self::job) for many.
@@ -45,7 +46,8 @@ use dq8::Real;
 /// assert!(arm.link_pose(&angles, 2)?.distance_to(target) < 1e-5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
+#[doc(alias("inverse_kinematics"))]
 pub struct Reach<'a, R> {
     pub(super) mechanism: Mechanism<'a, R>,
     pub(super) goals: &'a [Goal<R>],
@@ -56,6 +58,8 @@ pub struct Reach<'a, R> {
     pub(super) posture: Option<&'a [R]>,
     pub(super) facts: Facts<R>,
 }
+
+brief!([R] Reach<'_, R>: Reach |it| { mechanism: it.mechanism, goals: it.goals.len() });
 
 /// What is found of a problem once.
 #[derive(Clone, Copy, Debug)]

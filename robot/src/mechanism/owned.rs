@@ -8,6 +8,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use dq8::geometry::Screw;
 use dq8::scalar::DualQuat;
+use dq8::seams::brief;
 use dq8::{Real, ShapeError};
 
 /// A [`Mechanism`] with memory of its own.
@@ -22,12 +23,16 @@ use dq8::{Real, ShapeError};
 /// assert_eq!(tool.translation(), [0.0, 0.0, 3.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct OwnedMechanism<R> {
     steps: Vec<Step<R>>,
     values: usize,
     rates: usize,
 }
+
+brief!([R] OwnedMechanism<R>: OwnedMechanism |it| {
+    links: it.steps.len(), values: it.values, rates: it.rates,
+});
 
 impl<R: Real> OwnedMechanism<R> {
     /// See [`Mechanism::new`].

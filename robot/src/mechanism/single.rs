@@ -41,6 +41,7 @@ impl<R: Real> Mechanism<'_, R> {
     ///
     /// # Errors
     /// If there are not as many values as the mechanism has, or there is no such link.
+    #[doc(alias("forward_kinematics", "fk"))]
     pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
         self.check(values, link)?;
         let quick = LinkPose { mechanism: self, values, link };

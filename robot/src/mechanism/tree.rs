@@ -4,6 +4,7 @@ use super::limits::endless;
 use super::plan::plan;
 use super::step::{NONE, Step};
 use super::values::JointValues;
+use dq8::seams::brief;
 use dq8::storage::{Layout, whole_instances};
 use dq8::{Real, ShapeError};
 
@@ -30,13 +31,17 @@ use dq8::{Real, ShapeError};
 /// assert!(x.abs() < 1e-15 && (y - 1.5).abs() < 1e-15 && z == 0.0);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Mechanism<'a, R> {
     /// In an order in which what a link carries comes right after it, the largest branch last.
     pub(crate) steps: &'a [Step<R>],
     pub(crate) values: usize,
     pub(crate) rates: usize,
 }
+
+brief!([R] Mechanism<'_, R>: Mechanism |it| {
+    links: it.steps.len(), values: it.values, rates: it.rates,
+});
 
 impl<'a, R: Real> Mechanism<'a, R> {
     /// Checks the joints and prepares them. It is here that axes along those of a frame, and placements
@@ -75,12 +80,14 @@ impl<R: Copy> Mechanism<'_, R> {
 
     /// How many values a configuration has.
     #[must_use]
+    #[doc(alias("nq"))]
     pub fn values(&self) -> usize {
         self.values
     }
 
     /// How many rates, and columns of a Jacobian, a configuration has.
     #[must_use]
+    #[doc(alias("dof", "nv"))]
     pub fn rates(&self) -> usize {
         self.rates
     }

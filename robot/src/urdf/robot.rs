@@ -6,12 +6,13 @@ use super::mimics::{Leader, leaders};
 use super::tree::{Node, nodes};
 use super::warning::UrdfWarning;
 use crate::{Joint, JointKind, Mechanism, MechanismError, Mimic, OwnedMechanism};
+use dq8::seams::brief;
 use dq8::{DualQuat, Real};
 use std::collections::HashMap;
 use std::path::Path;
 
 /// The mechanism of a file, and its names.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Robot {
     pub(super) name: String,
     pub(super) joints: Vec<Joint<f64>>,
@@ -24,6 +25,10 @@ pub struct Robot {
     pub(super) value_names: Vec<String>,
     pub(super) warnings: Vec<UrdfWarning>,
 }
+
+brief!([] Robot: Robot |it| {
+    name: it.name, links: it.link_names.len(), values: it.value_names.len(), warnings: it.warnings.len(),
+});
 
 impl Robot {
     /// From the text of a file.
@@ -189,6 +194,7 @@ impl Robot {
 
     /// The number of a link.
     #[must_use]
+    #[doc(alias("find_link", "get_frame_id"))]
     pub fn link(&self, name: &str) -> Option<usize> {
         self.links.get(name).copied()
     }
@@ -201,6 +207,7 @@ impl Robot {
 
     /// The number of the joint of this name, which is that of the link it carries.
     #[must_use]
+    #[doc(alias("find_joint", "get_joint_id"))]
     pub fn joint(&self, name: &str) -> Option<usize> {
         self.joint_names.iter().position(|joint| joint.as_deref() == Some(name))
     }
