@@ -158,7 +158,7 @@ macro_rules! wide_lanes {
                 }
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
-                    for (i, row) in Self::$transpose(components).into_iter().enumerate() {
+                    for (i, row) in Self::$transpose(components).iter().enumerate() {
                         // SAFETY: promised; an array needs no more alignment than its numbers.
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }

@@ -39,7 +39,7 @@ pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Rows<L>) ->
 /// To the first rows.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Rows<L>) {
-    for (register, row) in registers.into_iter().zip(to) {
+    for (register, row) in registers.iter().zip(to) {
         register.store(row);
     }
 }

@@ -85,8 +85,8 @@ macro_rules! single_quads {
         pub(super) unsafe fn $store(components: [$register; 4], at: *mut f32, stride: usize) {
             // SAFETY: the caller's promise, above.
             unsafe {
-                for (i, $whole) in $transpose(components).into_iter().enumerate() {
-                    for (group, record) in $split.into_iter().enumerate() {
+                for (i, &$whole) in $transpose(components).iter().enumerate() {
+                    for (group, &record) in $split.iter().enumerate() {
                         _mm_storeu_ps(at.add((4 * group + i) * stride), record);
                     }
                 }
@@ -104,8 +104,8 @@ macro_rules! single_quads {
                     $shuffle::<0b11_01_10_00>(yz, xy), // y₁ z₁ x₂ y₂
                     $shuffle::<0b11_01_11_01>(zx, yz), // z₂ x₃ y₃ z₃
                 ];
-                for (i, $whole) in rows.into_iter().enumerate() {
-                    for (group, numbers) in $split.into_iter().enumerate() {
+                for (i, &$whole) in rows.iter().enumerate() {
+                    for (group, &numbers) in $split.iter().enumerate() {
                         _mm_storeu_ps(at.add(4 * (3 * group + i)), numbers);
                     }
                 }
@@ -225,7 +225,7 @@ pub(super) unsafe fn f64x4_load(at: *const f64, place: impl Fn(usize) -> usize) 
 pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
-        for (i, record) in transpose_f64x4(components).into_iter().enumerate() {
+        for (i, &record) in transpose_f64x4(components).iter().enumerate() {
             _mm256_storeu_pd(at.add(i * stride), record);
         }
     }
@@ -234,7 +234,7 @@ pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride:
 pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) {
     // SAFETY: the caller's promise, above.
     unsafe {
-        for (i, record) in transpose_f64x4([x, y, z, z]).into_iter().enumerate() {
+        for (i, &record) in transpose_f64x4([x, y, z, z]).iter().enumerate() {
             store_triple(record, at.add(3 * i));
         }
     }
@@ -256,7 +256,7 @@ pub(super) unsafe fn f64x8_load(at: *const f64, place: impl Fn(usize) -> usize) 
 pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
-        for (i, records) in transpose_f64x8(components).into_iter().enumerate() {
+        for (i, &records) in transpose_f64x8(components).iter().enumerate() {
             _mm256_storeu_pd(at.add(i * stride), _mm512_castpd512_pd256(records));
             _mm256_storeu_pd(at.add((i + 4) * stride), _mm512_extractf64x4_pd::<1>(records));
         }
@@ -266,7 +266,7 @@ pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride:
 pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) {
     // SAFETY: the caller's promise, above.
     unsafe {
-        for (i, records) in transpose_f64x8([x, y, z, z]).into_iter().enumerate() {
+        for (i, &records) in transpose_f64x8([x, y, z, z]).iter().enumerate() {
             store_triple(_mm512_castpd512_pd256(records), at.add(3 * i));
             store_triple(_mm512_extractf64x4_pd::<1>(records), at.add(3 * (i + 4)));
         }
