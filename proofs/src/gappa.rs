@@ -281,7 +281,7 @@ impl Steps<'_> {
     /// Half a unit in the last place of numbers up to this.
     fn half_unit(&self, most: f64) -> f64 {
         let (bits, least) = if self.is_single { (25, -150) } else { (54, -1075) };
-        2_f64.powi((most.log2().ceil() as i32 - bits).max(least))
+        2_f64.powi((most.log2().ceil() as i32).saturating_sub(bits).max(least))
     }
 }
 
