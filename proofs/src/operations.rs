@@ -361,8 +361,9 @@ operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dua
 const MANY: usize = 16;
 
 /// A root, and its child.
-static LEG: std::sync::LazyLock<Hierarchy<'static>> =
-    std::sync::LazyLock::new(|| Hierarchy::new(&[Hierarchy::ROOT, 0]).expect("a root, and its child"));
+static LEG: std::sync::LazyLock<Hierarchy<'static>> = std::sync::LazyLock::new(|| {
+    Hierarchy::new(&[Hierarchy::ROOT, 0]).expect("a root, and its child")
+});
 
 type Block<T> = dq8_simd::Block<[T; 4], 8>;
 fn block<T: Scalar>(motion: dq8::DualQuat<T>) -> Block<T> {
@@ -379,7 +380,8 @@ fn planned<T: Scalar>(
     models: &mut [dq8::DualQuat<T>],
     root: Option<dq8::DualQuat<T>>,
 ) {
-    let (mut order, mut scratch) = (vec![[0; 2]; models.len()], vec![PlanScratch::default(); models.len()]);
+    let (mut order, mut scratch) =
+        (vec![[0; 2]; models.len()], vec![PlanScratch::default(); models.len()]);
     let plan = Plan::new(hierarchy, &mut order, &mut scratch).expect("as long as it is");
     let job = hierarchy.job().backend(backend).plan(&plan);
     match root {
