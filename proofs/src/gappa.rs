@@ -41,8 +41,8 @@ pub fn write(folder: &str) -> std::io::Result<()> {
 pub fn lemmas(record: &Record, precision: usize) -> Lemmas {
     let tape = &record.tapes[precision];
     let (known, scripts) = (vec![None; tape.ops.len()], BTreeSet::new());
-    // Intervals cannot tell how far from 0 a sum is.
-    if record.last(precision).is_some() {
+    // Intervals cannot tell how far from 0 a sum is, nor that the turns of an angle are whole.
+    if record.last(precision).is_some() || record.operation.name.ends_with("_turn") {
         return Lemmas { bound: None, scripts };
     }
     let analysis = record.analysis(precision, Rounding::Normal);

@@ -24,7 +24,7 @@ const LOOSE: &[(&str, f64)] = &[
     ("bones_blocks", 1.5),
     ("poses_placed", 2.2),
     ("poses_slide", 2.0),
-    ("translation", 1.2),
+    ("translation", 1.5),
     ("from_rotation_translation", 1.1),
     ("from_translation_rotation", 1.1),
     ("transform_vector", 2.6),
