@@ -13,6 +13,9 @@ is built alone. Then each test runs without a change, where it must pass, and wi
   scripts/falsify.py --check     nothing is built: each old text is there exactly once, each test exists, and each row
                                  whose claim holds or is wrong is named by a change of the library or the laboratory that
                                  one of its tests must fail of, or is in the list of those without
+                                 The first row that a change names is its own. Any other counts only with an entry
+                                 `checked` that says why that change falsifies it; the rows of before this rule that
+                                 nobody has read so are in the list `unread`, which only gets shorter
   scripts/falsify.py --rows      the rows of claims.md without a change
 """
 
@@ -28,6 +31,8 @@ from switched import ROOT, SWITCH, copy, write
 
 COPY = ROOT / "target" / "falsify"
 TABLE = ROOT / "lab" / "mutations.toml"
+# How many rows count by their name in a change for others that nobody has checked. It only falls.
+UNREAD = 145
 
 
 def table():
@@ -36,9 +41,21 @@ def table():
     return data["mutation"], data.get("without", [])
 
 
+def readers():
+    """The rows that a second reader has checked, with the reason; and those that nobody has read yet, which only get fewer."""
+    with TABLE.open("rb") as file:
+        data = tomllib.load(file)
+    return {entry["row"]: entry["why"] for entry in data.get("checked", [])}, data["unread"]
+
+
 def is_formula(mutation):
     """Whether it changes what is claimed, and not what tests it."""
     return mutation["file"].startswith(("src/", "lab/src/"))
+
+
+def own(mutation):
+    """The row that a change is made for: the first."""
+    return mutation.get("rows", [])[:1]
 
 
 def claims(text=None):
@@ -65,7 +82,14 @@ def is_there(test):
     return (ROOT / file).exists() and f"fn {name}(" in (ROOT / file).read_text()
 
 
-def check(mutations, without, rows):
+def unread(mutations, checked, rows):
+    """The rows that no change is made for, and of which no second reader has said why a change for others falsifies them."""
+    read = {row for mutation in mutations if is_formula(mutation) for row in own(mutation)} | set(checked)
+    named = {row for mutation in mutations for row in mutation.get("rows", ())}
+    return sorted(named & {row[1] for row in rows} - read)
+
+
+def check(mutations, without, rows, checked=(), not_read=None):
     names, wrong = {}, []
     for line, row, _, tests in rows:
         if row in names:
@@ -87,6 +111,14 @@ def check(mutations, without, rows):
                 wrong.append(f"{mutation['file']}: no such row: {row}")
             elif not names[row] & set(mutation["tests"]):
                 wrong.append(f"{mutation['file']}: none of its tests is one of {row}")
+    if not_read is not None:
+        open_rows = set(unread(mutations, checked, rows))
+        wrong += [f"no change is made for it, and no `checked` says why another's falsifies it: {row}"
+                  for row in sorted(open_rows - set(not_read))]
+        wrong += [f"needs not be listed as unread: {row}" for row in sorted(set(not_read) - open_rows)]
+        wrong += [f"checked without a reason: {row}" for row, why in sorted(checked.items()) if not why.strip()]
+        if len(not_read) > UNREAD:
+            wrong.append(f"{len(not_read)} rows are unread, where {UNREAD} were: the list only gets shorter")
     listed = {entry["row"] for entry in without}
     open_rows = {row[1] for row in uncovered(mutations, rows)}
     wrong += [f"no change falsifies: {row}" for row in sorted(open_rows - listed)]
@@ -193,7 +225,7 @@ def main():
         for line, row, verdict, _ in uncovered(mutations, rows):
             print(f"{line}: {row}: {verdict}")
         return 0
-    if wrong := check(mutations, without, rows):
+    if wrong := check(mutations, without, rows, *readers()):
         print("\n".join(wrong))
         return 1
     if "--check" in sys.argv:

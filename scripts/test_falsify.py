@@ -13,7 +13,7 @@ def refused(text=None, change=None):
     mutations, without = falsify.table()
     if change:
         mutations.append({"file": "src/scalar/quat.rs", "old": "angle * R::HALF", "new": "angle", "tests": [FOREIGN]} | change)
-    return falsify.check(mutations, without, list(falsify.claims(text)))
+    return falsify.check(mutations, without, list(falsify.claims(text)), *falsify.readers())
 
 
 def with_row(row):
@@ -52,6 +52,19 @@ class Check(unittest.TestCase):
 
     def test_a_change_names_rows_that_there_are(self):
         self.assertIn("src/scalar/quat.rs: no such row: Jia §4, moon", refused(change={"rows": ["Jia §4, moon"]}))
+
+    def test_a_name_added_to_a_change_for_another_row_counts_for_nothing(self):
+        mutations, without = falsify.table()
+        other = next(mutation for mutation in mutations if FOREIGN in mutation["tests"] and mutation.get("rows"))
+        other["rows"].append("Jia §4, moon")
+        checked, not_read = falsify.readers()
+        rows = list(falsify.claims(with_row(NONSENSE)))
+        refusal = "no change is made for it, and no `checked` says why another's falsifies it: Jia §4, moon"
+        self.assertEqual(falsify.check(mutations, without, rows, checked, not_read), [refusal])
+        longer = falsify.check(mutations, without, rows, checked, [*not_read, "Jia §4, moon"])
+        self.assertTrue(any("the list only gets shorter" in line for line in longer), longer)
+        self.assertEqual(falsify.check(mutations, without, rows, checked | {"Jia §4, moon": "it is round"}, not_read), [])
+        self.assertTrue(falsify.check(mutations, without, rows, checked | {"Jia §4, moon": " "}, not_read))
 
 
 if __name__ == "__main__":

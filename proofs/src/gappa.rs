@@ -41,8 +41,8 @@ pub fn write(folder: &str) -> std::io::Result<()> {
 pub fn lemmas(record: &Record, precision: usize) -> Lemmas {
     let tape = &record.tapes[precision];
     let (known, scripts) = (vec![None; tape.ops.len()], BTreeSet::new());
-    // Intervals cannot tell how far from 0 a sum is.
-    if record.last(precision).is_some() {
+    // Intervals cannot tell how far from 0 a sum is, nor that the turns of an angle are whole.
+    if record.last(precision).is_some() || record.operation.name.ends_with("_turn") {
         return Lemmas { bound: None, scripts };
     }
     let analysis = record.analysis(precision, Rounding::Normal);
@@ -281,7 +281,7 @@ impl Steps<'_> {
     /// Half a unit in the last place of numbers up to this.
     fn half_unit(&self, most: f64) -> f64 {
         let (bits, least) = if self.is_single { (25, -150) } else { (54, -1075) };
-        2_f64.powi((most.log2().ceil() as i32 - bits).max(least))
+        2_f64.powi((most.log2().ceil() as i32).saturating_sub(bits).max(least))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use dq8::batch::even;
 use dq8::geometry::{DualVector, Wrench};
-use dq8::hierarchy::{Hierarchy, Poses};
+use dq8::hierarchy::{Bones, Hierarchy, Plan, PlanScratch, Poses};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut, Weight};
 use dq8::{Backend, Lanes, Line, Plane, Scalar, ShapeError, Twist};
 use dq8_robot::{Joint, Mechanism, Step, World};
@@ -224,6 +224,78 @@ operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dua
         skeleton.job().backend(backend).local_to_model(&locals, &mut models).expect("two of each");
         numbers(models[1])
     };
+    local_to_model_lanes(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let locals = [motion(p, q), motion(r, s)].repeat(MANY);
+        let mut models = locals.clone();
+        LEG.job().backend(backend).local_to_model(&locals, &mut models).expect("two of each");
+        numbers(models[1])
+    };
+    local_to_model_blocks(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut models = [block(motion(p, q)), block(motion(r, s))];
+        LEG.job().backend(backend).local_to_model_in_place(&mut models).expect("two");
+        lane(&models[1])
+    };
+    local_to_model_roots(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut models = [motion(r, s), DualQuat::IDENTITY];
+        LEG.job().backend(backend).root(motion(p, q)).local_to_model_in_place(&mut models).expect("two");
+        numbers(models[0])
+    };
+    local_to_model_roots_lanes(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut models = [motion(r, s), DualQuat::IDENTITY].repeat(MANY);
+        LEG.job().backend(backend).root(motion(p, q)).local_to_model_in_place(&mut models).expect("two");
+        numbers(models[0])
+    };
+    local_to_model_roots_blocks(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut models = [block(motion(r, s)), block(DualQuat::IDENTITY)];
+        LEG.job().backend(backend).root(motion(p, q)).local_to_model_in_place(&mut models).expect("two");
+        lane(&models[0])
+    };
+    local_to_model_planned(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut models = [motion(p, q), motion(r, s)];
+        planned(&LEG, backend, &mut models, None);
+        numbers(models[1])
+    };
+    local_to_model_planned_root(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut models = [motion(r, s), DualQuat::IDENTITY];
+        planned(&LEG, backend, &mut models, Some(motion(p, q)));
+        numbers(models[0])
+    };
+    local_to_model_planned_chain(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut models = [DualQuat::IDENTITY; 24];
+        (models[0], models[1]) = (motion(p, q), motion(r, s));
+        let parents: Vec<u32> = (0..24_u32).map(|joint| joint.wrapping_sub(1)).collect();
+        planned(&Hierarchy::new(&parents).expect("a chain"), backend, &mut models, None);
+        numbers(models[1])
+    };
+    chain_products(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = chain(backend, motion(p, q), motion(r, s), [0, 1], 1);
+    chain_products_scan(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = chain(backend, motion(p, q), motion(r, s), [1, 3], 5);
+    chain_products_rest(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = chain(backend, motion(p, q), motion(r, s), [0, 16], 16);
+    chain_products_blocks(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let mut products = [block(motion(p, q)), block(motion(r, s))];
+        backend.chain_products_in_place(&mut products);
+        lane(&products[1])
+    };
+    bones(p 4, q 4, r 4, v 3) -> (real 4, dual 4) = {
+        let (locals, mut models) = (Bones { rotations: &[quat(r)], offsets: &[v] }, [DualQuat::IDENTITY]);
+        let job = Hierarchy::new(&[Hierarchy::ROOT]).expect("a root");
+        job.job().backend(backend).root(motion(p, q)).locals_to_model(locals, &mut models).expect("one each");
+        numbers(models[0])
+    };
+    bones_lanes(p 4, q 4, r 4, v 3) -> (real 4, dual 4) = {
+        let rotations = [quat(r)].repeat(MANY);
+        let (locals, mut models) = (Bones { rotations: &rotations, offsets: &[v] }, [DualQuat::IDENTITY].repeat(MANY));
+        let job = Hierarchy::new(&[Hierarchy::ROOT]).expect("a root");
+        job.job().backend(backend).root(motion(p, q)).locals_to_model(locals, &mut models).expect("one each");
+        numbers(models[0])
+    };
+    bones_blocks(p 4, q 4, r 4, v 3) -> (real 4, dual 4) = {
+        // The first is at p, q, by its root and no turn of its own.
+        let rotations = [quat([T::ZERO, T::ZERO, T::ZERO, T::ONE]), quat(r)].map(|r| dq8_simd::Block::<[T; 4], 4>::splat(r.to_array()));
+        let locals = Bones { rotations: &rotations, offsets: &[[T::ZERO; 3], v] };
+        let mut models = [block(DualQuat::IDENTITY); 2];
+        LEG.job().backend(backend).root(motion(p, q)).locals_to_model(locals, &mut models).expect("two");
+        lane(&models[1])
+    };
     palette(p 4, q 4, r 4, s 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = {
         let root = Hierarchy::new(&[Hierarchy::ROOT]).expect("a root");
         let (locals, binds) = ([motion(p, q)], [motion(r, s)]);
@@ -231,6 +303,25 @@ operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dua
         let job = root.job().backend(backend);
         job.palette(Poses(&locals), &mut models, &binds, &mut matrix).expect("one each");
         three(matrix[0])
+    };
+    palette_lanes(p 4, q 4, r 4, s 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = {
+        let root = Hierarchy::new(&[Hierarchy::ROOT]).expect("a root");
+        let (locals, mut matrices) = ([motion(p, q)].repeat(MANY), vec![[[T::ZERO; 4]; 3]; MANY]);
+        let mut models = locals.clone();
+        root.job().backend(backend).palette(Poses(&locals), &mut models, &[motion(r, s)], &mut matrices).expect("one each");
+        three(matrices[0])
+    };
+    palette_blocks(p 4, q 4, r 4, s 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = {
+        let root = Hierarchy::new(&[Hierarchy::ROOT]).expect("a root");
+        let (locals, mut models) = ([block(motion(p, q))], [block(DualQuat::IDENTITY)]);
+        let mut matrices = [dq8_simd::Block::<[T; 4], 12>::splat([T::ZERO; 12])];
+        root.job().backend(backend).palette(Poses(&locals), &mut models, &[motion(r, s)], &mut matrices).expect("one each");
+        matrices[0].get(0).expect("four lanes").to_vec()
+    };
+    model_to_local(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let (models, mut locals) = ([motion(p, q), motion(r, s)], [DualQuat::IDENTITY; 2]);
+        LEG.job().backend(backend).model_to_local(&models, &mut locals).expect("two of each");
+        numbers(locals[1])
     };
     linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3) =
         skinned(Linear::new(&[a, b, c, d].map(rows)), w, v, backend, false);
@@ -249,6 +340,12 @@ operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dua
         skinned(DualBlend::new(&quats(p).map(|p| DualQuat::from_rotation(quat(p)))), w, v, backend, true);
     scaled_normal(p 4, v 3) -> (normal 3) =
         skinned(DualBlend::new(&alone(DualQuat::from_rotation(quat(p)))), LAST.map(T::from), v, backend, true);
+    link_placed(p 4, v 3, c 2) -> (real 4, dual 4) = link(&[&p, &v], Joint::fixed(Some(0), about_z(c)), None);
+    poses_placed(p 4, v 3, c 2) -> (real 4, dual 4) = link(&[&p, &v], Joint::fixed(Some(0), about_z(c)), Some(backend));
+    link_slide(p 4, v 3, d 1) -> (real 4, dual 4) = link(&[&p, &v, &d], Joint::prismatic(Some(0), DualQuat::IDENTITY, z()), None);
+    poses_slide(p 4, v 3, d 1) -> (real 4, dual 4) = link(&[&p, &v, &d], Joint::prismatic(Some(0), DualQuat::IDENTITY, z()), Some(backend));
+    link_turn(p 4, v 3, d 1) -> (real 4, dual 4) = link(&[&p, &v, &d], Joint::revolute(Some(0), DualQuat::IDENTITY, z()), None);
+    poses_turn(p 4, v 3, d 1) -> (real 4, dual 4) = link(&[&p, &v, &d], Joint::revolute(Some(0), DualQuat::IDENTITY, z()), Some(backend));
     link_jacobian(p 4, v 3) -> (angular 3, linear 3) = hinge(p, v, |arm, values, columns| {
         arm.link_jacobian(World, values, 1, columns).map(|_| ())
     });
@@ -258,6 +355,54 @@ operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dua
         let mut poses = [DualQuat::IDENTITY];
         arm.job().backend(backend).links(&[1]).jacobians(World, &values, &mut poses, columns)
     });
+}
+
+/// Instances enough to fill lanes of any level.
+const MANY: usize = 16;
+
+/// A root, and its child.
+static LEG: std::sync::LazyLock<Hierarchy<'static>> = std::sync::LazyLock::new(|| {
+    Hierarchy::new(&[Hierarchy::ROOT, 0]).expect("a root, and its child")
+});
+
+type Block<T> = dq8_simd::Block<[T; 4], 8>;
+fn block<T: Scalar>(motion: dq8::DualQuat<T>) -> Block<T> {
+    Block::splat(motion.to_array())
+}
+fn lane<T: Scalar>(block: &Block<T>) -> Vec<T> {
+    block.get(0).expect("four lanes").to_vec()
+}
+
+/// In place, in the order of a plan.
+fn planned<T: Scalar>(
+    hierarchy: &Hierarchy<'_>,
+    backend: Backend,
+    models: &mut [dq8::DualQuat<T>],
+    root: Option<dq8::DualQuat<T>>,
+) {
+    let (mut order, mut scratch) =
+        (vec![[0; 2]; models.len()], vec![PlanScratch::default(); models.len()]);
+    let plan = Plan::new(hierarchy, &mut order, &mut scratch).expect("as long as it is");
+    let job = hierarchy.job().backend(backend).plan(&plan);
+    match root {
+        Some(root) => job.root(root).local_to_model_in_place(models),
+        None => job.local_to_model_in_place(models),
+    }
+    .expect("a model each");
+}
+
+/// Product number `i` of a chain of eight segments and one link more, of which two links are not the identity.
+fn chain<T: Scalar>(
+    backend: Backend,
+    a: dq8::DualQuat<T>,
+    b: dq8::DualQuat<T>,
+    at: [usize; 2],
+    i: usize,
+) -> Vec<T> {
+    let mut links = [dq8::DualQuat::IDENTITY; 17];
+    (links[at[0]], links[at[1]]) = (a, b);
+    backend.chain_products_in_place(&mut links);
+    links[i].to_array().to_vec()
 }
 
 /// Four weights: with joints that add nothing, so that one weight is not all there is.
@@ -294,6 +439,34 @@ fn skinned<T: Number>(
     }
     skin.job().backend(backend).pose(blend, rest, posed).expect("one vertex");
     three(if is_normal { normal } else { point })
+}
+
+fn z<T: Scalar>() -> [T; 3] {
+    [T::ZERO, T::ZERO, T::ONE]
+}
+fn about_z<T: Scalar>([cos, sin]: [T; 2]) -> dq8::DualQuat<T> {
+    dq8::DualQuat::from_rotation(dq8::Quat::from_xyzw(T::ZERO, T::ZERO, sin, cos))
+}
+
+/// The pose of what a joint carries on a body that its first values place: of one configuration, or on lanes.
+fn link<T: Number>(values: &[&[T]], joint: Joint<T>, backend: Option<Backend>) -> Vec<T> {
+    let joints = [Joint::floating(None, dq8::DualQuat::IDENTITY), joint];
+    let mut steps = [Step::default(); 2];
+    let arm = Mechanism::new(&joints, &mut steps).expect("a body and a joint");
+    let values = values.concat();
+    let pose = match backend {
+        None => arm.link_pose(&values, 1).expect("two links"),
+        Some(backend) => {
+            let mut poses = [dq8::DualQuat::IDENTITY; 2 * MANY];
+            // A column for each value.
+            let columns: Vec<_> = values.iter().map(|&value| vec![value; MANY]).collect();
+            let columns: Vec<_> = columns.iter().map(|column| &column[..]).collect();
+            let job = arm.job().backend(backend);
+            job.poses(&columns, &mut poses).expect("as many configurations");
+            poses[1]
+        }
+    };
+    pose.to_array().to_vec()
 }
 
 /// The last column of `jacobian`, of a hinge about z on a body: where that is and how the hinge stands are the values.

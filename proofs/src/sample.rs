@@ -36,8 +36,14 @@ pub fn ordinary(operation: &Operation) -> Vec<f64> {
     let numbers = operation.groups().into_iter().scan((usize::MAX, 0), |(last, at), group| {
         *at = if *last == group { *at + 1 } else { 0 };
         *last = group;
-        let alone = operation.inputs[group].1 == 1;
-        Some(if alone { 0.6 } else { four[*at % 4] } * (1.0 + 0.01 * (group / 2) as f64))
+        let factor = 1.0 + 0.01 * (group / 2) as f64;
+        let single = |number: f64| f64::from(number as f32);
+        Some(match operation.inputs[group].1 {
+            1 => single(0.6 * factor),
+            // A cosine and a sine, which are unit to the last digit: else mechanisms normalize them.
+            2 => [0.6, 0.8][*at],
+            _ => single(four[*at % 4] * factor),
+        })
     });
-    numbers.map(|number| f64::from(number as f32)).collect()
+    numbers.collect()
 }
