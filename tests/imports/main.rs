@@ -130,7 +130,7 @@ const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("error", &["dq8"]),
     ("clock", &["error"]),
     ("screw", &["dq8"]),
-    ("path", &["dq8", "error", "segments", "job"]),
+    ("path", &["dq8", "error", "screw"]),
     ("segments", &["dq8", "clock", "error", "path", "screw"]),
     ("along", &["dq8", "clock", "screw", "segments"]),
     ("job", &["dq8", "along", "clock", "error", "path", "segments"]),
@@ -159,7 +159,7 @@ const REFERENCE_ONLY: &[&str] = &[
 const BATCH_ONLY: &[&str] =
     &["even.rs", "even_coefficients.rs", "exponential.rs", "length.rs", "trigonometry.rs"];
 
-const MAX_LINES: usize = 400;
+const MAX_LINES: usize = 800;
 
 /// Every import of `folder` that its table does not allow.
 fn forbidden(folder: &str, may_import: &[(&str, &[&str])]) -> Vec<String> {
@@ -248,7 +248,7 @@ fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
 }
 
 #[test]
-fn no_file_is_longer_than_four_hundred_lines() {
+fn no_file_is_longer_than_eight_hundred_lines() {
     for source in ["src", "simd/src", "robot", "capi"].into_iter().flat_map(sources) {
         let lines = source.text.lines().count();
         assert!(lines <= MAX_LINES, "{} has {lines} lines", source.path);

@@ -3,7 +3,7 @@
 use crate::along::{Along, MOVES, Points, Poses, SAMPLES, Scan, Work};
 use crate::clock::{Clock, Time};
 use crate::segments::{Frame, Outside, Segments};
-use crate::{Trajectory, TrajectoryError};
+use crate::{OwnedTrajectory, Trajectory, TrajectoryError};
 use alloc::vec;
 use dq8::seams::{Choice, Rows, options};
 use dq8::storage::{Element, Layout, same_length};
@@ -26,8 +26,22 @@ pub struct Job<'a> {
 /// The number of things that a thread takes at least.
 const GRAIN: usize = 4096;
 
+impl<'a> Trajectory<'a> {
+    /// A run over many times.
+    pub fn job(self) -> Job<'a> {
+        Job::new(self)
+    }
+}
+
+impl OwnedTrajectory {
+    /// A run over many times.
+    pub fn job(&self) -> Job<'_> {
+        self.view().job()
+    }
+}
+
 impl<'a> Job<'a> {
-    pub(crate) fn new(path: Trajectory<'a>) -> Self {
+    fn new(path: Trajectory<'a>) -> Self {
         let clock = Clock { origin: 0.0, unit: 1.0 };
         let choice = Choice::default();
         Self { path, clock, frame: Frame::default(), outside: Outside::default(), choice }

@@ -1,7 +1,7 @@
 //! [`Trajectory`] and [`OwnedTrajectory`]: poses at rising stamps.
 
-use crate::segments::parts;
-use crate::{Job, TrajectoryError};
+use crate::TrajectoryError;
+use crate::screw::parts;
 use alloc::vec::Vec;
 use core::ops::Range;
 use dq8::storage::same_length;
@@ -87,11 +87,6 @@ impl<'a> Trajectory<'a> {
                 self.poses[before].sclerp(self.poses[after], (time - start) / (end - start))
             }
         }
-    }
-
-    /// A run over many times.
-    pub fn job(self) -> Job<'a> {
-        Job::new(self)
     }
 }
 
@@ -217,10 +212,5 @@ impl OwnedTrajectory {
     #[must_use]
     pub fn at(&self, time: f64) -> DualQuat<f64> {
         self.view().at(time)
-    }
-
-    /// A run over many times.
-    pub fn job(&self) -> Job<'_> {
-        self.view().job()
     }
 }

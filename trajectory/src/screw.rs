@@ -16,7 +16,17 @@ use dq8::batch::{cos_sin, vector};
 use dq8::simd::{Float, Mask};
 
 /// The longest turn within a segment, in radians. Longer segments are cut into parts, so the series are short.
-pub(crate) const LONGEST: f64 = 0.5;
+const LONGEST: f64 = 0.5;
+
+/// So many parts that none turns by more than the longest turn.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "saturates; the turn is not negative"
+)]
+pub(crate) fn parts(turn: f64) -> usize {
+    (turn / LONGEST) as usize + 1
+}
 
 /// A twist for one second, and what depends on it alone.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! [`Segments`]: a trajectory as a table of records, one for each stretch of constant velocity; and which of them a time is in.
 
 use crate::clock::{Clock, Time};
-use crate::screw::LONGEST;
+use crate::screw::parts;
 use crate::{Trajectory, TrajectoryError};
 use alloc::vec::Vec;
 use dq8::{DualQuat, Real, Scalar, Twist};
@@ -33,16 +33,6 @@ pub enum Outside {
     Continue,
     /// An error that names the first such time; nothing is written.
     Refuse,
-}
-
-/// So many parts that none turns by more than the longest turn.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "saturates; the turn is not negative"
-)]
-pub(crate) fn parts(turn: f64) -> usize {
-    (turn / LONGEST) as usize + 1
 }
 
 /// A time of constant velocity, from its start on.

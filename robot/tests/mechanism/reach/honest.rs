@@ -28,6 +28,7 @@ fn in_any_order<R: Scalar>(reach: &OwnedReach<R>, joints: &[Joint<f64>], far: fn
     let (each, options) = (starts.len() / count, Options::default());
     let there = solved(reach, &targets, &starts, &options);
     for (backend, values, reports) in &there {
+        assert_eq!(values.len(), starts.len());
         let has = |outcome| reports.iter().any(|report| report.outcome == outcome);
         assert!(has(Outcome::Converged) && has(Outcome::Invalid), "{backend}");
         #[cfg(feature = "rayon")]
