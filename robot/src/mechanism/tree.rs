@@ -5,7 +5,7 @@ use super::plan::plan;
 use super::step::{NONE, Step};
 use super::values::JointValues;
 use dq8::seams::brief;
-use dq8::storage::{Layout, whole_instances};
+use dq8::storage::{Layout, same_length, whole_instances};
 use dq8::{Real, ShapeError};
 
 /// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
