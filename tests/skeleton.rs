@@ -147,8 +147,26 @@ fn any_order_of_parents_is_sorted_and_the_order_told() {
         }
         // What is sorted stays.
         let (again, order) = Skeleton::sorted(skeleton.parents()).unwrap();
-        assert_eq!((again, order), (skeleton, (0..count).collect()));
+        assert_eq!((again, &order[..]), (skeleton, &(0..count).collect::<Vec<_>>()[..]));
     }
+}
+
+#[test]
+fn what_a_file_lists_by_joint_follows_the_order_and_its_names_do_at_once() {
+    let (file, names) = ([2, -1, 1, 1], ["hand", "shoulder", "elbow", "collar"]);
+    let (arm, order) = Skeleton::sorted_named(&file, &names).unwrap();
+    for (old, name) in names.iter().enumerate() {
+        let new = order.of(old).unwrap();
+        assert_eq!((arm.name(new), order[new], arm.joint(name)), (Some(*name), old, Some(new)));
+        // The parent of a file's joint is the one that it names.
+        let parent = arm.parents()[new];
+        let wanted = usize::try_from(file[old]).ok().and_then(|parent| order.of(parent));
+        assert_eq!((parent != Hierarchy::ROOT).then_some(parent as usize), wanted, "{name}");
+    }
+    assert_eq!(order.gather(&names).unwrap(), ["shoulder", "elbow", "hand", "collar"]);
+    assert_eq!((order.of(4), order.gather(&[1, 2, 3]).is_err()), (None, true));
+    let few = Skeleton::sorted_named(&file, &names[..3]).unwrap_err();
+    assert_eq!(few, HierarchyError::Names { names: 3, joints: 4 });
 }
 
 /// By the definition: who is `joint` or has it above.

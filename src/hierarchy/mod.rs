@@ -97,7 +97,7 @@ pub use run::Root;
 pub use sampled::Sampled;
 pub use schedule::PlanScratch;
 #[cfg(feature = "alloc")]
-pub use skeleton::Skeleton;
+pub use skeleton::{JointOrder, Skeleton};
 pub use slot::JointSlot;
 
 pub use dq8_simd::TrackPlace;

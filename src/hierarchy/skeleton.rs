@@ -5,13 +5,13 @@ use super::root::NoRoot;
 use super::{Hierarchy, Job, Plan};
 use crate::brief::brief;
 use crate::storage::Element;
-use crate::storage::shape::ShapeError;
+use crate::storage::shape::{ShapeError, same_length};
 use alloc::boxed::Box;
 use alloc::collections::BTreeMap;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
-use core::ops::Range;
+use core::ops::{Deref, Range};
 
 /// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
 ///
@@ -31,9 +31,9 @@ use core::ops::Range;
 ///
 /// // foot → knee → hip, as a file may list them; −1 for the hip.
 /// let (skeleton, order) = Skeleton::sorted(&[1, 2, -1])?;
-/// assert_eq!(order, [2, 1, 0]);
+/// // What the file has for its joints follows.
 /// let down = [[0.0, -1.0, 0.0], [0.0, -1.0, 0.0], [0.0; 3]];
-/// let rig = Rig { skeleton, offsets: order.iter().map(|&joint| down[joint]).collect() };
+/// let rig = Rig { skeleton, offsets: order.gather(&down)? };
 ///
 /// let (mut models, mut palette) = ([DualQuat::default(); 3], [[[0.0; 4]; 3]; 3]);
 /// let locals = Bones { rotations: &[Quat::IDENTITY; 3], offsets: &rig.offsets };
@@ -50,6 +50,53 @@ pub struct Skeleton {
     plan: OwnedPlan,
     /// One for each joint, or none.
     names: Box<[Box<str>]>,
+}
+
+/// The order of a skeleton's joints in the file that they are from: [`Skeleton::sorted`] finds it. As a slice, joint `j` of the
+/// skeleton is number `order[j]` of the file.
+///
+/// ```
+/// use dq8::Skeleton;
+/// // hand ← elbow ← shoulder
+/// let (arm, order) = Skeleton::sorted(&[2, -1, 1])?;
+/// assert_eq!(order.gather(&["hand", "shoulder", "elbow"])?, ["shoulder", "elbow", "hand"]);
+/// // A vertex that hangs on the file's joints 0 and 2.
+/// assert_eq!([0, 2].map(|joint| order.of(joint)), [Some(2), Some(1)]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct JointOrder {
+    /// Of each joint of the skeleton, its number in the file; and the other way round.
+    old: Vec<usize>,
+    new: Vec<usize>,
+}
+
+impl JointOrder {
+    /// What a file lists for its joints, in the order of the skeleton.
+    ///
+    /// # Errors
+    /// If there are not as many things as joints.
+    ///
+    /// # Panics
+    /// If the memory cannot be allocated, as for any `Vec`.
+    pub fn gather<T: Clone>(&self, things: &[T]) -> Result<Vec<T>, ShapeError> {
+        same_length("things", things.len(), self.old.len())?;
+        Ok(self.old.iter().map(|&joint| things[joint].clone()).collect())
+    }
+
+    /// The number in the skeleton of a joint of the file.
+    #[must_use]
+    pub fn of(&self, joint: usize) -> Option<usize> {
+        self.new.get(joint).copied()
+    }
+}
+
+impl Deref for JointOrder {
+    type Target = [usize];
+
+    fn deref(&self) -> &[usize] {
+        &self.old
+    }
 }
 
 brief!([] Skeleton: Skeleton |it| { joints: it.parents.len(), names: it.names.len() });
@@ -77,8 +124,9 @@ impl Skeleton {
         Ok(Self { parents: indices, plan, names: Box::default() })
     }
 
-    /// Of parents in any order, and the order of its joints: joint `j` is number `order[j]` of `parents`. Each joint is
-    /// followed by all that hang from it, so that every [`subtree`](Self::subtree) is a range; brothers stay in their
+    /// Of parents in any order, and the [order](JointOrder) of its joints: joint `j` is number `order[j]` of `parents`. All
+    /// else that a file lists by joint (names, inverse binds, the pose at rest, tracks, joints of vertices) is in the order of
+    /// the file still, and follows by [`JointOrder::gather`] and [`JointOrder::of`]. Each joint is followed by all that hang from it, so that every [`subtree`](Self::subtree) is a range; brothers stay in their
     /// order.
     ///
     /// # Errors
@@ -91,11 +139,11 @@ impl Skeleton {
     /// ```
     /// use dq8::{Skeleton, hierarchy::HierarchyError};
     /// let (skeleton, order) = Skeleton::sorted(&[Some(2_u32), Some(0), None])?;
-    /// assert_eq!((skeleton.parents(), order), (&[u32::MAX, 0, 1][..], vec![2, 0, 1]));
+    /// assert_eq!((skeleton.parents(), &order[..]), (&[u32::MAX, 0, 1][..], &[2, 0, 1][..]));
     /// assert_eq!(Skeleton::sorted(&[1, 0]).unwrap_err(), HierarchyError::Cycle { joint: 0 });
     /// # Ok::<(), HierarchyError>(())
     /// ```
-    pub fn sorted<P: ParentIndex>(parents: &[P]) -> Result<(Self, Vec<usize>), HierarchyError> {
+    pub fn sorted<P: ParentIndex>(parents: &[P]) -> Result<(Self, JointOrder), HierarchyError> {
         const NONE: u32 = Hierarchy::ROOT;
         let joints = parents.len();
         if joints > NONE as usize {
@@ -134,7 +182,37 @@ impl Skeleton {
             let joint = (0..joints).fold(lost, |joint, _| old[joint] as usize);
             return Err(HierarchyError::Cycle { joint });
         }
-        Ok((Self::new(&sorted)?, order))
+        let mut new = vec![0; joints];
+        for (joint, &old) in order.iter().enumerate() {
+            new[old] = joint;
+        }
+        Ok((Self::new(&sorted)?, JointOrder { old: order, new }))
+    }
+
+    /// [`sorted`](Self::sorted), with the names of a file, which are in the order of its parents.
+    ///
+    /// # Errors
+    /// As there, and as [`with_names`](Self::with_names), whose error counts names as they are sorted.
+    ///
+    /// # Panics
+    /// If the memory cannot be allocated, as for any `Vec`.
+    ///
+    /// ```
+    /// use dq8::Skeleton;
+    /// let (arm, order) = Skeleton::sorted_named(&[2, -1, 1], &["hand", "shoulder", "elbow"])?;
+    /// assert_eq!((arm.joint("elbow"), arm.name(2)), (Some(1), Some("hand")));
+    /// assert_eq!(order.of(0), Some(2)); // the hand
+    /// # Ok::<(), dq8::hierarchy::HierarchyError>(())
+    /// ```
+    pub fn sorted_named<P: ParentIndex, N: Clone + Into<Box<str>>>(
+        parents: &[P],
+        names: &[N],
+    ) -> Result<(Self, JointOrder), HierarchyError> {
+        let (skeleton, order) = Self::sorted(parents)?;
+        let joints = skeleton.joints();
+        let wrong = |_| HierarchyError::Names { names: names.len(), joints };
+        let names = order.gather(names).map_err(wrong)?;
+        Ok((skeleton.with_names(names)?, order))
     }
 
     /// With a name for each joint; empty where it has none.
@@ -147,10 +225,7 @@ impl Skeleton {
     ///
     /// ```
     /// use dq8::Skeleton;
-    /// // What a file lists in any order has its names in the same one.
-    /// let (names, parents) = (["hand", "shoulder", "elbow"], [2, -1, 1]);
-    /// let (arm, order) = Skeleton::sorted(&parents)?;
-    /// let arm = arm.with_names(order.iter().map(|&joint| names[joint]))?;
+    /// let arm = Skeleton::new(&[-1, 0, 1])?.with_names(["shoulder", "elbow", "hand"])?;
     /// assert_eq!((arm.joint("elbow"), arm.name(2)), (Some(1), Some("hand")));
     /// assert_eq!(arm.to_string(), "0 shoulder\n  1 elbow\n    2 hand\n");
     /// # Ok::<(), dq8::hierarchy::HierarchyError>(())

@@ -66,7 +66,7 @@ impl Hierarchy {
             return Ok(Self { parents, names, sorted, order: None });
         }
         let (sorted, order) = Skeleton::sorted(&parents).map_err(named)?;
-        Ok(Self { parents, names, sorted, order: Some(order) })
+        Ok(Self { parents, names, sorted, order: Some(order.to_vec()) })
     }
 
     /// The names of the joints, or None.
