@@ -6,6 +6,9 @@ use std::collections::BTreeSet;
 
 /// How deep elements may be in each other. TinyXML, which most readers of URDF use, has the same limit.
 const DEPTH: usize = 500;
+/// How many attributes an element may have. The strict reader compares each with all others, which takes seconds for as many
+/// as half a megabyte holds; no element of the format has more than seven.
+const ATTRIBUTES: usize = 1000;
 
 /// Without declarations, comments and a document type, and with a declaration of every prefix.
 pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
@@ -52,9 +55,16 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
             } else if !tag.ends_with("/>") {
                 depth += 1;
             }
-            if depth > DEPTH {
-                let (element, what) =
-                    (format!("{name}>"), format!("more than {DEPTH} elements are in each other"));
+            let what = match tag.matches('=').count() {
+                _ if depth > DEPTH => format!("more than {DEPTH} elements are in each other"),
+                // Where that many are in values, they are counted once more.
+                many if many > ATTRIBUTES && attributes(tag) > ATTRIBUTES => {
+                    format!("it has more than {ATTRIBUTES} attributes")
+                }
+                _ => String::new(),
+            };
+            if !what.is_empty() {
+                let element = format!("{name}>");
                 return Err(UrdfError::Unexpected { line: line(rest), element, what });
             }
         }
@@ -119,6 +129,20 @@ fn tag(text: &str) -> Option<(usize, Vec<usize>)> {
         }
     }
     None
+}
+
+/// The signs of equality in a tag, outside of values.
+fn attributes(tag: &str) -> usize {
+    let (mut quote, mut count) = (None, 0);
+    for byte in tag.bytes() {
+        match (quote, byte) {
+            (Some(open), _) if open == byte => quote = None,
+            (None, b'"' | b'\'') => quote = Some(byte),
+            (None, b'=') => count += 1,
+            _ => {}
+        }
+    }
+    count
 }
 
 /// The words on both sides of a colon.
