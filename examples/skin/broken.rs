@@ -115,3 +115,12 @@ fn files_with_other_numbers_are_errors_or_poses() {
     }
     assert!(posed > 0, "nothing but errors");
 }
+
+/// The crate gltf would take the lowest 32 bits.
+#[test]
+fn an_index_beyond_32_bits_is_an_error_that_names_it() {
+    let far = 1_u64 << 40;
+    let changes = [(r#""bufferView":0"#, &*format!(r#""bufferView":{far}"#))];
+    let error = strip(&changes).unwrap_err();
+    assert!(error.contains("bufferView: there is no number 1099511627776"), "{error}");
+}

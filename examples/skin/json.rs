@@ -25,6 +25,7 @@ impl Json {
             channels.push(keep_channels(animation));
         }
         strip(&mut value);
+        check_indices(&value, "")?;
         let root: Root = deserialize::from_value(value).map_err(fail)?;
         refused::check(&root)?;
         validate(&root)?;
@@ -87,6 +88,26 @@ fn strip(value: &mut Value) {
     }
     remove(value, &["materials", "textures", "images", "samplers", "cameras", "extensions"]);
     strip_extras(value);
+}
+
+/// Refuses indices that the crate gltf would cut to 32 bits: 2⁴⁰ would be 0. Bytes may be more than that.
+fn check_indices(value: &Value, path: &str) -> Result<(), String> {
+    match value {
+        Value::Object(all) => all
+            .iter()
+            .filter(|(name, _)| !name.starts_with("byte"))
+            .try_for_each(|(name, value)| check_indices(value, &format!("{path}.{name}"))),
+        Value::Array(all) => {
+            let mut all = all.iter().enumerate();
+            all.try_for_each(|(i, value)| check_indices(value, &format!("{path}[{i}]")))
+        }
+        _ => match value.as_u64() {
+            Some(number) if number > u32::MAX.into() => {
+                Err(format!("{}: there is no number {number}", path.trim_start_matches('.')))
+            }
+            _ => Ok(()),
+        },
+    }
 }
 
 fn remove(value: &mut Value, names: &[&str]) {
