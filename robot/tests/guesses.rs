@@ -85,3 +85,28 @@ fn robots_and_reaches_are_printed_on_a_line() {
         (printed("Owned"), printed(""))
     );
 }
+
+#[test]
+fn a_robot_is_printed_as_the_tree_of_its_links() {
+    let robot: Robot = ELBOW.parse().expect("a robot");
+    let tree = "0 base\n  1 upper (shoulder)\n    2 lower (elbow)\n      3 tool (flange)\n";
+    assert_eq!(robot.to_string(), tree);
+    let parents = [0, 1, 2, 3, 4].map(|link| robot.mechanism().parent(link));
+    assert_eq!(parents, [None, Some(0), Some(1), Some(2), None]);
+}
+
+#[test]
+fn values_are_within_limits_or_not_and_so_is_what_mimics() {
+    let hinge =
+        Joint::revolute(None, DualQuat::<f64>::IDENTITY, [0.0, 0.0, 1.0]).with_limits([-1.0, 2.0]);
+    let other = hinge.with_limits([-1.0, 1.0]).mimicking(0, -2.0, 1.0);
+    let hand = OwnedMechanism::new(&[hinge, other]).expect("a hand");
+    for (value, within) in
+        [(0.0, true), (1.0, true), (-0.1, false), (1.1, false), (f64::NAN, false)]
+    {
+        assert_eq!(hand.view().within_limits(&[value]), Ok(within), "{value}");
+    }
+    let free =
+        OwnedMechanism::new(&[Joint::revolute(None, DualQuat::<f64>::IDENTITY, [0.0, 0.0, 1.0])]);
+    assert_eq!(free.expect("a hinge").view().within_limits(&[f64::NAN]), Ok(false));
+}

@@ -94,6 +94,35 @@ impl<R: Real> Mechanism<'_, R> {
     }
 }
 
+impl<R: Real> Mechanism<'_, R> {
+    /// True if all joints are within their limits, those that mimic others too; false if a value is NaN.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// use dq8_robot::{Joint, OwnedMechanism};
+    /// let slide = Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]).with_limits([0.0, 0.5]);
+    /// let lift = OwnedMechanism::new(&[slide])?;
+    /// let within = [0.0, 0.5, 0.6].map(|height| lift.view().within_limits(&[height]));
+    /// assert_eq!(within, [Ok(true), Ok(true), Ok(false)]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there are not as many values as a configuration has.
+    pub fn within_limits(&self, values: &[R]) -> Result<bool, ShapeError> {
+        same_length("values", values.len(), self.values)?;
+        let within = |step: &Step<R>| {
+            let (Some([low, high]), Some(&value)) = (step.limits, values.get(step.value as usize))
+            else {
+                return true;
+            };
+            let value = if step.mimics { value * step.multiplier + step.offset } else { value };
+            low <= value && value <= high
+        };
+        Ok(self.steps.iter().all(within) && !values.iter().any(|value| value.is_nan()))
+    }
+}
+
 impl<R: Copy> Mechanism<'_, R> {
     /// How many configurations, or blocks of them, have as many `poses` if each has those of `links` links, and whether
     /// there are values for as many.
@@ -112,6 +141,13 @@ impl<R: Copy> Mechanism<'_, R> {
     #[must_use]
     pub fn links(&self) -> usize {
         self.steps.len()
+    }
+
+    /// The link that carries a link; none if the base does, or there is no such link.
+    #[must_use]
+    pub fn parent(&self, link: usize) -> Option<usize> {
+        let parent = self.step(link)?.parent;
+        (parent != NONE).then_some(parent as usize)
     }
 
     /// How many values a configuration has.

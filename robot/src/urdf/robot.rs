@@ -7,8 +7,9 @@ use super::tree::{Node, nodes};
 use super::warning::UrdfWarning;
 use crate::{Joint, JointKind, Mechanism, MechanismError, Mimic, OwnedMechanism};
 use dq8::seams::brief;
-use dq8::{DualQuat, Real};
+use dq8::{DualQuat, Real, Skeleton};
 use std::collections::HashMap;
+use std::fmt;
 use std::path::Path;
 
 /// The mechanism of a file, and its names.
@@ -235,6 +236,23 @@ impl Robot {
         let _ = view.value_limits(&mut limits);
         let has_an_end = |[low, high]: &[f64; 2]| low.is_finite() || high.is_finite();
         limits.into_iter().map(|limits| Some(limits).filter(has_an_end)).collect()
+    }
+}
+
+/// The tree of links, each in front of its joint.
+impl fmt::Display for Robot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parents: Vec<_> = self.joints.iter().map(|joint| joint.parent).collect();
+        let label = |(link, joint): (&String, &Option<String>)| match joint {
+            Some(joint) => format!("{link} ({joint})"),
+            None => link.clone(),
+        };
+        let labels = self.link_names.iter().zip(&self.joint_names).map(label);
+        match Skeleton::new(&parents).and_then(|tree| tree.with_names(labels)) {
+            Ok(tree) => write!(f, "{tree}"),
+            // Links of other names than a file can have.
+            Err(_) => f.write_str(&self.name),
+        }
     }
 }
 
