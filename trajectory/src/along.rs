@@ -1,11 +1,13 @@
-//! The one loop over times: find their segments, some dozens at a time; then compute on lanes, a time in each.
+//! The one loop over times: find their segments, some dozens at a time; then compute on lanes, a
+//! time in each.
 //!
 //! # The algorithm
 //!
-//! [`CHUNK`] times are looked up first, in `f64`. Where all lie in one segment, which is the rule for times that rise, its
-//! record is read once, into all lanes. Elsewhere a register whose lanes lie in several segments gathers a record for
-//! each. The [`Work`] takes a register of times with its records; it does the same arithmetic in both cases, so the bits
-//! of a pose or point do not depend on its neighbours.
+//! [`CHUNK`] times are looked up first, in `f64`. Where all lie in one segment, which is the rule
+//! for times that rise, its record is read once, into all lanes. Elsewhere a register whose lanes
+//! lie in several segments gathers a record for each. The [`Work`] takes a register of times with
+//! its records; it does the same arithmetic in both cases, so the bits of a pose or point do not
+//! depend on its neighbours.
 
 use crate::clock::{Clock, Time};
 use crate::screw::Screw;
@@ -17,7 +19,8 @@ use dq8::{Kernel, Lanes, Level, Scalar, Twist};
 
 /// What is done with a register of times.
 pub(crate) trait Work<Y: Layout, const C: usize> {
-    /// Takes the records of the segments that the times are in, and the seconds since their start. `None` ends the loop.
+    /// Takes the records of the segments that the times are in, and the seconds since their start.
+    /// `None` ends the loop.
     fn tile<V: Level>(
         &mut self,
         level: V,
@@ -96,11 +99,12 @@ fn register<L: Lanes>(level: L::Level, numbers: &[L::Real]) -> L {
     L::load(level, &array)
 }
 
-/// The numbers of a record that moves points: a 3×4 matrix by rows, a twist for one second, and two that fill fours.
+/// The numbers of a record that moves points: a 3×4 matrix by rows, a twist for one second, and two
+/// that fill fours.
 pub(crate) const MOVES: usize = 20;
 
-/// `moved[i]` = M exp(τξ) `points[i]`: points of the moving body into the wanted frame. Or back, where the records have
-/// M⁻¹: exp(−τξ) M⁻¹ `points[i]`.
+/// `moved[i]` = M exp(τξ) `points[i]`: points of the moving body into the wanted frame. Or back,
+/// where the records have M⁻¹: exp(−τξ) M⁻¹ `points[i]`.
 pub(crate) struct Points<'s, P, const BACK: bool, const N: usize> {
     /// `None` if they are what `moved` still holds.
     pub(crate) points: Option<&'s [P]>,
@@ -145,7 +149,8 @@ fn affine<L: Lanes>(rows: [[L; 4]; 3], [x, y, z]: [L; 3]) -> [L; 3] {
     ]
 }
 
-/// The numbers of a record that is sampled: a motion, a twist for one second, and two that fill fours.
+/// The numbers of a record that is sampled: a motion, a twist for one second, and two that fill
+/// fours.
 pub(crate) const SAMPLES: usize = 16;
 
 /// `poses[i]` = σ exp(τξ), and `twists[i]` = ξ.

@@ -2,7 +2,8 @@
 
 use crate::TrajectoryError;
 
-/// A time of a point, in whole or broken units of a clock: `f32`, `f64`, `u32`, `u64` or `i64`. Sealed.
+/// A time of a point, in whole or broken units of a clock: `f32`, `f64`, `u32`, `u64` or `i64`.
+/// Sealed.
 ///
 /// Numbers of 64 bits count exactly up to 2⁵³ units, which is 104 days of nanoseconds.
 pub trait Time: Copy + Send + Sync + sealed::Sealed {
@@ -51,8 +52,8 @@ impl Clock {
         time.count() * self.unit + self.origin
     }
 
-    /// The seconds since the stamp `start`, whose difference from the origin is taken first: of two large stamps
-    /// nothing is lost.
+    /// The seconds since the stamp `start`, whose difference from the origin is taken first: of two
+    /// large stamps nothing is lost.
     #[inline(always)]
     pub(crate) fn since(self, start: f64, time: impl Time) -> f64 {
         time.count() * self.unit + (self.origin - start)

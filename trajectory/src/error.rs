@@ -15,7 +15,8 @@ errors! {
         /// A twist or its range of time has no trajectory.
         NotFinite { value: f64 = "The number that is not finite, or too large." }
             => "{value} cannot be part of a motion at constant velocity";
-        /// A time lies before the first stamp or after the last one, or is NaN, and the job refuses such times.
+        /// A time lies before the first stamp or after the last one, or is NaN, and the job refuses
+        /// such times.
         Outside {
             index: usize = "The number of the time.",
             value: f64 = "The time in seconds, on the clock of the stamps.",
@@ -25,7 +26,8 @@ errors! {
             => "time {index} is {value} s, and the stamps go from {first} s to {last} s";
         /// A motion can go on only if there are two poses that say how.
         OnePose => "one pose has no velocity with which it could continue outside its stamp";
-        /// The frame was asked for at a time that is not finite, or outside the stamps where that is refused.
+        /// The frame was asked for at a time that is not finite, or outside the stamps where that
+        /// is refused.
         NoFrame { time: f64 = "The time in seconds." } => "there is no frame at {time} s";
         /// The clock has a number that is not finite, or a unit of zero.
         Clock { value: f64 = "The number." } => "the clock has {value}: its origin and unit must be finite, the unit not zero";

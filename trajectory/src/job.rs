@@ -9,10 +9,12 @@ use dq8::seams::{Choice, Rows, options};
 use dq8::storage::{Element, Layout, same_length};
 use dq8::{DualQuat, Scalar, ShapeError};
 
-/// A run over many times, as many at once as there are lanes. Times may be in any order; rising ones are quickest.
+/// A run over many times, as many at once as there are lanes. Times may be in any order; rising
+/// ones are quickest.
 ///
-/// Without options times are seconds on the clock of the stamps, poses and points come out in the world, and the body
-/// stands before the first stamp and after the last one. Slices are plain or blocks, of `f32` or `f64`.
+/// Without options times are seconds on the clock of the stamps, poses and points come out in the
+/// world, and the body stands before the first stamp and after the last one. Slices are plain or
+/// blocks, of `f32` or `f64`.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Job<'a> {
@@ -47,8 +49,8 @@ impl<'a> Job<'a> {
         Self { path, clock, frame: Frame::default(), outside: Outside::default(), choice }
     }
 
-    /// The clock of the times: the time t is the stamp `origin + unit · t`, in seconds. With an origin near the scan, times
-    /// may be `f32` though stamps count from 1970.
+    /// The clock of the times: the time t is the stamp `origin + unit · t`, in seconds. With an
+    /// origin near the scan, times may be `f32` though stamps count from 1970.
     pub fn clock(mut self, origin: f64, unit: f64) -> Self {
         self.clock = Clock { origin, unit };
         self
@@ -87,9 +89,10 @@ impl<'a> Job<'a> {
     /// ```
     ///
     /// # Errors
-    /// If `poses` does not hold as many poses as there are times (of blocks, so many that all find place), the clock has a
-    /// number that is not finite or a unit of zero, there is no such frame, a time is outside where that is refused, or a
-    /// single pose has no velocity to continue with; nothing is written.
+    /// If `poses` does not hold as many poses as there are times (of blocks, so many that all find
+    /// place), the clock has a number that is not finite or a unit of zero, there is no such frame,
+    /// a time is outside where that is refused, or a single pose has no velocity to continue with;
+    /// nothing is written.
     pub fn sample<T: Time, M: Element<8>>(
         self,
         times: &[T],
@@ -100,9 +103,9 @@ impl<'a> Job<'a> {
         self.poses(times, poses, none)
     }
 
-    /// [`sample`](Self::sample), and `twists[i]` = the velocity there for one second, in the frame of the moving body
-    /// (angular first): log((σ_k* σ_{k+1})²) / (t_{k+1} − t_k). At a stamp it is that of the way to the next one; where the
-    /// body stands it is zero.
+    /// [`sample`](Self::sample), and `twists[i]` = the velocity there for one second, in the frame
+    /// of the moving body (angular first): log((σ_k* σ_{k+1})²) / (t_{k+1} − t_k). At a stamp it is
+    /// that of the way to the next one; where the body stands it is zero.
     ///
     /// # Errors
     /// As there, and if `twists` is not as long as `poses`; nothing is written.
@@ -117,8 +120,9 @@ impl<'a> Job<'a> {
         self.poses(times, poses, twists)
     }
 
-    /// `moved[i]` = F⁻¹ σ(`times[i]`) `points[i]`: points that the moving body measured, each at its own time, in the frame
-    /// F of the job. A point has three coordinates first; what else its record holds is copied.
+    /// `moved[i]` = F⁻¹ σ(`times[i]`) `points[i]`: points that the moving body measured, each at
+    /// its own time, in the frame F of the job. A point has three coordinates first; what else its
+    /// record holds is copied.
     ///
     /// ```
     /// use dq8::Twist;
@@ -133,8 +137,8 @@ impl<'a> Job<'a> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many points as times (of blocks, so many that all find place), `moved` is not as long as
-    /// `points`, and as for [`sample`](Self::sample); nothing is written.
+    /// If there are not as many points as times (of blocks, so many that all find place), `moved`
+    /// is not as long as `points`, and as for [`sample`](Self::sample); nothing is written.
     pub fn deskew<T: Time, P: Element<N>, const N: usize>(
         self,
         times: &[T],
@@ -159,8 +163,8 @@ impl<'a> Job<'a> {
         self.points::<_, _, false, N>(times, None, points)
     }
 
-    /// The inverse of [`deskew`](Self::deskew): `moved[i]` = σ(`times[i]`)⁻¹ F `points[i]`, points as the moving body would
-    /// have measured them, each at its own time.
+    /// The inverse of [`deskew`](Self::deskew): `moved[i]` = σ(`times[i]`)⁻¹ F `points[i]`, points
+    /// as the moving body would have measured them, each at its own time.
     ///
     /// # Errors
     /// As there.
@@ -290,8 +294,8 @@ pub struct Columns<'a, T> {
 }
 
 impl<T: Time> Columns<'_, T> {
-    /// `moved[row][column]` = F⁻¹ σ(`times[column]`) `points[row][column]`, as [`Job::deskew`] does for points of their own
-    /// times. Rows follow each other.
+    /// `moved[row][column]` = F⁻¹ σ(`times[column]`) `points[row][column]`, as [`Job::deskew`] does
+    /// for points of their own times. Rows follow each other.
     ///
     /// ```
     /// use dq8::Twist;

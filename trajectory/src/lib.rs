@@ -1,4 +1,5 @@
-//! Trajectories: poses with stamps, sampled at many times; and points that are each moved by the pose at their own time.
+//! Trajectories: poses with stamps, sampled at many times; and points that are each moved by the
+//! pose at their own time.
 //!
 //! | item | what it is |
 //! |---|---|
@@ -9,8 +10,9 @@
 //! | [`Outside`] | what happens before the first stamp and after the last |
 //! | [`Time`] | the numbers that times of points may be |
 //!
-//! Poses and stamps are `f64`. A pose is first taken relative to the wanted frame and only then rounded to the numbers of
-//! the points, so a map whose origin is 10⁶ m away costs an `f32` point nothing.
+//! Poses and stamps are `f64`. A pose is first taken relative to the wanted frame and only then
+//! rounded to the numbers of the points, so a map whose origin is 10⁶ m away costs an `f32` point
+//! nothing.
 //!
 //! ```
 //! use dq8::DualQuat;
@@ -30,8 +32,8 @@
 //!
 //! # Features
 //!
-//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8. The crate is `no_std` and needs a heap, on which a job
-//! keeps the segments of its trajectory.
+//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8. The crate is `no_std` and
+//! needs a heap, on which a job keeps the segments of its trajectory.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

@@ -7,7 +7,8 @@ use core::ops::Range;
 use dq8::storage::same_length;
 use dq8::{DualQuat, Real, Twist};
 
-/// Poses at rising stamps, in memory of the caller; from one to the next it is screw motion by the shorter way.
+/// Poses at rising stamps, in memory of the caller; from one to the next it is screw motion by the
+/// shorter way.
 ///
 /// A pose carries the moving body (a scanner, a camera) into the frame of the world:
 /// `world = pose.transform_point(body)`. Stamps are seconds. Poses must be unit, as everywhere.
@@ -33,8 +34,8 @@ impl<'a> Trajectory<'a> {
     /// A trajectory through `poses[k]` at the time `stamps[k]`.
     ///
     /// # Errors
-    /// If the slices differ in length, are empty, a stamp is not finite, not later than the one before, or
-    /// further from the first than the largest number.
+    /// If the slices differ in length, are empty, a stamp is not finite, not later than the one
+    /// before, or further from the first than the largest number.
     pub fn new(stamps: &'a [f64], poses: &'a [DualQuat<f64>]) -> Result<Self, TrajectoryError> {
         same_length("poses", poses.len(), stamps.len())?;
         if stamps.is_empty() {
@@ -70,8 +71,9 @@ impl<'a> Trajectory<'a> {
         [self.stamps.first(), self.stamps.last()].map(|stamp| stamp.copied().unwrap_or(f64::NAN))
     }
 
-    /// The pose at a time in seconds: σ_k (σ_k* σ_{k+1})^s between the stamps k and k + 1, at the share s of the way
-    /// (Kavan et al. 2008, ScLERP). Before the first stamp and after the last one it is their pose; at NaN it is NaN.
+    /// The pose at a time in seconds: σ_k (σ_k* σ_{k+1})^s between the stamps k and k + 1, at the
+    /// share s of the way (Kavan et al. 2008, ScLERP). Before the first stamp and after the last
+    /// one it is their pose; at NaN it is NaN.
     #[must_use]
     pub fn at(self, time: f64) -> DualQuat<f64> {
         let after = self.stamps.partition_point(|&stamp| stamp <= time);
@@ -107,8 +109,8 @@ impl OwnedTrajectory {
         Ok(Self { stamps, poses })
     }
 
-    /// A trajectory of stamps in any order. Of equal stamps the first pose in the input is kept; the number of those that
-    /// were dropped is the second result.
+    /// A trajectory of stamps in any order. Of equal stamps the first pose in the input is kept;
+    /// the number of those that were dropped is the second result.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -139,9 +141,9 @@ impl OwnedTrajectory {
         Ok((Self::new(stamps, poses)?, dropped))
     }
 
-    /// The motion at a constant twist for one second, in the frame of the moving body, over a range of time in seconds:
-    /// exp(tξ), which is the identity at the time 0. It is the motion that KISS-ICP (Vizzo et al. 2023, §III-A) supposes
-    /// within a scan.
+    /// The motion at a constant twist for one second, in the frame of the moving body, over a range
+    /// of time in seconds: exp(tξ), which is the identity at the time 0. It is the motion that
+    /// KISS-ICP (Vizzo et al. 2023, §III-A) supposes within a scan.
     ///
     /// ```
     /// use dq8::Twist;

@@ -1,4 +1,5 @@
-//! The motion of a constant twist in closed form, on lanes: `exp(τξ)·p` without an axis, a division or a branch.
+//! The motion of a constant twist in closed form, on lanes: `exp(τξ)·p` without an axis, a division
+//! or a branch.
 //!
 //! With ξ = (ω, v), φ = τ|ω| and the velocity of the point u = ω×p + v,
 //!
@@ -7,15 +8,16 @@
 //! S = sin φ / φ,   C = (1 − cos φ) / φ²,   D = (φ − sin φ) / φ³
 //! ```
 //!
-//! It is Rodrigues' formula for the rotation, with the integral of the translation (Selig 2005, *Geometric
-//! Fundamentals of Robotics*, §4.3), sorted by p: the terms in ω×(ω×p) and ω×v are ω×u. S, C and D are power series in
-//! φ², so that nothing cancels where φ vanishes.
+//! It is Rodrigues' formula for the rotation, with the integral of the translation (Selig 2005,
+//! *Geometric Fundamentals of Robotics*, §4.3), sorted by p: the terms in ω×(ω×p) and ω×v are ω×u.
+//! S, C and D are power series in φ², so that nothing cancels where φ vanishes.
 
 use dq8::Lanes;
 use dq8::batch::{cos_sin, vector};
 use dq8::simd::{Float, Mask};
 
-/// The longest turn within a segment, in radians. Longer segments are cut into parts, so the series are short.
+/// The longest turn within a segment, in radians. Longer segments are cut into parts, so the series
+/// are short.
 const LONGEST: f64 = 0.5;
 
 /// So many parts that none turns by more than the longest turn.
@@ -60,8 +62,9 @@ impl<L: Lanes> Screw<L> {
     }
 }
 
-/// S, C and D of φ². Lanes beyond the longest turn, which are met only where a motion goes on outside its stamps, take
-/// sine and cosine; each lane decides for itself, so its bits do not depend on the others.
+/// S, C and D of φ². Lanes beyond the longest turn, which are met only where a motion goes on
+/// outside its stamps, take sine and cosine; each lane decides for itself, so its bits do not
+/// depend on the others.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn integrals<L: Lanes>(square: L) -> [L; 3] {
     let near = series(square);

@@ -1,4 +1,5 @@
-//! [`Segments`]: a trajectory as a table of records, one for each stretch of constant velocity; and which of them a time is in.
+//! [`Segments`]: a trajectory as a table of records, one for each stretch of constant velocity; and
+//! which of them a time is in.
 
 use crate::clock::{Clock, Time};
 use crate::screw::parts;
@@ -22,8 +23,8 @@ pub enum Frame {
     Pose(DualQuat<f64>),
 }
 
-/// What happens at times before the first stamp and after the last one. A time that is NaN makes NaN of its pose or
-/// point alone, but where it is refused.
+/// What happens at times before the first stamp and after the last one. A time that is NaN makes
+/// NaN of its pose or point alone, but where it is refused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Outside {
     /// The body stands at the first pose or at the last one.
@@ -43,7 +44,8 @@ struct Stretch {
     velocity: Twist<f64>,
 }
 
-/// The time before the first stamp, the ways between the poses, cut into parts that turn little, and the time after the last stamp.
+/// The time before the first stamp, the ways between the poses, cut into parts that turn little,
+/// and the time after the last stamp.
 fn stretches(path: Trajectory<'_>, outside: Outside) -> Result<Vec<Stretch>, TrajectoryError> {
     let (stamps, poses) = (path.stamps(), path.poses());
     let mut between = Vec::with_capacity(stamps.len());
@@ -126,8 +128,8 @@ impl Span {
     }
 }
 
-/// One record for the time before the first stamp, one for each stretch of constant velocity, and one for the time after
-/// the last stamp.
+/// One record for the time before the first stamp, one for each stretch of constant velocity, and
+/// one for the time after the last stamp.
 #[derive(Debug)]
 pub(crate) struct Segments<R, const C: usize> {
     spans: Vec<Span>,
@@ -138,10 +140,12 @@ pub(crate) struct Segments<R, const C: usize> {
     rate: f64,
 }
 
-/// The number of times whose records are looked up before anything is computed: they stay in the first cache.
+/// The number of times whose records are looked up before anything is computed: they stay in the
+/// first cache.
 pub(crate) const CHUNK: usize = 64;
 
-/// Buckets for each record. With sixteen, a time is soon in the record of its bucket or in the next.
+/// Buckets for each record. With sixteen, a time is soon in the record of its bucket or in the
+/// next.
 const BUCKETS: usize = 16;
 
 /// Where the times of a chunk are.
@@ -154,7 +158,8 @@ pub(crate) struct Found<R> {
 }
 
 impl<R: Scalar, const C: usize> Segments<R, C> {
-    /// The records that `record` makes of the pose of the body in the wanted frame at the start, and of its twist for a second.
+    /// The records that `record` makes of the pose of the body in the wanted frame at the start,
+    /// and of its twist for a second.
     pub(crate) fn new(
         path: Trajectory<'_>,
         frame: Frame,
@@ -167,7 +172,8 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         let record = |s: &Stretch| round(record(into * s.pose, s.velocity));
         let records: Vec<_> = stretches.iter().map(record).collect();
         let last = stretches.len() - 1;
-        // Parts that are shorter than the roundoff of their stamps begin at one time: all but the last are empty.
+        // Parts that are shorter than the roundoff of their stamps begin at one time: all but the
+        // last are empty.
         let span = |k: usize| Span {
             from: if k == 0 { f64::NEG_INFINITY } else { stretches[k].start },
             to: stretches.get(k + 1).map_or(f64::INFINITY, |next| next.start),
@@ -202,7 +208,8 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
     /// The bucket of a time.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn bucket(&self, first: f64, stamp: f64) -> u32 {
-        /// A number below this one, added to it, stands in its last bits: a conversion would saturate, which takes longer.
+        /// A number below this one, added to it, stands in its last bits: a conversion would
+        /// saturate, which takes longer.
         const WHOLE: f64 = (1_u64 << 52) as f64;
         let place = (stamp - first) * self.rate - 0.5;
         // A number, also of NaN, since `max` and `min` return the other one.
@@ -212,7 +219,8 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         bucket
     }
 
-    /// The record that a time is in, soon: that of its bucket or the next one, unless stamps are very uneven.
+    /// The record that a time is in, soon: that of its bucket or the next one, unless stamps are
+    /// very uneven.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn find(&self, bucket: u32, stamp: f64) -> usize {
         let near = self.buckets.get(bucket as usize).map_or(0, |&near| near as usize);
@@ -225,7 +233,8 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         }
     }
 
-    /// Finds the records of at most [`CHUNK`] times. Gives back the record that all are in, if it is one; `near` is a guess.
+    /// Finds the records of at most [`CHUNK`] times. Gives back the record that all are in, if it
+    /// is one; `near` is a guess.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn place<T: Time>(
         &self,
@@ -287,7 +296,8 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
     }
 }
 
-/// The number of a record, which takes more than sixteen bytes: so many as do not fit find no memory.
+/// The number of a record, which takes more than sixteen bytes: so many as do not fit find no
+/// memory.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[allow(clippy::cast_possible_truncation, reason = "see above")]
 fn index(record: usize) -> u32 {

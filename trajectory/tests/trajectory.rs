@@ -1,4 +1,5 @@
-//! Poses and points along trajectories are those of one time at a time, by the book; what does not fit is refused.
+//! Poses and points along trajectories are those of one time at a time, by the book; what does not
+//! fit is refused.
 
 use dq8::simd::Row;
 use dq8::storage::{Block, Element, Layout, pack, unpack};
@@ -26,7 +27,8 @@ fn path(random: &mut Random, count: usize, turn: f64) -> OwnedTrajectory {
     OwnedTrajectory::new(stamps, poses).unwrap()
 }
 
-/// Times from before the first stamp until after the last, with all stamps among them; rising, falling or in any order.
+/// Times from before the first stamp until after the last, with all stamps among them; rising,
+/// falling or in any order.
 fn times(random: &mut Random, path: &OwnedTrajectory, count: usize, order: usize) -> Vec<f64> {
     let [first, last] = path.range();
     let mut times: Vec<_> = (0..count).map(|_| random.between(first - 0.05, last + 0.05)).collect();
@@ -441,7 +443,8 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     assert_eq!((kept.stamps(), dropped), (&[0.0, 2.0][..], 2));
 }
 
-/// Two poses, 1/16 s apart; a point measured at a time between them; and the same in the frame of the second pose.
+/// Two poses, 1/16 s apart; a point measured at a time between them; and the same in the frame of
+/// the second pose.
 struct Answer {
     kind: &'static str,
     poses: [[f64; 8]; 2],

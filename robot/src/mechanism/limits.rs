@@ -1,14 +1,15 @@
 //! The limits of values: of a joint, and of what mimics it.
 //!
-//! A joint that mimics another has limits of its own in many files, copied from its leader without the sign or the
-//! factor between them. They bind the leader where they leave a part of its range. Where they would leave nothing, or one
-//! value alone, the file cannot mean them, and the joint has none.
+//! A joint that mimics another has limits of its own in many files, copied from its leader without
+//! the sign or the factor between them. They bind the leader where they leave a part of its range.
+//! Where they would leave nothing, or one value alone, the file cannot mean them, and the joint has
+//! none.
 
 use super::step::Step;
 use dq8::Real;
 
-/// The part of the `leader`'s range in which a follower, at `multiplier` times its value and `offset`, is within its own
-/// limits. `None` if that is not more than one value.
+/// The part of the `leader`'s range in which a follower, at `multiplier` times its value and
+/// `offset`, is within its own limits. `None` if that is not more than one value.
 pub(crate) fn shared<R: Real>(
     [low, high]: [R; 2],
     limits: [R; 2],
@@ -24,7 +25,8 @@ pub(crate) fn shared<R: Real>(
 }
 
 impl<R: Real> Step<R> {
-    /// [`shared`] with the limits of this joint, which mimics another; all of the range if it has none.
+    /// [`shared`] with the limits of this joint, which mimics another; all of the range if it has
+    /// none.
     pub(crate) fn narrows(&self, range: [R; 2]) -> Option<[R; 2]> {
         match self.limits {
             Some(limits) => shared(range, limits, self.multiplier, self.offset),

@@ -29,8 +29,9 @@ fn panda<R: Real>() -> OwnedMechanism<R> {
 
 const START: [f64; 7] = [0.1, 0.3, 0.2, -1.5, 0.1, 1.8, 0.3];
 
-/// The longest step of a joint in a frame, the frames without motion, and the largest angle between the way to the
-/// tool and the way to the target, from the second round on. The target is so far ahead, and goes around.
+/// The longest step of a joint in a frame, the frames without motion, and the largest angle between
+/// the way to the tool and the way to the target, from the second round on. The target is so far
+/// ahead, and goes around.
 fn followed<R>(goal: Goal<R>, ahead: f64, turn: DualQuat<f64>) -> (f64, usize, f64)
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
@@ -79,8 +80,8 @@ fn an_arm_points_at_a_target_beyond_reach_and_goes_with_it_in_every_frame() {
     }
 }
 
-/// A pose that cannot be held, and at half a metre one that can in a part of the round, on the way into which an arm has to
-/// turn farther.
+/// A pose that cannot be held, and at half a metre one that can in a part of the round, on the way
+/// into which an arm has to turn farther.
 #[test]
 fn an_arm_goes_with_a_pose_that_it_cannot_hold_in_every_frame() {
     for angle in [PI, 0.0, 1.5] {
@@ -97,7 +98,8 @@ fn an_arm_goes_with_a_pose_that_it_cannot_hold_in_every_frame() {
     }
 }
 
-/// Also where the goal asks for a place and a rotation of which it can have one only: the error that both together make.
+/// Also where the goal asks for a place and a rotation of which it can have one only: the error
+/// that both together make.
 #[test]
 fn the_same_target_asked_again_never_ends_farther_away() {
     let arm = panda::<f64>();

@@ -24,9 +24,11 @@ const PUMA: [[f64; 4]; 6] = [
     [0.0, 0.05625, 0.0, 0.0],
 ];
 
-/// The third value at which the elbow is stretched: where the centre of the wrist is farthest from the second axis.
+/// The third value at which the elbow is stretched: where the centre of the wrist is farthest from
+/// the second axis.
 fn stretched(rows: &[[f64; 4]; 6]) -> f64 {
-    // From the third axis, the wrist is at (a, d) in the plane of the arm, and the upper arm is along x.
+    // From the third axis, the wrist is at (a, d) in the plane of the arm, and the upper arm is
+    // along x.
     let [theta, _, a, alpha] = rows[2];
     (rows[3][1] * alpha.sin()).atan2(a) - theta
 }
@@ -76,7 +78,8 @@ fn the_first_solution_at_a_singular_wrist_is_the_start_however_far_the_elbow_is_
     }
 }
 
-/// Where roundoff of a target that the elbow amplifies is less than what values may miss it by, 1.6e-4 rad.
+/// In single floats the start is told as long as the roundoff of a target, which the elbow amplifies,
+/// is less than what values may miss it by, 1.6e-4 rad.
 #[test]
 fn the_same_in_single_floats() {
     for rows in [&KR6, &PUMA] {
