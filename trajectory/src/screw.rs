@@ -20,14 +20,15 @@ use dq8::simd::{Float, Mask};
 /// are short.
 const LONGEST: f64 = 0.5;
 
-/// So many parts that none turns by more than the longest turn.
+/// So many parts that none turns by more than the longest turn; one where the turn is not finite, as
+/// from a pose that is NaN.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "saturates; the turn is not negative"
 )]
 pub(crate) fn parts(turn: f64) -> usize {
-    (turn / LONGEST) as usize + 1
+    if turn.is_finite() { (turn / LONGEST) as usize + 1 } else { 1 }
 }
 
 /// A twist for one second, and what depends on it alone.

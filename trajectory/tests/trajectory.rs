@@ -350,6 +350,61 @@ fn nan_stays_in_its_point() {
     }
 }
 
+/// A pose that is not finite makes NaN of the times between its neighbours, and of no others.
+#[test]
+fn a_pose_that_is_not_finite_stays_between_its_neighbours() {
+    let stamps: Vec<f64> = (0..6).map(f64::from).collect();
+    for bad in [f64::NAN, f64::INFINITY] {
+        let mut poses: Vec<_> =
+            stamps.iter().map(|&x| DualQuat::from_translation([x, 0.0, 0.0])).collect();
+        poses[3] = DualQuat::from_array([bad; 8]);
+        let path = Trajectory::new(&stamps, &poses).unwrap();
+        for backend in Backend::available() {
+            let times = [0.5, 1.5, 2.5, 3.5, 4.5, 1.0, 4.0];
+            let mut points = [[0.0; 3]; 7];
+            path.job().backend(backend).deskew_in_place(&times, &mut points).unwrap();
+            for (time, [x, ..]) in times.into_iter().zip(points) {
+                assert_eq!(x.is_nan(), (2.0..4.0).contains(&time), "{bad} at {time}: {x}");
+                assert!(x.is_nan() || (x - time).abs() < 1e-14, "{bad} at {time}: {x}");
+            }
+        }
+    }
+}
+
+/// With lanes that fuse nothing every level of a CPU has the same bits.
+#[cfg(feature = "reproducible")]
+#[test]
+fn lanes_that_fuse_nothing_have_the_same_bits_on_every_level() {
+    fn all<R: Scalar>() {
+        let mut random = Random(7);
+        for turn in [0.0, 0.3, 3.1] {
+            let path = path(&mut random, 20, turn);
+            let times = times(&mut random, &path, 150, 2);
+            let points: Vec<[R; 3]> =
+                times.iter().map(|_| random.vector::<3>().map(<R as Real>::from_f64)).collect();
+            for outside in [Outside::Hold, Outside::Continue] {
+                let mut found: Vec<Vec<u64>> = vec![];
+                for backend in Backend::available().map(Backend::unfused) {
+                    let job = path.job().outside(outside).frame(Frame::End).backend(backend);
+                    let (mut moved, mut back) = (points.clone(), points.clone());
+                    job.deskew_in_place(&times, &mut moved).unwrap();
+                    job.skew_in_place(&times, &mut back).unwrap();
+                    let mut poses = vec![DualQuat::<R>::IDENTITY; times.len()];
+                    let mut twists = vec![Twist::<R>::ZERO; times.len()];
+                    job.sample_with_twists(&times, &mut poses, &mut twists).unwrap();
+                    let poses = poses.into_iter().flat_map(DualQuat::to_array);
+                    let twists = twists.into_iter().flat_map(Twist::to_array);
+                    let points = moved.into_iter().chain(back).flatten();
+                    found.push(points.chain(poses).chain(twists).map(bits).collect());
+                }
+                assert!(found.iter().all(|bits| *bits == found[0]), "{turn}, {outside:?}");
+            }
+        }
+    }
+    all::<f32>();
+    all::<f64>();
+}
+
 #[test]
 fn a_body_that_stands_outside_its_stamps_does_so_for_ever() {
     let path =

@@ -73,7 +73,8 @@ def hand_eye(hands: ArrayLike, eyes: ArrayLike) -> NDArray[Any]:
     hands, eyes : array_like, shape (..., n, 8)
         Unit dual quaternions A, how the hand moved from one place to another in its first frame, and B, how the camera
         did; leading dimensions broadcast. At least two must turn, about axes that are not parallel, by more than
-        their noise; otherwise ValueError. A problem with a number that is not finite is answered with NaN. Lengths and angles weigh the same, so choose a unit in which their errors are about as large.
+        their noise; otherwise ValueError. A problem with a number that is not finite is answered with NaN. Lengths and
+        angles weigh the same, so choose a unit in which their errors are about as large.
 
     Returns
     -------

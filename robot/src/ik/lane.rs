@@ -135,9 +135,9 @@ impl<R: Real> Lane<R> {
         // Judged before anything ends: what is reported is the best, whichever pose is the last.
         let is_best = if weighs {
             self.is_fresh || self.is_nearer(&seen)
-        } else if track && !self.converged {
-            // Of a target that moves the last step counts: where only the best counted, an arm in front of a pose that it
-            // cannot hold would stand until a leap pays.
+        } else if track && !self.converged && seen.square.is_finite() {
+            // Of a target that moves the last step counts, if its pose is one: where only the best counted, an arm in
+            // front of a pose that it cannot hold would stand until a leap pays.
             true
         } else {
             self.is_best(&seen, arrived)
