@@ -407,7 +407,7 @@ fn what_holds_many_numbers_is_printed_on_a_line() {
     let skeleton = dq8::Skeleton::new(&parents).unwrap();
     assert_eq!(format!("{skeleton:?}"), "Skeleton { joints: 21, names: 0 }");
     assert_eq!(format!("{:?}", Backend::PORTABLE), "Backend(portable)");
-    let packed = PackedClip::new(21, &keys, Default::default()).unwrap();
+    let packed = PackedClip::new(clip, Default::default()).unwrap();
     for text in [
         format!("{packed:?}"),
         format!("{sampled:?}"),

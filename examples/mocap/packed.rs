@@ -1,7 +1,7 @@
 //! The clip packed: a quarter of the memory, and what became of it.
 
 use crate::clip::Clip;
-use dq8::hierarchy::{PackedClip, PackedError, Sampled, Tolerance};
+use dq8::hierarchy::{Clip as Frames, PackedClip, PackedError, Sampled, Tolerance};
 use dq8::{DualQuat, Hierarchy, law::NlerpLerp};
 use std::error::Error;
 
@@ -12,23 +12,17 @@ pub(crate) fn pack(clip: &Clip, size: f64) -> Result<(Vec<u8>, String), Box<dyn 
     let keys: Vec<[f32; 7]> = clip.locals().iter().map(key).collect();
     // A hundredth of a millimetre of a man.
     let tolerance = Tolerance { length: (6e-6 * size) as f32, ..Tolerance::default() };
-    let mut keys = &keys[..];
-    let mut packed = PackedClip::new(joints, keys, tolerance);
-    // Many files begin with a pose that only shows the skeleton.
-    if let Err(PackedError::TooFar { frame: 1, .. }) = packed {
-        keys = &keys[joints..];
-        packed = PackedClip::new(joints, keys, tolerance);
-    }
-    let packed = packed?;
+    let frames = Frames::new(joints, &keys)?.with_rate(clip.frame_time.recip());
+    let packed = PackedClip::new(frames, tolerance)?;
     let (bytes, moving) = (packed.as_bytes(), packed.clips().moving(0).unwrap_or(0));
     let mut text = format!(
         "  packed      {:.1} KB of {:.1}, {moving} of {} tracks move\n",
         bytes.len() as f64 / 1e3,
-        size_of_val(keys) as f64 / 1e3,
+        size_of_val(&keys[..]) as f64 / 1e3,
         2 * joints
     );
     for (name, distance) in [("3 %", 0.03 * size), ("100 %", size)] {
-        let off = packed.deviation(&hierarchy, 0, keys, distance)?;
+        let off = packed.deviation(&hierarchy, 0, &keys, distance)?;
         let [worst, p99] = [off.worst, off.p99].map(|off| off / size);
         text += &format!(
             "              {worst:.1e} of the size at most, {p99:.1e} of 99 in 100, {name} of it from a joint\n"
@@ -43,7 +37,7 @@ pub(crate) fn pack(clip: &Clip, size: f64) -> Result<(Vec<u8>, String), Box<dyn 
 fn half_way(hierarchy: &Hierarchy<'_>, bytes: &[u8]) -> Result<[f32; 3], Box<dyn Error>> {
     let packed = PackedClip::from_bytes(bytes.into())?;
     let clips = packed.clips();
-    let middle = clips.frames(0).unwrap_or(0) as f32 / 2.0 - 0.5;
+    let middle = clips.duration(0).unwrap_or(0.0) as f32 / 2.0;
     let (places, t): (Vec<_>, Vec<_>) = clips.place(0, middle).into_iter().unzip();
     let mut models = vec![DualQuat::<f32>::IDENTITY; clips.joints()];
     let sampled = Sampled::new(NlerpLerp, clips, &places, &t)?;
@@ -60,7 +54,7 @@ fn key(local: &DualQuat<f64>) -> [f32; 7] {
 mod tests {
     use super::{key, pack};
     use crate::biped;
-    use dq8::hierarchy::{PackedClip, Tolerance};
+    use dq8::hierarchy::{Clip, PackedClip, Tolerance};
 
     /// What the firmware of `tests/firmware` plays: a stride of the biped at 30 frames a second.
     #[test]
@@ -72,7 +66,8 @@ mod tests {
         let locals = clip.locals();
         let frames = locals.chunks(joints).take(65).enumerate().filter_map(every_other);
         let keys: Vec<_> = frames.flatten().map(key).collect();
-        let packed = PackedClip::new(joints, &keys, Tolerance::default()).unwrap();
+        let stride = Clip::new(joints, &keys).unwrap();
+        let packed = PackedClip::new(stride, Tolerance::default()).unwrap();
         if std::env::var_os("DQ8_WRITE_STRIDE").is_some() {
             std::fs::write("../../tests/firmware/jobs/src/stride.clips", packed.as_bytes())
                 .unwrap();

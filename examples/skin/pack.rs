@@ -2,7 +2,7 @@
 
 use crate::file::File;
 use crate::pose::Animation;
-use dq8::hierarchy::{PackedClip, Tolerance};
+use dq8::hierarchy::{Clip, PackedClip, PackedError, Tolerance};
 
 const RATE: f64 = 30.0;
 
@@ -27,8 +27,10 @@ pub(crate) fn pack(file: &File, animation: &Animation) -> Result<(PackedClip, St
             keys.push([x, y, z, w, a, b, c].map(|number| number as f32));
         }
     }
-    let packed =
-        PackedClip::new(joints, &keys, Tolerance::default()).map_err(|error| error.to_string())?;
+    let packed = Clip::new(joints, &keys)
+        .map_err(PackedError::from)
+        .and_then(|clip| PackedClip::new(clip.with_rate(RATE), Tolerance::default()))
+        .map_err(|error| error.to_string())?;
     let report = format!(
         "{count} frames of {joints} nodes at {RATE} a second: {} bytes packed, {} as f32\n",
         packed.as_bytes().len(),

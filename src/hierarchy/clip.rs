@@ -7,6 +7,7 @@ use super::slot::JointSlot;
 use crate::brief::brief;
 use crate::law::Law;
 use crate::number::{Real, Scalar};
+use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, whole_instances};
 use crate::storage::{Aos, Element, identity};
 use core::marker::PhantomData;
@@ -21,13 +22,11 @@ use dq8_simd::{Gather, Lanes, Records};
 pub struct Clip<'c, K> {
     pub(super) keys: &'c [K],
     pub(super) joints: usize,
-    pub(super) frames: usize,
-    pub(super) rate: f64,
-    pub(super) loops: bool,
+    pub(super) timing: Timing,
 }
 
 brief!([K] Clip<'_, K>: Clip |it| {
-    joints: it.joints, frames: it.frames, rate: it.rate, loops: it.loops,
+    joints: it.joints, frames: it.timing.frames, rate: it.timing.rate, loops: it.timing.loops,
 });
 
 impl<'c, K> Clip<'c, K> {
@@ -40,35 +39,41 @@ impl<'c, K> Clip<'c, K> {
             return Err(ShapeError::Empty { what: "keys" });
         }
         let frames = whole_instances("keys", joints, keys.len())?;
-        Ok(Self { keys, joints, frames, rate: 1.0, loops: false })
+        Ok(Self { keys, joints, timing: Timing { frames, rate: 1.0, loops: false } })
     }
 
     /// The same clip with times in seconds, of so many frames a second; without, times are frames.
     pub fn with_rate(self, frames_per_second: f64) -> Self {
-        Self { rate: frames_per_second, ..self }
+        Self { timing: self.timing.with_rate(frames_per_second), ..self }
     }
 
     /// The same clip, which begins again where it ends: times before and after it are those of other rounds.
     pub fn looping(self) -> Self {
-        Self { loops: true, ..self }
+        Self { timing: self.timing.looping(), ..self }
     }
 
     /// The time from the first frame to the last.
     #[must_use]
     pub fn duration(&self) -> f64 {
-        self.steps() / self.rate
-    }
-
-    /// The number of frames that follow another one.
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2⁵³ frames")]
-    pub(super) fn steps(&self) -> f64 {
-        self.frames.saturating_sub(1) as f64
+        self.timing.duration()
     }
 
     /// The number of frames.
     #[must_use]
     pub fn frames(&self) -> usize {
-        self.frames
+        self.timing.frames
+    }
+
+    /// The number of frames a second, or 1 if times are frames.
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        self.timing.rate
+    }
+
+    /// `true` if the clip begins again where it ends.
+    #[must_use]
+    pub fn loops(&self) -> bool {
+        self.timing.loops
     }
 
     /// The frame before the time `at`, in frames from the first or, with a [rate](Self::with_rate), in seconds, and how
@@ -88,13 +93,46 @@ impl<'c, K> Clip<'c, K> {
     /// ```
     #[must_use]
     pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
+        self.timing.place(at)
+    }
+}
+
+/// How many frames a clip has, how many of them are played in a second, and whether the clip begins again where it ends.
+#[derive(Clone, Copy)]
+pub(super) struct Timing {
+    pub(super) frames: usize,
+    pub(super) rate: f64,
+    pub(super) loops: bool,
+}
+
+impl Timing {
+    pub(super) fn with_rate(self, rate: f64) -> Self {
+        Self { rate, ..self }
+    }
+
+    pub(super) fn looping(self) -> Self {
+        Self { loops: true, ..self }
+    }
+
+    pub(super) fn duration(self) -> f64 {
+        self.steps() / self.rate
+    }
+
+    /// The number of frames that follow another one.
+    #[allow(clippy::cast_precision_loss, reason = "exact up to 2⁵³ frames")]
+    fn steps(self) -> f64 {
+        self.frames.saturating_sub(1) as f64
+    }
+
+    /// [`Clip::place`].
+    pub(super) fn place<R: Scalar>(self, at: R) -> (u32, R) {
         let (_, time) = self.round(at);
-        place(self.frames, Real::from_f64(time))
+        self.place_in_round(Real::from_f64(time))
     }
 
     /// The round of the clip at the time `at`, from 0, and the time in it, in frames.
     #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "saturates")]
-    pub(super) fn round<R: Scalar>(&self, at: R) -> (f64, f64) {
+    fn round<R: Scalar>(self, at: R) -> (f64, f64) {
         let (time, steps) = (at.into() * self.rate, self.steps());
         if !self.loops || steps == 0.0 {
             return (0.0, time);
@@ -104,23 +142,42 @@ impl<'c, K> Clip<'c, K> {
         let rest = time - steps * round;
         if rest < 0.0 { (round - 1.0, rest + steps) } else { (round, rest) }
     }
-}
 
-/// [`Clip::place`] in frames, of a clip of so many, in numbers of `R` alone: firmware has no quick `f64`.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-pub(super) fn place<R: Scalar>(frames: usize, at: R) -> (u32, R) {
-    // The last frame of all has no next one.
-    let last = frames.saturating_sub(2).min(i32::MAX as usize) as u32;
-    let before = if R::SINGLE {
-        bytemuck::cast::<R, f32>(at) as u32
-    } else {
-        bytemuck::cast::<R, f64>(at) as u32
-    };
-    let frame = before.min(last);
-    let t = at - R::from_i32(frame.cast_signed());
-    // NaN stays NaN.
-    let t = if t > R::ONE { R::ONE } else { t };
-    (frame, if t < R::ZERO { R::ZERO } else { t })
+    /// The frame before a time in frames, and the part of the way to the next one. In numbers of `R` alone: firmware has no
+    /// quick `f64`.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+    fn place_in_round<R: Scalar>(self, time: R) -> (u32, R) {
+        // The last frame of all has no next one.
+        let last = self.frames.saturating_sub(2).min(i32::MAX as usize) as u32;
+        let before = if R::SINGLE {
+            bytemuck::cast::<R, f32>(time) as u32
+        } else {
+            bytemuck::cast::<R, f64>(time) as u32
+        };
+        let frame = before.min(last);
+        let t = time - R::from_i32(frame.cast_signed());
+        // NaN stays NaN.
+        let t = if t > R::ONE { R::ONE } else { t };
+        (frame, if t < R::ZERO { R::ZERO } else { t })
+    }
+
+    /// The motion of a joint from one time to another, of its `pose` a part of the way from a frame to the next one.
+    pub(super) fn between<R: Scalar>(
+        self,
+        from: R,
+        to: R,
+        pose: impl Fn((u32, R)) -> Option<DualQuat<R>>,
+    ) -> Option<DualQuat<R>> {
+        let [a, b] = [pose(self.place(from))?, pose(self.place(to))?];
+        let rounds = self.round(to).0 - self.round(from).0;
+        if rounds == 0.0 {
+            return Some(a.conjugate() * b);
+        }
+        let first = pose((0, R::ZERO))?;
+        let last = pose(self.place_in_round(Real::from_f64(self.steps())))?;
+        let round = (first.conjugate() * last).pow(Real::from_f64(rounds));
+        Some(a.conjugate() * first * round * (first.conjugate() * b))
+    }
 }
 
 impl<K> Sealed for Clip<'_, K> {}
@@ -131,10 +188,10 @@ where
     type Place = u32;
     type Placed = Frames<'s, K, R>;
     fn placed(self, frames: &'s [u32]) -> Result<Self::Placed, ShapeError> {
-        let missing = |frame: &u32| self.frames.saturating_sub(1) <= *frame as usize;
+        let missing = |frame: &u32| self.timing.frames.saturating_sub(1) <= *frame as usize;
         if let Some(instance) = frames.iter().position(missing) {
             let frame = frames.get(instance).map_or(0, |&frame| frame as usize);
-            return Err(ShapeError::NoFrame { instance, frame, frames: self.frames });
+            return Err(ShapeError::NoFrame { instance, frame, frames: self.timing.frames });
         }
         Ok(Frames { clip: self, frames: Gather::new(frames, self.joints), number: PhantomData })
     }

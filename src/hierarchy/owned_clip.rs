@@ -1,4 +1,4 @@
-use super::Clip;
+use super::clip::{Clip, Timing};
 use crate::brief::brief;
 use crate::storage::shape::ShapeError;
 use alloc::vec::Vec;
@@ -20,13 +20,11 @@ use alloc::vec::Vec;
 pub struct OwnedClip<K> {
     keys: Vec<K>,
     joints: usize,
-    frames: usize,
-    rate: f64,
-    loops: bool,
+    timing: Timing,
 }
 
 brief!([K] OwnedClip<K>: OwnedClip |it| {
-    joints: it.joints, frames: it.frames, rate: it.rate, loops: it.loops,
+    joints: it.joints, frames: it.timing.frames, rate: it.timing.rate, loops: it.timing.loops,
 });
 
 impl<K> OwnedClip<K> {
@@ -36,28 +34,22 @@ impl<K> OwnedClip<K> {
     /// As there.
     pub fn new(joints: usize, keys: impl Into<Vec<K>>) -> Result<Self, ShapeError> {
         let keys = keys.into();
-        let Clip { frames, rate, loops, .. } = Clip::new(joints, &keys)?;
-        Ok(Self { keys, joints, frames, rate, loops })
+        let timing = Clip::new(joints, &keys)?.timing;
+        Ok(Self { keys, joints, timing })
     }
 
     /// See [`Clip::with_rate`].
     pub fn with_rate(self, frames_per_second: f64) -> Self {
-        Self { rate: frames_per_second, ..self }
+        Self { timing: self.timing.with_rate(frames_per_second), ..self }
     }
 
     /// See [`Clip::looping`].
     pub fn looping(self) -> Self {
-        Self { loops: true, ..self }
+        Self { timing: self.timing.looping(), ..self }
     }
 
     /// The same, borrowed: what everything is asked of.
     pub fn view(&self) -> Clip<'_, K> {
-        Clip {
-            keys: &self.keys,
-            joints: self.joints,
-            frames: self.frames,
-            rate: self.rate,
-            loops: self.loops,
-        }
+        Clip { keys: &self.keys, joints: self.joints, timing: self.timing }
     }
 }

@@ -1,14 +1,16 @@
 //! [`PackedClip`]: packed clips that own their bytes; how they are made of frames, and what they keep of them.
 
+use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
-use super::packed_clips::{self as form, ONE, PackedClips, neighbours};
+use super::packed_clips::{self as form, ONE, PackedClips};
 use super::{Hierarchy, PackedError, Sampled};
 use crate::brief::brief;
-use crate::law::NlerpLerp;
+use crate::law::{Law, NlerpLerp};
 use crate::number::Real;
 use crate::scalar::DualQuat;
-use crate::storage::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Aos, Element};
+use alloc::borrow::Cow;
 use alloc::boxed::Box;
 use alloc::collections::BTreeMap;
 use alloc::vec;
@@ -22,7 +24,7 @@ type Key = [f32; 7];
 /// Packed clips of one skeleton, with their bytes: [`PackedClips`] says what they are.
 ///
 /// ```
-/// use dq8::hierarchy::{PackedClip, Sampled, Tolerance};
+/// use dq8::hierarchy::{Clip, PackedClip, Sampled, Tolerance};
 /// use dq8::{DualQuat, Hierarchy, Quat, law::NlerpLerp, representation::RotationTranslation};
 /// let parents = [Hierarchy::ROOT, 0];
 /// let arm = Hierarchy::new(&parents)?;
@@ -32,13 +34,13 @@ type Key = [f32; 7];
 ///     RotationTranslation { rotation: about_z(angle), translation: [0.0; 3] },
 ///     RotationTranslation { rotation: Quat::IDENTITY, translation: [1.0, 0.0, 0.0] },
 /// ]).collect();
-/// let wave = PackedClip::new(2, &frames, Tolerance::default())?;
-/// assert_eq!((wave.clips().frames(0), wave.clips().moving(0)), (Some(3), Some(1)));
+/// let wave = PackedClip::new(Clip::new(2, &frames)?.with_rate(10.0), Tolerance::default())?;
+/// let clips = wave.clips();
+/// assert_eq!((clips.frames(0), clips.moving(0), clips.duration(0)), (Some(3), Some(1), Some(0.2)));
 /// assert!(wave.deviation(&arm, 0, &frames, 0.1)?.worst < 1e-4);
 ///
-/// // Two instances, at frames 0.5 and 2.
-/// let clips = wave.clips();
-/// let (places, t): (Vec<_>, Vec<_>) = [0.5_f32, 2.0].iter().filter_map(|&at| clips.place(0, at)).unzip();
+/// // Two instances, 0.05 and 0.2 seconds after the first frame.
+/// let (places, t): (Vec<_>, Vec<_>) = [0.05_f32, 0.2].iter().filter_map(|&at| clips.place(0, at)).unzip();
 /// let mut models = [DualQuat::IDENTITY; 2 * 2];
 /// arm.job().locals_to_model(Sampled::new(NlerpLerp, clips, &places, &t)?, &mut models)?;
 /// assert!((models[1].translation()[0] - 0.25_f32.cos()).abs() < 1e-4);
@@ -48,6 +50,7 @@ type Key = [f32; 7];
 pub struct PackedClip {
     tracks: OwnedTracks,
     rests: Range<usize>,
+    timings: Range<usize>,
 }
 
 brief!([] PackedClip: PackedClip |it| {
@@ -79,45 +82,55 @@ pub struct Deviation {
 }
 
 impl PackedClip {
-    /// One clip of frames at equal distances, `[frame][joint]`: rotations and translations,
-    /// [`RotationTranslation`](crate::representation::RotationTranslation) or `[x, y, z, w, tx, ty, tz]`.
+    /// One clip of rotations and translations,
+    /// [`RotationTranslation`](crate::representation::RotationTranslation) or `[x, y, z, w, tx, ty, tz]`, with its rate, and
+    /// looping if it loops. A clip in which a joint turns by 60° or more from one frame to the next gets so many frames
+    /// between its own that none does, at most three between two: as [`NlerpLerp`] plays it.
     ///
     /// # Errors
-    /// If there are no whole frames, or rotations are not unit, or turn by 60° or more from one frame to the next, or
-    /// translations are not finite: which joint in which frame.
+    /// If rotations are not unit, or translations not finite: which joint in which frame. If its frames a second are no
+    /// positive number.
     pub fn new<K: Element<7, Layout = Aos<f32>>>(
-        joints: usize,
-        frames: &[K],
+        clip: Clip<'_, K>,
         tolerance: Tolerance,
     ) -> Result<Self, PackedError> {
-        Self::library(joints, &[frames], tolerance)
+        Self::library(&[clip], tolerance)
     }
 
     /// Many clips of one skeleton, which share the range of each joint's translations: 1/65534 of the longest side of the
     /// box that it moves in is a step. A root that walks far is better kept apart, and given as the root of a job.
     ///
     /// # Errors
-    /// As for [`new`](Self::new), or if there are more keys or joints than the form counts.
+    /// As for [`new`](Self::new), or if there is no clip, one has other joints than the first, or there are more keys or
+    /// joints than the form counts.
     pub fn library<K: Element<7, Layout = Aos<f32>>>(
-        joints: usize,
-        clips: &[&[K]],
+        clips: &[Clip<'_, K>],
         tolerance: Tolerance,
     ) -> Result<Self, PackedError> {
-        let clips: Vec<&[Key]> =
-            clips.iter().map(|clip| K::plain(clip).unwrap_or_default()).collect();
-        for clip in &clips {
-            if whole_instances("frames", joints, clip.len())? == 0 {
-                return Err(ShapeError::Empty { what: "frames" }.into());
+        let joints = clips.first().ok_or(ShapeError::Empty { what: "clips" })?.joints;
+        let given: Vec<&[Key]> =
+            clips.iter().map(|clip| K::plain(clip.keys).unwrap_or_default()).collect();
+        let mut timings = Vec::new();
+        let mut finer = Vec::new();
+        for (number, (clip, keys)) in clips.iter().zip(&given).enumerate() {
+            same_length("each frame of a clip", clip.joints, joints)?;
+            let Timing { rate, loops, .. } = clip.timing;
+            if !form::is_rate(rate) {
+                return Err(PackedError::Rate { clip: number, rate });
             }
+            let pieces = pieces(number, keys, joints)?;
+            finer.push(finer_frames(keys, joints, pieces));
+            timings.extend((rate * f64::from(pieces)).to_le_bytes());
+            timings.extend(u32::from(loops).to_le_bytes());
         }
         let rests: Vec<_> =
-            (0..joints).map(|j| rest(&clips, joints, j, tolerance)).collect::<Result<_, _>>()?;
+            (0..joints).map(|j| rest(&given, joints, j, tolerance)).collect::<Result<_, _>>()?;
         let (mut keys, mut heads) = (Vec::<[i16; 4]>::new(), Vec::new());
         let (mut rows, mut known) = (Vec::<u8>::new(), BTreeMap::new());
-        for (clip, frames) in clips.iter().enumerate() {
+        for frames in &finer {
             let tracks = (0..2 * joints)
-                .map(|column| track(clip, frames, joints, column, &rests, tolerance))
-                .collect::<Result<Vec<_>, _>>()?;
+                .map(|column| track(frames, joints, column, &rests, tolerance))
+                .collect::<Vec<_>>();
             // Constants, then row by row what moves, joint after joint as they are sampled: a row is read from end to end.
             let ordered = || (0..joints).flat_map(|joint| [joint, joints + joint]);
             let long = |&column: &usize| tracks[column].len() > 1;
@@ -159,6 +172,7 @@ impl PackedClip {
         bytes.extend(keys.iter().flatten().flat_map(|number: &i16| number.to_le_bytes()));
         bytes.extend(rests.iter().flatten().flat_map(|number| number.to_le_bytes()));
         bytes.extend(words(&heads)?);
+        bytes.extend(timings);
         bytes.extend(rows);
         Self::from_bytes(bytes.into())
     }
@@ -170,9 +184,9 @@ impl PackedClip {
     pub fn from_bytes(bytes: Box<[u8]>) -> Result<Self, PackedError> {
         PackedClips::from_bytes(&bytes)?;
         let (ranges, joints) = form::parts(&bytes)?;
-        let [keys, rests, clips, rows] = ranges.clone();
+        let [keys, rests, clips, timings, rows] = ranges.clone();
         let tracks = OwnedTracks::new(bytes, [keys, clips, rows], 2 * joints);
-        Ok(Self { tracks: tracks.map_err(|at| form::beyond(&ranges, at))?, rests })
+        Ok(Self { tracks: tracks.map_err(|at| form::beyond(&ranges, at))?, rests, timings })
     }
 
     /// The bytes, the same on every target.
@@ -184,15 +198,19 @@ impl PackedClip {
     /// The clips, not checked again.
     #[must_use]
     pub fn clips(&self) -> PackedClips<'_> {
-        let rests = self.as_bytes().get(self.rests.clone()).unwrap_or_default();
-        PackedClips { tracks: self.tracks.borrowed(), rests: rests.as_chunks().0 }
+        let part = |range: &Range<usize>| self.as_bytes().get(range.clone()).unwrap_or_default();
+        PackedClips {
+            tracks: self.tracks.borrowed(),
+            rests: part(&self.rests).as_chunks().0,
+            timings: part(&self.timings).as_chunks().0,
+        }
     }
 
     /// What became of the frames of a clip: of the points `distance` from each joint along its three axes, in model space,
     /// in every frame.
     ///
     /// # Errors
-    /// If there is no such clip, or it has other frames, or the hierarchy other joints.
+    /// If there is no such clip, or it was packed of another number of frames, or the hierarchy has other joints.
     pub fn deviation<K: Element<7, Layout = Aos<f32>>>(
         &self,
         hierarchy: &Hierarchy<'_>,
@@ -201,9 +219,14 @@ impl PackedClip {
         distance: f64,
     ) -> Result<Deviation, ShapeError> {
         let (clips, frames) = (self.clips(), K::plain(frames).unwrap_or_default());
-        let count = clips.frames(clip).unwrap_or(0);
+        let packed = clips.frames(clip).unwrap_or(0);
+        let (count, pieces) = given_frames(packed, frames.len() / clips.joints().max(1));
         same_length("frames", frames.len(), count * clips.joints())?;
-        let at = (0..count).filter_map(|frame| clips.place(clip, frame as f64));
+        let timing = Timing { frames: packed, rate: 1.0, loops: false };
+        let at = (0..count).filter_map(|frame| {
+            let (frame, t) = timing.place((frame * pieces) as f64);
+            Some((clips.tracks.place(clip, frame)?, t))
+        });
         let (places, t): (Vec<_>, Vec<_>) = at.unzip();
         let exact: Vec<_> = frames.iter().map(|key| key.map(f64::from)).collect();
         let mut models = vec![DualQuat::<f64>::IDENTITY; frames.len()];
@@ -229,6 +252,59 @@ impl PackedClip {
         };
         Ok(Deviation { worst: at(100), p99: at(99) })
     }
+}
+
+/// Where the pieces of a way between two rotations end that are each less than 60°, by the cosine of half their angle: up to
+/// 59.8° one piece is, up to 119.6° two are, up to 154.6° three, and four always. The longest of n pieces is in the middle,
+/// for normalized means go fastest there: 2 atan(tan(φ/2)/n) of a way of φ between quaternions if n is odd, and
+/// atan(2 tan(φ/2)/n) if it is even.
+const PIECES: [(u32, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
+
+/// How many pieces of the way from one frame to the next turn by less than 60° each, for all joints.
+fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u32, PackedError> {
+    let mut most = 1;
+    for joint in 0..joints {
+        let mut before = None;
+        for (frame, &[x, y, z, w, ..]) in frames.iter().skip(joint).step_by(joints).enumerate() {
+            let turn = [x, y, z, w].map(f64::from);
+            let length = Real::sqrt(dot(turn, turn));
+            if length.is_nan() || (length - 1.0).abs() > 1e-3 {
+                return Err(PackedError::NotUnit { clip, frame, joint, length });
+            }
+            let unit = turn.map(|c| c / length);
+            let cosine = before.map_or(1.0, |before| dot(before, unit).abs());
+            let enough = PIECES.iter().find(|(_, least)| cosine >= *least);
+            most = most.max(enough.map_or(4, |&(pieces, _)| pieces));
+            before = Some(unit);
+        }
+    }
+    Ok(most)
+}
+
+/// The same frames with so many pieces from one to the next, by the law that plays them.
+fn finer_frames(frames: &[Key], joints: usize, pieces: u32) -> Cow<'_, [Key]> {
+    if pieces == 1 {
+        return frames.into();
+    }
+    let last = frames.get(frames.len() - joints..).unwrap_or_default();
+    let finer = frames.chunks(joints).zip(frames.chunks(joints).skip(1)).flat_map(|(a, b)| {
+        (0..pieces).flat_map(move |piece| {
+            let t = f64::from(piece) / f64::from(pieces);
+            let exact = |key: &Key| key.map(f64::from);
+            let between = move |(a, b)| NlerpLerp.between(exact(a), exact(b), t);
+            a.iter().zip(b).map(move |keys| between(keys).map(<f32 as Real>::from_f64))
+        })
+    });
+    finer.chain(last.iter().copied()).collect()
+}
+
+/// Of how many frames a packed clip was made, if so many are given for it, and how many pieces each step has.
+fn given_frames(packed: usize, given: usize) -> (usize, usize) {
+    let (Some(steps), Some(finer)) = (given.checked_sub(1), packed.checked_sub(1)) else {
+        return (packed, 1);
+    };
+    let pieces = finer.checked_div(steps).unwrap_or(1);
+    if steps * pieces == finer && pieces <= 4 { (given, pieces) } else { (packed, 1) }
 }
 
 /// Where a joint rests, and 2⁻¹⁴ of a step of its translations.
@@ -257,13 +333,12 @@ fn rest(
 
 /// The keys of a column: one for each frame, or one if it stays; none for translations of a joint that never moves.
 fn track(
-    clip: usize,
     frames: &[Key],
     joints: usize,
     column: usize,
     rests: &[[f32; 4]],
     tolerance: Tolerance,
-) -> Result<Vec<[i16; 4]>, PackedError> {
+) -> Vec<[i16; 4]> {
     let joint = column % joints;
     let own = || frames.iter().skip(joint).step_by(joints);
     if column >= joints {
@@ -286,34 +361,24 @@ fn track(
                 let [x, y, z] = steps.map(round);
                 [x, y, z, 0]
             });
-        return Ok(keys.collect());
+        return keys.collect();
     }
     let mut keys: Vec<[i16; 4]> = Vec::new();
     let (mut before, mut still) = (None, true);
-    for (frame, &[x, y, z, w, ..]) in own().enumerate() {
+    for &[x, y, z, w, ..] in own() {
         let exact = [x, y, z, w].map(f64::from);
         let norm = Real::sqrt(dot(exact, exact));
-        if norm.is_nan() || (norm - 1.0).abs() > 1e-3 {
-            return Err(PackedError::NotUnit { clip, frame, joint, length: norm });
-        }
         // In the hemisphere of the key before.
         let dots = keys.last().map_or(1.0, |last| dot(last.map(f64::from), exact));
         let unit = exact.map(|c| c.copysign(c * dots) / norm);
-        let key = nearest(unit);
-        if let Some(&last) = keys.last()
-            && !neighbours(last, key)
-        {
-            let degrees = 2.0 * Real::acos((dots.abs() / (ONE * norm)).min(1.0)).to_degrees();
-            return Err(PackedError::TooFar { clip, frame, joint, degrees });
-        }
         // A chord of quaternions is half of the angle.
         let first = *before.get_or_insert(unit);
         let chord: [f64; 4] = core::array::from_fn(|i| unit[i] - first[i]);
         still &= 2.0 * Real::sqrt(dot(chord, chord)) <= f64::from(tolerance.angle);
-        keys.push(key);
+        keys.push(nearest(unit));
     }
     keys.truncate(if still { 1 } else { usize::MAX });
-    Ok(keys)
+    keys
 }
 
 /// The key whose direction is nearest to that of a unit quaternion, of lengths a little below 32767: the length means

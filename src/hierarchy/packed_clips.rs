@@ -1,6 +1,6 @@
 //! [`PackedClips`]: clips of a skeleton in 8 bytes for each track that moves, and frame, decoded in registers.
 
-use super::clip;
+use super::clip::Timing;
 use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
 use super::packed_error::PackedError;
@@ -22,6 +22,9 @@ const NEAREST: i64 = 929_830_942;
 /// of them moves it. As four numbers, the lower byte first.
 pub(super) type Rest = [u8; 16];
 
+/// Of each clip the frames a second, and 1 if it loops.
+pub(super) type PackedTiming = [u8; 12];
+
 /// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and checked once. Each has
 /// frames at equal distances, as many as it likes. [`Sampled`](super::Sampled) plays them, each instance its own clip.
 ///
@@ -36,10 +39,11 @@ pub(super) type Rest = [u8; 16];
 /// | bytes | what |
 /// |---|---|
 /// | 8 | `dq8clips` |
-/// | 6 · `u32` | version 2, joints J, clips N, keys K, rows R, 0 |
+/// | 6 · `u32` | version 3, joints J, clips N, keys K, rows R, 0 |
 /// | K · 4 · `i16` | keys: a rotation x, y, z, w, 32767 for 1; a translation x, y, z, 0, in steps from the rest |
 /// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
 /// | N · 4 · `u32` | the first key, how many frames, how many keys from one to the next, and the row |
+/// | N · (`f64`, `u32`) | frames a second, 1 if times are frames; 1 if the clip loops, 0 if it ends |
 /// | R · 2J · `u16` | twice how far the first key is from the clip's, and 1 more if there is one for each frame: J rotations, J translations |
 ///
 /// Clips in which the same tracks move have one row.
@@ -47,16 +51,17 @@ pub(super) type Rest = [u8; 16];
 pub struct PackedClips<'a> {
     pub(super) tracks: Tracks<'a>,
     pub(super) rests: &'a [Rest],
+    pub(super) timings: &'a [PackedTiming],
 }
 
 brief!([] PackedClips<'_>: PackedClips |it| { joints: it.joints(), clips: it.clips() });
 
 pub(super) const MAGIC: &[u8; 8] = b"dq8clips";
-pub(super) const VERSION: u32 = 2;
+pub(super) const VERSION: u32 = 3;
 const HEAD: usize = 32;
 
-/// Where keys, rests, clips and rows lie, of how many joints.
-pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 4], usize), PackedError> {
+/// Where keys, rests, clips, timings and rows lie, of how many joints.
+pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 5], usize), PackedError> {
     let wrong = |offset, what| PackedError::Bytes { offset, what };
     if bytes.first_chunk() != Some(MAGIC) {
         return Err(wrong(0, "they begin otherwise"));
@@ -71,10 +76,11 @@ pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 4], usize), PackedEr
         Some((keys, 8)),
         Some((joints, 16)),
         Some((clips, 16)),
+        Some((clips, 12)),
         rows.checked_mul(joints).map(|all| (all, 4)),
     ];
     let mut end = HEAD;
-    let mut ranges = [const { 0..0 }; 4];
+    let mut ranges = [const { 0..0 }; 5];
     for (range, length) in ranges.iter_mut().zip(lengths) {
         let start = end;
         end = length
@@ -114,7 +120,7 @@ impl<'a> PackedClips<'a> {
     /// If they are no packed clips: where.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, PackedError> {
         let (ranges, joints) = parts(bytes)?;
-        let [keys, rests, clips, rows] =
+        let [keys, rests, clips, timings, rows] =
             ranges.clone().map(|range| bytes.get(range).unwrap_or_default());
         // Each clip has a key of its own for each rotation at the least. So what is checked for each joint of each clip is no
         // more than there are keys, whatever the bytes are.
@@ -124,14 +130,14 @@ impl<'a> PackedClips<'a> {
         }
         let tracks =
             Tracks::new(keys, clips, rows, 2 * joints).map_err(|at| beyond(&ranges, at))?;
-        let packed = Self { tracks, rests: rests.as_chunks().0 };
+        let packed = Self { tracks, rests: rests.as_chunks().0, timings: timings.as_chunks().0 };
         packed.check_counts(&ranges, keys.len() / 8)?;
         packed.check(&ranges)?;
         Ok(packed)
     }
 
     /// Whether clips have as many keys as they name. None is in two clips, so that they are read once each.
-    fn check_counts(&self, ranges: &[Range<usize>; 4], keys: usize) -> Result<(), PackedError> {
+    fn check_counts(&self, ranges: &[Range<usize>; 5], keys: usize) -> Result<(), PackedError> {
         let mut left = keys;
         for clip in 0..self.clips() {
             let frames = self.frames(clip).unwrap_or(1);
@@ -145,14 +151,20 @@ impl<'a> PackedClips<'a> {
         Ok(())
     }
 
-    /// Whether rotations are unit and near their neighbours, and rests finite.
-    fn check(&self, [keys, rests, ..]: &[Range<usize>; 4]) -> Result<(), PackedError> {
+    /// Whether rotations are unit and near their neighbours, rests finite, and rates positive.
+    fn check(&self, [keys, rests, _, timings, _]: &[Range<usize>; 5]) -> Result<(), PackedError> {
         if let Some(joint) =
             self.rests.iter().position(|rest| floats(rest).iter().any(|c| !c.is_finite()))
         {
             return Err(PackedError::Bytes {
                 offset: rests.start + 16 * joint,
                 what: "a rest is not finite",
+            });
+        }
+        if let Some(clip) = self.timings.iter().position(|timing| !is_timing(timing)) {
+            return Err(PackedError::Bytes {
+                offset: timings.start + 12 * clip,
+                what: "the frames a second of a clip are no positive number, or it neither loops nor ends",
             });
         }
         for (clip, joint) in
@@ -201,18 +213,44 @@ impl<'a> PackedClips<'a> {
         )
     }
 
-    /// The place `at` of a clip, in frames from its first, and how far it is from that frame to the next, from 0 to 1: as
-    /// [`Clip::place`](super::Clip::place). `None` if there is no such clip.
+    /// The frames a second of a clip, or 1 if its times are frames. `None` if there is no such clip.
+    #[must_use]
+    pub fn rate(&self, clip: usize) -> Option<f64> {
+        Some(self.timing(clip)?.rate)
+    }
+
+    /// `true` if a clip begins again where it ends. `None` if there is no such clip.
+    #[must_use]
+    pub fn loops(&self, clip: usize) -> Option<bool> {
+        Some(self.timing(clip)?.loops)
+    }
+
+    /// The time from the first frame of a clip to the last: [`Clip::duration`](super::Clip::duration). `None` if there is no
+    /// such clip.
+    #[must_use]
+    pub fn duration(&self, clip: usize) -> Option<f64> {
+        Some(self.timing(clip)?.duration())
+    }
+
+    /// The frame of a clip before the time `at`, and how far it is to the next one, from 0 to 1: as
+    /// [`Clip::place`](super::Clip::place), in seconds if the clip has a rate, and in the round that `at` lies in if it
+    /// loops. NaN stays NaN. `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
-        let (frame, t) = clip::place(self.frames(clip)?, at);
+        let (frame, t) = self.timing(clip)?.place(at);
         Some((self.tracks.place(clip, frame)?, t))
+    }
+
+    pub(super) fn timing(&self, clip: usize) -> Option<Timing> {
+        let [rate @ .., b0, b1, b2, b3] = self.timings.get(clip)?;
+        let loops = [*b0, *b1, *b2, *b3] != [0; 4];
+        Some(Timing { frames: self.frames(clip)?, rate: f64::from_le_bytes(*rate), loops })
     }
 }
 
 /// An entry of a row that leads nowhere, or a clip that there cannot be.
 pub(super) fn beyond(
-    [_, _, clips, rows]: &[Range<usize>; 4],
+    [_, _, clips, _, rows]: &[Range<usize>; 5],
     (clip, entry): (usize, Option<usize>),
 ) -> PackedError {
     let (offset, what) = match entry {
@@ -220,6 +258,15 @@ pub(super) fn beyond(
         None => (clips.start + 16 * clip, "a clip has no such frames, keys or row"),
     };
     PackedError::Bytes { offset, what }
+}
+
+fn is_timing(&[ref rate @ .., a, b, c, d]: &PackedTiming) -> bool {
+    is_rate(f64::from_le_bytes(*rate)) && u32::from_le_bytes([a, b, c, d]) < 2
+}
+
+/// Whether so many frames a second can be played.
+pub(super) fn is_rate(rate: f64) -> bool {
+    rate.is_finite() && rate > 0.0
 }
 
 fn floats(rest: &Rest) -> [f32; 4] {
@@ -325,7 +372,7 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
         }
         // First: what lies between keys would wait for it in memory.
         let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
-        let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?);
+        let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?, t);
         if moves {
             let [a, b, c, _] = self.between(level, slot, self.rests.len() + slot.joint(), t)?;
             [i, j, k] = [a.mul_add(step, i), b.mul_add(step, j), c.mul_add(step, k)];
@@ -339,9 +386,9 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
 
 /// What lies between keys of rotations, normalized. Neighbours are less than 60° apart, so the squared length 1 − e is near
 /// that of 1, and (1 − e)^(−½) is a polynomial of e without root and division, with a relative error of 5.5·10⁻⁸
-/// (minimax of degree 3 on [−0.0005, 0.068]).
+/// (minimax of degree 3 on [−0.0005, 0.068]). NaN if `t` is: the weights of integers cannot say so.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn unit<L: Lanes>([x, y, z, w]: [L; 4]) -> [L; 4] {
+fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);
     let squares = w.mul_add(w, z * z) + y.mul_add(y, x * x);
     let e = squares.neg_mul_add(x.constant(SCALE * SCALE), x.constant(1.0));
@@ -351,5 +398,6 @@ fn unit<L: Lanes>([x, y, z, w]: [L; 4]) -> [L; 4] {
     );
     let s = e.mul_add(s, x.constant(0.500_023_260_882_921 * SCALE));
     let s = e.mul_add(s, x.constant(0.999_999_958_052_565_9 * SCALE));
+    let s = L::select(t.eq(t), s, t);
     [x * s, y * s, z * s, w * s]
 }

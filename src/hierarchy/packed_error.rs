@@ -18,15 +18,9 @@ errors! {
             length: f64 = "The length of its quaternion."
         }
             => "joint {joint} in frame {frame} of clip {clip} has a rotation of length {length}, not 1";
-        /// A rotation too far from that of the frame before: it must turn by less than 60°.
-        TooFar {
-            clip: usize = "The clip.",
-            frame: usize = "The frame.",
-            joint: usize = "The joint.",
-            degrees: f64 = "By how much it turns."
-        }
-            => "joint {joint} turns by {degrees:.1}° to frame {frame} of clip {clip}, which must be less than 60° (more \
-                frames a second make it less)";
+        /// A clip whose frames a second are no positive number.
+        Rate { clip: usize = "The clip.", rate: f64 = "Its frames a second." }
+            => "clip {clip} has {rate} frames a second, which must be a positive number";
         /// A translation whose numbers are not finite, or differ from those of other frames by more than `f32` holds.
         Beyond {
             clip: usize = "The clip.",

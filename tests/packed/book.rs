@@ -6,7 +6,7 @@ pub(crate) type Key = [f64; 7];
 pub(crate) struct Book<'b> {
     bytes: &'b [u8],
     pub(crate) joints: usize,
-    clips: usize,
+    pub(crate) clips: usize,
     keys: usize,
 }
 
@@ -22,7 +22,7 @@ impl<'b> Book<'b> {
     pub(crate) fn sections(&self) -> [usize; 3] {
         let rests = 32 + 8 * self.keys;
         let clips = rests + 16 * self.joints;
-        [rests, clips, clips + 16 * self.clips]
+        [rests, clips, clips + (16 + 12) * self.clips]
     }
     /// The first key, how many frames, how many keys from one to the next, and the row.
     fn clip(&self, clip: usize) -> [usize; 4] {

@@ -120,6 +120,17 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
     let mut other = bytes.to_vec();
     other[rows + 2 * 5..][..2].fill(0xff);
     assert_eq!(wrong(other), (rows + 10, "a track has keys that are not there"));
+    // Frames a second that are none, and a clip that neither loops nor ends.
+    let timings = rows - 12 * Book::new(bytes).clips;
+    let mut rates = [f64::NAN, 0.0, -30.0, f64::INFINITY].map(|rate| (rate, 0_u32)).to_vec();
+    rates.push((30.0, 2));
+    for (rate, loops) in rates {
+        let mut other = bytes.to_vec();
+        other[timings + 12..][..8].copy_from_slice(&rate.to_le_bytes());
+        other[timings + 20..][..4].copy_from_slice(&loops.to_le_bytes());
+        let (offset, what) = wrong(other);
+        assert!(offset == timings + 12 && what.contains("frames a second"), "{what}");
+    }
     // Frames that are none, keys beyond the last, rows beyond the last.
     for (word, number) in [(1, 0), (0, 0xff), (3, 3)] {
         let mut other = bytes.to_vec();
@@ -143,7 +154,7 @@ fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
         let mut bytes = b"dq8clips".to_vec();
         let mut words =
             |numbers: &[u32]| bytes.extend(numbers.iter().flat_map(|n| n.to_le_bytes()));
-        words(&[2, n, n, n, 1, 0]);
+        words(&[3, n, n, n, 1, 0]);
         for _ in 0..n {
             words(&[0, 32767 << 16]); // the rotation that turns nothing
         }
@@ -153,6 +164,9 @@ fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
         for _ in 0..n {
             words(&[0, n, 1, 0]); // all keys, each a frame
         }
+        for _ in 0..n {
+            words(&[0, 0x3ff0_0000, 0]); // a frame a second
+        }
         words(&vec![0x0001_0001; n as usize]); // both tracks of a joint move
         let refused = |what: &str, bytes: &[u8]| match PackedClips::from_bytes(bytes) {
             Err(PackedError::Bytes { what: found, .. }) => assert!(found.contains(what), "{found}"),
@@ -161,8 +175,10 @@ fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
         refused("than there are keys", &bytes);
         // One clip, whose joints share them: work that grows with the square.
         let head = 32 + 24 * n as usize;
+        let timings = head + 16 * n as usize;
         let mut one = bytes[..head + 16].to_vec();
-        one.extend(&bytes[head + 16 * n as usize..]);
+        one.extend(&bytes[timings..timings + 12]);
+        one.extend(&bytes[timings + 12 * n as usize..]);
         one[16..20].copy_from_slice(&1_u32.to_le_bytes());
         refused("than there are keys", &one);
     }

@@ -171,8 +171,9 @@ fn library() -> Result<PackedClip, Box<dyn Error>> {
     let frames = [0, 1].map(|clip| -> Vec<_> {
         (0..FRAMES * JOINTS).map(|at| key(clip, at / JOINTS, at % JOINTS)).collect()
     });
-    let keys = frames.each_ref().map(Vec::as_slice);
-    Ok(PackedClip::library(JOINTS, &keys, Tolerance::default())?)
+    let [a, b] = &frames;
+    let clips = [Clip::new(JOINTS, a)?.with_rate(2.0), Clip::new(JOINTS, b)?.with_rate(0.5).looping()];
+    Ok(PackedClip::library(&clips, Tolerance::default())?)
 }
 
 fn skin(given: &mut Given, motions: &[Motion]) -> Result<(), Box<dyn Error>> {

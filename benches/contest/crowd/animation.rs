@@ -72,9 +72,11 @@ impl Crowd {
         let mut parameters = || again(1.0).iter().map(|t| *t as f32).collect();
         let key = |&motion: &Motion| -> Key { RotationTranslation::from(motion).into() };
         let keys = motions.each_ref().map(|motions| motions.iter().map(key).collect::<Vec<_>>());
-        let packed =
-            PackedClip::library(joints, &keys.each_ref().map(Vec::as_slice), Tolerance::default())
-                .expect("no joint turns by 60° in a frame");
+        let packed = PackedClip::library(
+            &keys.each_ref().map(|keys| Clip::new(joints, keys).expect("whole frames")),
+            Tolerance::default(),
+        )
+        .expect("unit rotations");
         let clips = packed.clips();
         let place = |clip: usize, frame: u32| clips.place(clip, frame as f32).expect("a frame").0;
         let places =

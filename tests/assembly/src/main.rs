@@ -25,12 +25,12 @@ fn clips() {
     let parents = [Hierarchy::ROOT, 0];
     let hierarchy = Hierarchy::new(&parents).expect("a hierarchy");
     let frames = black_box([[0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]; 4]);
-    let packed = PackedClip::new(2, &frames, Tolerance::default()).expect("it stays");
+    let plain = Clip::new(2, &frames).expect("whole frames");
+    let packed = PackedClip::new(plain, Tolerance::default()).expect("it stays");
     let places = [packed.clips().place(0, black_box(0.5_f32)).expect("a clip").0; 16];
     let t = black_box([0.5_f32; 16]);
     let source = || Sampled::new(NlerpLerp, packed.clips(), &places, &t).expect("its places");
     let locals = Layered::blend(NlerpLerp, source(), source(), &t);
-    let plain = Clip::new(2, &frames).expect("whole frames");
     let frame = black_box([0; 16]);
     let source = || Sampled::new(NlerpLerp, plain, &frame, &t).expect("its frames");
     let plain = Layered::blend(NlerpLerp, source(), source(), &t);

@@ -6,7 +6,7 @@ use crate::argument::{count, names, passes, reads, writes};
 use crate::element::{wave, zeroed};
 use crate::function::Function;
 use crate::shape::Shape;
-use dq8::hierarchy::{PackedClip, Root, Sampled, Tolerance, TrackPlace};
+use dq8::hierarchy::{Clip, PackedClip, Root, Sampled, Tolerance, TrackPlace};
 use dq8::law::NlerpLerp;
 use dq8::{DualQuat, Hierarchy};
 use dq8_capi::Status;
@@ -28,7 +28,8 @@ fn scene(joints: usize) -> Rc<Scene> {
         [angle.sin(), 0.0, 0.0, angle.cos(), frame, joint, 0.5]
     };
     let keys: Vec<_> = (0..5 * joints).map(key).collect();
-    let packed = PackedClip::new(joints, &keys, Tolerance::default()).expect("keys");
+    let clip = Clip::new(joints, &keys).expect("frames").with_rate(2.0).looping();
+    let packed = PackedClip::new(clip, Tolerance::default()).expect("keys");
     let mut made = zeroed();
     let bytes = packed.as_bytes();
     // SAFETY: so many bytes.
