@@ -72,7 +72,8 @@
  *
  * Packed clips
  *   dq8_clips_make                             Finds packed clips in bytes of dq8's form, which the Rust and the ...
- *   dq8_clips_place                            The place `at` of a clip, in frames from its first, and how far it ...
+ *   dq8_clips_duration                         The time from the first frame of a clip to the last
+ *   dq8_clips_place                            The frame of a clip before the time `at`, and how far it is from ...
  *   dq8_clips_to_model                         As dq8_local_to_model, of what lies `t[i]` of the way from the ...
  *
  * One configuration of a mechanism
@@ -515,7 +516,7 @@ typedef struct dq8_clips {
   /**
    * Not for you.
    */
-  const uint8_t *opaque[11];
+  const uint8_t *opaque[13];
 } dq8_clips;
 
 /**
@@ -1031,8 +1032,17 @@ dq8_status dq8_clips_make(const uint8_t *bytes,
                           size_t *bad_offset);
 
 /**
- * The place `at` of a clip, in frames from its first, and how far it is from that frame to the next, from 0
- * to 1. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * The time from the first frame of a clip to the last: in seconds if the clip has a rate, otherwise in frames.
+ * DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ */
+dq8_status dq8_clips_duration(const struct dq8_clips *clips,
+                              size_t clip,
+                              double *duration);
+
+/**
+ * The frame of a clip before the time `at`, and how far it is from that frame to the next, from 0 to 1. Times
+ * are seconds if the clip has a rate, and frames if it has none. Before its first frame and after its last one
+ * a clip stays there, or is in another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                size_t clip,
@@ -1042,7 +1052,7 @@ dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
 
 /**
  * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
- * cut to [0, 1]. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
+ * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
  * if the clips have another number of joints, or a place is one of other clips.
  */
 dq8_status dq8_clips_to_model_f32(const int32_t *parents,
@@ -1055,8 +1065,9 @@ dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   float *models);
 
 /**
- * The place `at` of a clip, in frames from its first, and how far it is from that frame to the next, from 0
- * to 1. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * The frame of a clip before the time `at`, and how far it is from that frame to the next, from 0 to 1. Times
+ * are seconds if the clip has a rate, and frames if it has none. Before its first frame and after its last one
+ * a clip stays there, or is in another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                size_t clip,
@@ -1066,7 +1077,7 @@ dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
 
 /**
  * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
- * cut to [0, 1]. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
+ * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
  * if the clips have another number of joints, or a place is one of other clips.
  */
 dq8_status dq8_clips_to_model_f64(const int32_t *parents,

@@ -20,7 +20,7 @@ pub struct Clips {
     pub clips: usize,
     /// Not for you.
     // A `Known`.
-    opaque: [MaybeUninit<*const u8>; 11],
+    opaque: [MaybeUninit<*const u8>; 13],
 }
 
 /// What C keeps, and where its bytes lie.
@@ -29,7 +29,7 @@ struct Known {
     clips: PackedClips<'static>,
     bytes: Span,
 }
-const _: () = assert!(size_of::<Known>() <= 11 * size_of::<*const ()>());
+const _: () = assert!(size_of::<Known>() <= 13 * size_of::<*const ()>());
 const _: () = assert!(align_of::<Known>() <= align_of::<*const ()>());
 
 /// A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same clips.
@@ -75,7 +75,7 @@ unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *
             return Err(Status::NotClips);
         }
     };
-    let opaque = [const { MaybeUninit::uninit() }; 11];
+    let opaque = [const { MaybeUninit::uninit() }; 13];
     // SAFETY: promised, and apart; clips of the library fit, by the assertion.
     unsafe {
         made.write(Clips { joints: known.clips.joints(), clips: known.clips.clips(), opaque });
@@ -95,6 +95,33 @@ unsafe fn known(clips: *const Clips) -> Result<(Known, Span), Status> {
         }
         Ok((ptr::addr_of!((*clips).opaque).cast::<Known>().read(), span))
     }
+}
+
+/// The time from the first frame of a clip to the last: in seconds if the clip has a rate, otherwise in frames.
+/// DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+///
+/// # Safety
+/// Arrays have the lengths named.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dq8_clips_duration(
+    clips: *const Clips,
+    clip: usize,
+    duration: *mut f64,
+) -> Status {
+    // SAFETY: promised.
+    Status::of(unsafe { write_duration(clips, clip, duration) })
+}
+
+/// # Safety
+/// As for [`known`] and [`Output::write`].
+unsafe fn write_duration(clips: *const Clips, clip: usize, duration: *mut f64) -> Done {
+    // SAFETY: promised.
+    let (Known { clips, bytes }, span) = unsafe { known(clips)? };
+    let duration = Output::<f64>::new(duration, 1)?;
+    apart(&[duration.span], &[span, bytes])?;
+    // SAFETY: promised, and apart.
+    unsafe { duration.write(clips.duration(clip).ok_or(Status::UnknownValue)?) };
+    Ok(())
 }
 
 /// # Safety
@@ -153,15 +180,16 @@ unsafe fn to_model<R: Scalar>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// The place `at` of a clip, in frames from its first, and how far it is from that frame to the next, from 0
-            /// to 1. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+            /// The frame of a clip before the time `at`, and how far it is from that frame to the next, from 0 to 1. Times
+            /// are seconds if the clip has a rate, and frames if it has none. Before its first frame and after its last one
+            /// a clip stays there, or is in another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
             clips::place(
                 clips: *const Clips, clip: usize, at: $R, place: *mut Place, t: *mut $R,
             ) = super::place(clips, clip, at, place, t)
         }
         export_one! { $R
             /// As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
-            /// cut to [0, 1]. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
+            /// cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
             /// if the clips have another number of joints, or a place is one of other clips.
             clips::to_model(
                 parents: *const i32, joint_count: usize, root: *const $R, clips: *const Clips,

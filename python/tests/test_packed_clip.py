@@ -60,10 +60,32 @@ def test_deviation_is_that_of_models():
     assert worst == pytest.approx(distances.max(), abs=1e-6)
 
 
-def test_what_cannot_be_held_is_named():
+def test_times_are_seconds_and_rounds_follow_each_other():
+    frames = walk()
+    clip, timed = dq8.PackedClip(frames), dq8.PackedClip(frames, rate=30, loops=True)
+    assert (clip.rate, clip.loops, clip.duration) == (1.0, False, FRAMES - 1)
+    assert (timed.rate, timed.loops, timed.duration) == (30.0, True, (FRAMES - 1) / 30)
+    at = np.array([0.0, 2.25, 17.5])
+    np.testing.assert_allclose(timed.sample(at / 30), clip.sample(at), atol=1e-5)
+    np.testing.assert_allclose(timed.sample(at / 30 + 3 * timed.duration), clip.sample(at), atol=1e-5)
+    assert np.isnan(clip.sample(np.nan)).all()
+    for rate in (0, -30, np.nan):
+        with pytest.raises(ValueError, match="frames a second, which must be a positive number"):
+            dq8.PackedClip(frames, rate=rate)
+
+
+def test_a_turn_of_a_half_turn_has_frames_between():
     frames = walk()
     frames[5, 1] = dq8.from_rotation_translation([0, 1.0, 0, 0], [0.0, 0.4, 0.1])
-    with pytest.raises(ValueError, match="joint 1 turns by .* to frame 5"):
-        dq8.PackedClip(frames)
+    clip = dq8.PackedClip(frames, rate=30)
+    assert (FRAMES - 1) / 30 == pytest.approx(clip.duration) and clip.frames in (2 * FRAMES - 1, 3 * FRAMES - 2, 4 * FRAMES - 3)
+    turned = dq8.angle_to(clip.sample(np.arange(FRAMES) / 30), frames)
+    assert turned.max() < 1e-4
+    worst, _ = clip.deviation(dq8.Hierarchy([-1, 0, 1, 2]), frames, 0.03)
+    assert worst < 1.5e-4
+
+
+def test_what_cannot_be_held_is_named():
+    frames = walk()
     with pytest.raises(ValueError, match="frames"):
         dq8.PackedClip(frames[0])

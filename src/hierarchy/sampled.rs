@@ -54,7 +54,7 @@ brief!([W: Debug, P: Debug, R, const C: usize] Sampled<'_, W, P, R, C>: Sampled 
 impl<'s, W: Law<C>, P: PlacedKeys<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
     /// One place and one `t` for each instance. A place is the number of a frame in a [`Clip`](super::Clip), and what
     /// [`PackedClips::place`](super::PackedClips::place) gives in those. Values of `t` outside [0, 1] go on beyond the two
-    /// frames of a `Clip`; in packed clips they are cut to that, and NaN is 0.
+    /// frames of a `Clip`; in packed clips they are cut to that. NaN makes poses of NaN.
     ///
     /// # Errors
     /// If `places` and `t` differ in length, or a frame is not one of the clip, or the last one, which no

@@ -32,8 +32,11 @@ export interface Dq8 {
 
 export interface Skeleton extends Freed {
   readonly joints: number;
-  /** A clip of keys [frame][joint][x y z w tx ty tz], copied. */
-  clip(keys: ArrayLike<number>): Clip;
+  /**
+   * A clip of keys [frame][joint][x y z w tx ty tz], copied. Its times are frames, or seconds with a rate in frames a second; one
+   * that loops ends with its first frame once more.
+   */
+  clip(keys: ArrayLike<number>, options?: { rate?: number; loops?: boolean }): Clip;
   /** Poses in blocks of four instances: the quickest form where nothing else wants them plain. */
   crowd(instances: number): Crowd;
   /** Model poses [instance][joint] of locals or of sampled clips; over the locals themselves without `models`. */
@@ -48,7 +51,9 @@ export interface Skeleton extends Freed {
 }
 
 export interface Clip extends Freed {
-  /** Its poses, instance i at at[i] frames, held at both ends. */
+  /** The time from the first frame to the last. */
+  readonly duration: number;
+  /** Its poses, instance i at the time at[i]; held at both ends if it does not loop. */
   sample(at: Floats): Sampled;
 }
 
@@ -58,7 +63,12 @@ export interface PackedClip extends Freed {
   readonly clips: number;
   /** How many frames one of them has; 0 if there is none of this number. */
   frames(clip?: number): number;
-  /** Poses, instance i at at[i] frames of clip clips[i], or all of one clip, the first if none is given. */
+  /** The time from the first frame of one of them to its last, in seconds if it has a rate; 0 if there is none of this number. */
+  duration(clip?: number): number;
+  /**
+   * Poses, instance i at the time at[i] of clip clips[i], or all of one clip, the first if none is given. Held at both ends if the
+   * clip does not loop.
+   */
   sample(at: Floats, clips?: number | Floats): Sampled;
 }
 

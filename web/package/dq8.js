@@ -67,8 +67,8 @@ export class Skeleton extends Handle {
   }
   get joints() { return this.#joints; }
   free() { super.free(); this.#source.free(); }
-  /** A clip of keys [frame][joint][x y z w tx ty tz], copied. */
-  clip(keys) { return new Clip(modules.get(this), this.#joints, keys); }
+  /** A clip of keys [frame][joint][x y z w tx ty tz], copied; its times are frames, or seconds if it has a rate. */
+  clip(keys, { rate = 1, loops = false } = {}) { return new Clip(modules.get(this), this.#joints, keys, rate, loops); }
   /** Poses in blocks of four instances. */
   crowd(instances) { return new Crowd(modules.get(this), this, instances); }
   /** Calls with a source, which may be over itself, and roots. */
@@ -97,12 +97,15 @@ export class Skeleton extends Handle {
 }
 
 export class Clip extends Handle {
-  constructor(module, joints, keys) {
+  constructor(module, joints, keys, rate, loops) {
     super();
+    if (!(rate > 0 && rate < Infinity)) throw new RangeError(`rate is ${rate}, not a positive number`);
     if (keys.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
-    keep(this, module, module.lend(Float32Array, keys, (at, n) => module.raw.dq8_clip(joints, at, n / 7)), "dq8_clip_free");
+    keep(this, module, module.lend(Float32Array, keys, (at, n) => module.raw.dq8_clip(joints, rate, +loops, at, n / 7)), "dq8_clip_free");
   }
-  /** Its poses, instance i at at[i] frames. */
+  /** From the first frame to the last. */
+  get duration() { return modules.get(this).raw.dq8_clip_duration(of(this, Clip, "clip"), 0); }
+  /** Its poses, instance i at the time at[i]. */
   sample(at) { return new Sampled(this, at); }
 }
 
@@ -115,7 +118,9 @@ export class PackedClip extends Handle {
   get clips() { return modules.get(this).raw.dq8_packed_clip_clips(of(this, PackedClip, "clip")); }
   /** How many frames one of them has; 0 if there is none of this number. */
   frames(clip = 0) { return modules.get(this).raw.dq8_packed_clip_frames(of(this, PackedClip, "clip"), count("clip", clip)); }
-  /** Poses, instance i at at[i] frames of clip clips[i], or all of one clip. */
+  /** From the first frame of one of them to its last, in seconds if it has a rate; 0 if there is none of this number. */
+  duration(clip = 0) { return modules.get(this).raw.dq8_clip_duration(of(this, PackedClip, "clip"), count("clip", clip)); }
+  /** Poses, instance i at the time at[i] of clip clips[i], or all of one clip. */
   sample(at, clips = 0) { return new Sampled(this, at, clips); }
 }
 

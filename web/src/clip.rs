@@ -3,7 +3,7 @@
 use crate::Motion;
 use crate::memory::{exports, frees, made, slice};
 use dq8::ShapeError;
-use dq8::hierarchy::{self, Either, Frames, Layered, PackedClip, Playback, Sampled, TrackPlace};
+use dq8::hierarchy::{Either, Frames, Layered, OwnedClip, PackedClip, Playback, Sampled, TrackPlace};
 use dq8::law::NlerpLerp;
 
 type Key = [f32; 7];
@@ -11,19 +11,23 @@ type Key = [f32; 7];
 /// Keys of one clip, or packed ones of many.
 #[derive(Debug)]
 pub(crate) enum Clip {
-    /// `[frame][joint]` of rotation x, y, z, w and translation. Not dq8's own, whose times in seconds nobody asks for here: they
-    /// are half a kilobyte.
-    Plain {
-        keys: Box<[Key]>,
-        joints: usize,
-    },
+    /// `[frame][joint]` of rotation x, y, z, w and translation.
+    Plain(OwnedClip<Key>),
     Packed(PackedClip),
 }
 
 impl Clip {
-    fn new(joints: usize, keys: &[Key]) -> Result<Self, ShapeError> {
-        let _checked = hierarchy::Clip::new(joints, keys)?;
-        Ok(Self::Plain { keys: keys.into(), joints })
+    fn new(joints: usize, rate: f64, loops: bool, keys: &[Key]) -> Result<Self, ShapeError> {
+        let clip = OwnedClip::new(joints, keys)?.with_rate(rate);
+        Ok(Self::Plain(if loops { clip.looping() } else { clip }))
+    }
+
+    /// From the first frame to the last, of packed clips of that `number`; 0 if there is no such clip.
+    fn duration(&self, number: usize) -> f64 {
+        match self {
+            Self::Plain(clip) => clip.view().duration(),
+            Self::Packed(packed) => packed.clips().duration(number).unwrap_or(0.0),
+        }
     }
 }
 
@@ -71,8 +75,8 @@ impl Playing {
         let Places { frames, places, t } = places;
         t.clear();
         let sample = match clip {
-            Clip::Plain { keys, joints } => {
-                let clip = hierarchy::Clip::new(*joints, keys)?;
+            Clip::Plain(clip) => {
+                let clip = clip.view();
                 frames.clear();
                 for &at in at {
                     let (frame, part) = clip.place(at);
@@ -167,8 +171,12 @@ impl Source {
 
 frees!(dq8_clip_free: Clip);
 exports! {
-    fn dq8_clip(joints: usize; keys[count]: Key;) -> *mut Clip {
-        made(Clip::new(joints, keys))
+    fn dq8_clip(joints: usize, rate: f64, loops: u32; keys[count]: Key;) -> *mut Clip {
+        made(Clip::new(joints, rate, loops != 0, keys))
+    }
+
+    fn dq8_clip_duration(clip: &Clip, number: usize;;) -> f64 {
+        clip.duration(number)
     }
 
     fn dq8_packed_clip(; bytes[count]: u8;) -> *mut Clip {

@@ -18,6 +18,7 @@ const TABLE = [
   ["src/hierarchy/sampled.rs", "new", "sample", none("C has packed clips alone"), none(WHOLE)],
   ["src/hierarchy/packed_clip.rs", "from_bytes", "packedClip", "clips_make", "class PackedClip"],
   ["src/hierarchy/packed_clips.rs", "frames", "frames", none("dq8_clips_place cuts what lies beyond"), "frames"],
+  ["src/hierarchy/packed_clips.rs", "duration", "duration", "clips_duration", "duration"],
   ["src/hierarchy/packed_clips.rs", "place", "sample", "clips_place", "sample"],
   ["src/hierarchy/layers.rs", "blend", "blend", none("C has packed clips alone"), none(WHOLE)],
   ["src/hierarchy/layers.rs", "add", "add", none("C has packed clips alone"), none(WHOLE)],

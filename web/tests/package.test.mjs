@@ -77,6 +77,7 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     const length = answers[read], library = dq8.packedClip(answers.slice(read + 1).buffer.slice(0, length));
     read += 1 + Math.ceil(length / 4);
     assert.deepEqual([library.clips, library.frames(), library.frames(1), library.frames(2)], [2, FRAMES, FRAMES, 0]);
+    assert.deepEqual([library.duration(), library.duration(1), library.duration(2)], [(FRAMES - 1) / 2, (FRAMES - 1) / 0.5, 0]);
     const packed = library.sample(atA, dq8.floats(given.clips));
     skeleton.localToModel(packed, models);
     check("models of packed clips", models);
@@ -180,6 +181,7 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     fails(() => dq8.mul(four, dq8.floats(7), four), /^product is the same array as a$/);
     fails(() => dq8.mul(four, dq8.floats(7), dq8.motions(4)), /^b holds 7 numbers, which is not a multiple of 8$/);
     fails(() => skeleton.clip(new Float32Array(0)), /^keys holds no element$/);
+    for (const rate of [0, -30, NaN, Infinity]) fails(() => skeleton.clip(given.clipA, { rate }), /^rate is .*, not a positive number$/);
     const clip = skeleton.clip(given.clipA.slice(0, 28)), at = dq8.floats(2);
     fails(() => skeleton.localToModel(clip.sample(at).blend(clip.sample(at), at, { mask: dq8.floats(0) }), four), /^mask holds 0 elements where 2 are needed$/);
     const stride = readFileSync(STRIDE), walk = dq8.packedClip(stride), damaged = Uint8Array.from(stride);

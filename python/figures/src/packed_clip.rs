@@ -20,8 +20,12 @@ use pyo3::types::PyBytes;
 /// Parameters
 /// ----------
 /// frames : array_like, shape (frames, joints, 8)
-///     Unit dual quaternions at equal distances in time: the pose of each joint in its parent. No joint turns by 60° or
-///     more from one frame to the next.
+///     Unit dual quaternions at equal distances in time: the pose of each joint in its parent. Where a joint turns by 60° or
+///     more from one frame to the next, all joints get one to three frames between.
+/// rate : float, optional
+///     Frames a second: times are seconds. Without, times are frames.
+/// loops : bool
+///     Whether the clip begins again where it ends: its last frame is the first one once more.
 /// angle, length : float
 ///     What a rotation (in radians) and a translation may move and still be kept as one: they keep still.
 ///
@@ -43,10 +47,18 @@ pub struct PackedClip {
 #[pymethods]
 impl PackedClip {
     #[new]
-    #[pyo3(signature = (frames, *, angle=2e-5, length=1e-5))]
-    fn new(frames: &Bound<'_, PyAny>, angle: f32, length: f32) -> PyResult<Self> {
+    #[pyo3(signature = (frames, *, rate=1.0, loops=false, angle=2e-5, length=1e-5))]
+    fn new(
+        frames: &Bound<'_, PyAny>,
+        rate: f64,
+        loops: bool,
+        angle: f32,
+        length: f32,
+    ) -> PyResult<Self> {
         let (keys, joints) = keys(frames)?;
-        let packed = hierarchy::PackedClip::new(joints, &keys, Tolerance { angle, length });
+        let clip = hierarchy::Clip::new(joints, &keys).map_err(value_error)?.with_rate(rate);
+        let clip = if loops { clip.looping() } else { clip };
+        let packed = hierarchy::PackedClip::new(clip, Tolerance { angle, length });
         Ok(Self { packed: packed.map_err(value_error)? })
     }
 
@@ -59,6 +71,24 @@ impl PackedClip {
     /// The bytes of the clip, the same on every machine.
     fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         PyBytes::new(py, self.packed.as_bytes())
+    }
+
+    /// The time from the first frame to the last, in seconds if the clip has a rate.
+    #[getter]
+    fn duration(&self) -> f64 {
+        self.packed.clips().duration(0).unwrap_or(0.0)
+    }
+
+    /// Whether the clip begins again where it ends.
+    #[getter]
+    fn loops(&self) -> bool {
+        self.packed.clips().loops(0) == Some(true)
+    }
+
+    /// How many frames there are a second, 1 if times are frames.
+    #[getter]
+    fn rate(&self) -> f64 {
+        self.packed.clips().rate(0).unwrap_or(1.0)
     }
 
     /// How many frames there are.
@@ -99,7 +129,8 @@ impl PackedClip {
     /// Parameters
     /// ----------
     /// at : array_like, shape (...)
-    ///     Times in frames from the first one; beyond the clip its ends, and for NaN the first frame.
+    ///     Times from the first frame, in seconds if the clip has a rate, otherwise in frames. Beyond the clip are its ends, or
+    ///     other rounds if it loops; for NaN all numbers are NaN.
     /// out : ndarray, optional
     ///     Where to write the result.
     ///

@@ -165,7 +165,13 @@ class Hierarchy:
 
 class PackedClip:
     def __new__(
-        cls, frames: ArrayLike, *, angle: float = 2e-5, length: float = 1e-5
+        cls,
+        frames: ArrayLike,
+        *,
+        rate: float = 1.0,
+        loops: bool = False,
+        angle: float = 2e-5,
+        length: float = 1e-5,
     ) -> PackedClip: ...
     @staticmethod
     def from_bytes(data: bytes) -> PackedClip: ...
@@ -176,6 +182,12 @@ class PackedClip:
     def joints(self) -> int: ...
     @property
     def moving(self) -> int: ...
+    @property
+    def rate(self) -> float: ...
+    @property
+    def loops(self) -> bool: ...
+    @property
+    def duration(self) -> float: ...
     def sample(self, at: ArrayLike, *, out: _Floats | None = None) -> _Floats: ...
     def deviation(
         self, hierarchy: Hierarchy, frames: ArrayLike, distance: float, /

@@ -2,7 +2,7 @@
 
 use super::hierarchies::{parents, unsigned};
 use super::memory;
-use crate::argument::{count, names, passes, reads, writes};
+use crate::argument::{Of, Read, count, names, passes, reads, writes};
 use crate::element::{wave, zeroed};
 use crate::function::Function;
 use crate::shape::Shape;
@@ -10,7 +10,7 @@ use dq8::hierarchy::{Clip, PackedClip, Root, Sampled, Tolerance, TrackPlace};
 use dq8::law::NlerpLerp;
 use dq8::{DualQuat, Hierarchy};
 use dq8_capi::Status;
-use dq8_capi::clips::{Clips, Place, double, dq8_clips_make, single};
+use dq8_capi::clips::{Clips, Place, double, dq8_clips_duration, dq8_clips_make, single};
 use std::rc::Rc;
 
 /// Clips in C and in Rust.
@@ -50,20 +50,23 @@ fn known(place: &Place) -> TrackPlace {
     unsafe { std::mem::transmute::<[u32; 6], TrackPlace>(place.numbers) }
 }
 
+/// The clips, which must have been made.
+fn made(scene: &Rc<Scene>) -> Of<Clips, Read> {
+    let scene = Rc::clone(scene);
+    reads::<Clips>(1).keeps(vec![memory(scene.packed.as_bytes())]).only(move |_| scene.made).fault(
+        Status::NoClips,
+        None,
+        |made| made[0] = zeroed(),
+    )
+}
+
 macro_rules! add {
     ($shape:ident $to:ident $scene:ident $R:ident $of:ident) => {{
         let (joints, n) = ($shape.parents.len(), if $shape.parents.is_empty() { 0 } else { $shape.instances });
         let [of_place, of_places, of_models] = [(); 3].map(|()| Rc::clone(&$scene));
-        let made = || {
-            let scene = Rc::clone(&$scene);
-            reads::<Clips>(1)
-                .keeps(vec![memory(scene.packed.as_bytes())])
-                .only(move |_| scene.made)
-                .fault(Status::NoClips, None, |made| made[0] = zeroed())
-        };
         functions! { $to:
             concat!("dq8_clips_place_", stringify!($R)), $of::place = (
-                clips: made(), clip: passes(0).wrong(1, Status::UnknownValue), at: passes(3.25),
+                clips: made(&$scene), clip: passes(0).wrong(1, Status::UnknownValue), at: passes(3.25),
                 found: writes::<Place>(1), t: writes::<$R>(1),
             ) => {
                 let (frame, rest) = of_place.packed.clips().place::<$R>(clip, at).ok_or(Status::UnknownValue)?;
@@ -73,7 +76,7 @@ macro_rules! add {
             concat!("dq8_clips_to_model_", stringify!($R)), $of::to_model = (
                 parents: parents($shape),
                 joints: count(joints).wrong_if(joints > 1 && n > 0, joints.saturating_sub(1), Status::Length),
-                root: reads::<DualQuat<$R>>(1).unless_null(0), clips: made(),
+                root: reads::<DualQuat<$R>>(1).unless_null(0), clips: made(&$scene),
                 places: reads::<Place>(n)
                     .only(move |at| {
                         let at = wave::<$R>(at, 1).abs() * 3.0;
@@ -94,7 +97,7 @@ macro_rules! add {
 
 pub(super) fn add(shape: &Shape, to: &mut Vec<Function>) {
     let scene = scene(shape.parents.len());
-    let again = Rc::clone(&scene);
+    let [again, of_duration] = [(); 2].map(|()| Rc::clone(&scene));
     let bytes = scene.packed.as_bytes().to_vec();
     let length = bytes.len();
     functions! { to:
@@ -104,6 +107,12 @@ pub(super) fn add(shape: &Shape, to: &mut Vec<Function>) {
             length: passes(length).wrong(usize::MAX, Status::TooLarge),
             clips: writes::<Clips>(1), bad_offset: names(),
         ) => clips[0] = again.made;
+        "dq8_clips_duration", dq8_clips_duration = (
+            clips: made(&scene), clip: passes(0).wrong(1, Status::UnknownValue), duration: writes::<f64>(1),
+        ) => {
+            duration[0] = of_duration.packed.clips().duration(clip).ok_or(Status::UnknownValue)?;
+            let _ = clips;
+        };
     }
     add!(shape to scene f32 single);
     add!(shape to scene f64 double);
