@@ -22,7 +22,7 @@ use dq8_simd::{Gather, Lanes, Records};
 pub struct Clip<'c, K> {
     pub(super) keys: &'c [K],
     pub(super) joints: usize,
-    pub(super) timing: Timing,
+    pub(super) timing: Timing<f64>,
 }
 
 brief!([K] Clip<'_, K>: Clip |it| {
@@ -98,15 +98,17 @@ impl<'c, K> Clip<'c, K> {
 }
 
 /// How many frames a clip has, how many of them are played in a second, and whether the clip begins again where it ends.
+/// Times are computed in numbers of `T`: of a [`Clip`] in `f64`, of packed clips in those of the caller, for firmware has no
+/// quick `f64`.
 #[derive(Clone, Copy)]
-pub(super) struct Timing {
+pub(super) struct Timing<T> {
     pub(super) frames: usize,
-    pub(super) rate: f64,
+    pub(super) rate: T,
     pub(super) loops: bool,
 }
 
-impl Timing {
-    pub(super) fn with_rate(self, rate: f64) -> Self {
+impl<T: Scalar> Timing<T> {
+    pub(super) fn with_rate(self, rate: T) -> Self {
         Self { rate, ..self }
     }
 
@@ -114,37 +116,35 @@ impl Timing {
         Self { loops: true, ..self }
     }
 
-    pub(super) fn duration(self) -> f64 {
+    pub(super) fn duration(self) -> T {
         self.steps() / self.rate
     }
 
     /// The number of frames that follow another one.
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2⁵³ frames")]
-    fn steps(self) -> f64 {
-        self.frames.saturating_sub(1) as f64
+    fn steps(self) -> T {
+        T::from_i32(i32::try_from(self.frames.saturating_sub(1)).unwrap_or(i32::MAX))
     }
 
     /// [`Clip::place`].
     pub(super) fn place<R: Scalar>(self, at: R) -> (u32, R) {
-        let (_, time) = self.round(at);
-        self.place_in_round(Real::from_f64(time))
+        self.place_in_round(Real::from_f64(self.round(at).1.into()))
     }
 
     /// The round of the clip at the time `at`, from 0, and the time in it, in frames.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "saturates")]
-    fn round<R: Scalar>(self, at: R) -> (f64, f64) {
-        let (time, steps) = (at.into() * self.rate, self.steps());
-        if !self.loops || steps == 0.0 {
-            return (0.0, time);
+    fn round<R: Scalar>(self, at: R) -> (T, T) {
+        // From a number to the same number by way of `f64` is no instruction.
+        let at: T = Real::from_f64(at.into());
+        let (time, steps) = (at * self.rate, self.steps());
+        if !self.loops || steps == T::ZERO {
+            return (T::ZERO, time);
         }
-        // Toward zero: without std there is no floor. NaN from what is infinite.
-        let round = (time / steps) as i64 as f64 + 0.0 * time;
+        // NaN from what is infinite.
+        let round = truncate(time / steps);
         let rest = time - steps * round;
-        if rest < 0.0 { (round - 1.0, rest + steps) } else { (round, rest) }
+        if rest < T::ZERO { (round - T::ONE, rest + steps) } else { (round, rest) }
     }
 
-    /// The frame before a time in frames, and the part of the way to the next one. In numbers of `R` alone: firmware has no
-    /// quick `f64`.
+    /// The frame before a time in frames, and the part of the way to the next one.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     fn place_in_round<R: Scalar>(self, time: R) -> (u32, R) {
         // The last frame of all has no next one.
@@ -170,13 +170,26 @@ impl Timing {
     ) -> Option<DualQuat<R>> {
         let [a, b] = [pose(self.place(from))?, pose(self.place(to))?];
         let rounds = self.round(to).0 - self.round(from).0;
-        if rounds == 0.0 {
+        if rounds == T::ZERO {
             return Some(a.conjugate() * b);
         }
         let first = pose((0, R::ZERO))?;
-        let last = pose(self.place_in_round(Real::from_f64(self.steps())))?;
-        let round = (first.conjugate() * last).pow(Real::from_f64(rounds));
+        let last = pose(self.place_in_round(Real::from_f64(self.steps().into())))?;
+        let round = (first.conjugate() * last).pow(Real::from_f64(rounds.into()));
         Some(a.conjugate() * first * round * (first.conjugate() * b))
+    }
+}
+
+/// The integer toward zero: without std there is no `trunc`. From 2²³, in `f64` from 2⁵² on, all numbers are integers.
+#[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "in range")]
+fn truncate<R: Scalar>(number: R) -> R {
+    if R::SINGLE {
+        let x: f32 = bytemuck::cast(number);
+        bytemuck::cast(if -8_388_608.0 < x && x < 8_388_608.0 { x as i32 as f32 } else { x })
+    } else {
+        let most = 4_503_599_627_370_496.0;
+        let x: f64 = bytemuck::cast(number);
+        bytemuck::cast(if -most < x && x < most { x as i64 as f64 } else { x })
     }
 }
 

@@ -20,7 +20,7 @@ use alloc::vec::Vec;
 pub struct OwnedClip<K> {
     keys: Vec<K>,
     joints: usize,
-    timing: Timing,
+    timing: Timing<f64>,
 }
 
 brief!([K] OwnedClip<K>: OwnedClip |it| {

@@ -2,7 +2,7 @@
 
 use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
-use super::packed_clips::{self as form, ONE, PackedClips};
+use super::packed_clips::{self as form, ONE, PackedClips, PackedTiming};
 use super::{Hierarchy, PackedError, Sampled};
 use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
@@ -115,13 +115,12 @@ impl PackedClip {
         for (number, (clip, keys)) in clips.iter().zip(&given).enumerate() {
             same_length("each frame of a clip", clip.joints, joints)?;
             let Timing { rate, loops, .. } = clip.timing;
-            if !form::is_rate(rate) {
+            if !form::is_rate(Real::from_f64(rate)) {
                 return Err(PackedError::Rate { clip: number, rate });
             }
             let pieces = pieces(number, keys, joints)?;
             finer.push(finer_frames(keys, joints, pieces));
-            timings.extend((rate * f64::from(pieces)).to_le_bytes());
-            timings.extend(u32::from(loops).to_le_bytes());
+            timings.extend(packed_timing(rate * f64::from(pieces), loops));
         }
         let rests: Vec<_> =
             (0..joints).map(|j| rest(&given, joints, j, tolerance)).collect::<Result<_, _>>()?;
@@ -252,6 +251,14 @@ impl PackedClip {
         };
         Ok(Deviation { worst: at(100), p99: at(99) })
     }
+}
+
+/// Bytes that [`PackedClips`] reads as these frames a second, and whether the clip loops.
+fn packed_timing(rate: f64, loops: bool) -> PackedTiming {
+    let single = <f32 as Real>::from_f64(rate);
+    let rest = <f32 as Real>::from_f64(rate - f64::from(single));
+    let words = [single.to_bits(), rest.to_bits(), u32::from(loops)];
+    bytemuck::must_cast(words.map(u32::to_le_bytes))
 }
 
 /// Where the pieces of a way between two rotations end that are each less than 60°, by the cosine of half their angle: up to

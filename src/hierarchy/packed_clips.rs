@@ -22,7 +22,7 @@ const NEAREST: i64 = 929_830_942;
 /// of them moves it. As four numbers, the lower byte first.
 pub(super) type Rest = [u8; 16];
 
-/// Of each clip the frames a second, and 1 if it loops.
+/// Of each clip the frames a second, the number of `f32` and what is left of that of `f64`, and 1 if it loops.
 pub(super) type PackedTiming = [u8; 12];
 
 /// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and checked once. Each has
@@ -43,7 +43,7 @@ pub(super) type PackedTiming = [u8; 12];
 /// | K · 4 · `i16` | keys: a rotation x, y, z, w, 32767 for 1; a translation x, y, z, 0, in steps from the rest |
 /// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
 /// | N · 4 · `u32` | the first key, how many frames, how many keys from one to the next, and the row |
-/// | N · (`f64`, `u32`) | frames a second, 1 if times are frames; 1 if the clip loops, 0 if it ends |
+/// | N · (`f32`, `f32`, `u32`) | frames a second, 1 if times are frames, as the sum of a number and what it lacks; 1 if the clip loops, otherwise 0 |
 /// | R · 2J · `u16` | twice how far the first key is from the clip's, and 1 more if there is one for each frame: J rotations, J translations |
 ///
 /// Clips in which the same tracks move have one row.
@@ -216,20 +216,20 @@ impl<'a> PackedClips<'a> {
     /// The frames a second of a clip, or 1 if its times are frames. `None` if there is no such clip.
     #[must_use]
     pub fn rate(&self, clip: usize) -> Option<f64> {
-        Some(self.timing(clip)?.rate)
+        Some(self.timing::<f64>(clip)?.rate)
     }
 
     /// `true` if a clip begins again where it ends. `None` if there is no such clip.
     #[must_use]
     pub fn loops(&self, clip: usize) -> Option<bool> {
-        Some(self.timing(clip)?.loops)
+        Some(self.timing::<f32>(clip)?.loops)
     }
 
     /// The time from the first frame of a clip to the last: [`Clip::duration`](super::Clip::duration). `None` if there is no
     /// such clip.
     #[must_use]
     pub fn duration(&self, clip: usize) -> Option<f64> {
-        Some(self.timing(clip)?.duration())
+        Some(self.timing::<f64>(clip)?.duration())
     }
 
     /// The frame of a clip before the time `at`, and how far it is to the next one, from 0 to 1: as
@@ -237,15 +237,20 @@ impl<'a> PackedClips<'a> {
     /// loops. NaN stays NaN. `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
-        let (frame, t) = self.timing(clip)?.place(at);
+        let (frame, t) = self.timing::<R>(clip)?.place(at);
         Some((self.tracks.place(clip, frame)?, t))
     }
 
-    pub(super) fn timing(&self, clip: usize) -> Option<Timing> {
-        let [rate @ .., b0, b1, b2, b3] = self.timings.get(clip)?;
-        let loops = [*b0, *b1, *b2, *b3] != [0; 4];
-        Some(Timing { frames: self.frames(clip)?, rate: f64::from_le_bytes(*rate), loops })
+    pub(super) fn timing<T: Scalar>(&self, clip: usize) -> Option<Timing<T>> {
+        let timing = self.timings.get(clip)?;
+        let rate = rate(timing).map(T::from);
+        let loops = word(timing, 2)? == 1;
+        Some(Timing { frames: self.frames(clip)?, rate: rate[0] + rate[1], loops })
     }
+}
+
+fn rate(timing: &PackedTiming) -> [f32; 2] {
+    [0, 1].map(|i| word(timing, i).map_or(0.0, f32::from_bits))
 }
 
 /// An entry of a row that leads nowhere, or a clip that there cannot be.
@@ -260,12 +265,14 @@ pub(super) fn beyond(
     PackedError::Bytes { offset, what }
 }
 
-fn is_timing(&[ref rate @ .., a, b, c, d]: &PackedTiming) -> bool {
-    is_rate(f64::from_le_bytes(*rate)) && u32::from_le_bytes([a, b, c, d]) < 2
+fn is_timing(timing: &PackedTiming) -> bool {
+    let [rate, rest] = rate(timing);
+    // What a number lacks is less than it holds.
+    is_rate(rate) && rate + rest == rate && word(timing, 2).is_some_and(|loops| loops < 2)
 }
 
 /// Whether so many frames a second can be played.
-pub(super) fn is_rate(rate: f64) -> bool {
+pub(super) fn is_rate(rate: f32) -> bool {
     rate.is_finite() && rate > 0.0
 }
 

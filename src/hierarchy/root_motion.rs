@@ -86,7 +86,7 @@ impl PackedClips<'_> {
     /// clip or joint. As [`Clip::pose`].
     #[must_use]
     pub fn pose<R: Scalar>(&self, clip: usize, joint: usize, at: R) -> Option<DualQuat<R>> {
-        self.pose_at(clip, joint, self.timing(clip)?.place(at))
+        self.pose_at(clip, joint, self.timing::<R>(clip)?.place(at))
     }
 
     /// The motion of a joint of a clip from one time to another, in its frame at the first: as [`Clip::between`], of a
@@ -110,7 +110,7 @@ impl PackedClips<'_> {
         from: R,
         to: R,
     ) -> Option<DualQuat<R>> {
-        self.timing(clip)?.between(from, to, |place| self.pose_at(clip, joint, place))
+        self.timing::<R>(clip)?.between(from, to, |place| self.pose_at(clip, joint, place))
     }
 
     /// The pose of a joint at a place of a clip.

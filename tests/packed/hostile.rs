@@ -122,12 +122,11 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
     assert_eq!(wrong(other), (rows + 10, "a track has keys that are not there"));
     // Frames a second that are none, and a clip that neither loops nor ends.
     let timings = rows - 12 * Book::new(bytes).clips;
-    let mut rates = [f64::NAN, 0.0, -30.0, f64::INFINITY].map(|rate| (rate, 0_u32)).to_vec();
-    rates.push((30.0, 2));
-    for (rate, loops) in rates {
+    let wrong_rates = [f32::NAN, 0.0, -30.0, f32::INFINITY].map(|rate| (rate, 0.0_f32, 0));
+    for (rate, rest, loops) in wrong_rates.into_iter().chain([(30.0, 0.0, 2), (30.0, 1.0, 0)]) {
         let mut other = bytes.to_vec();
-        other[timings + 12..][..8].copy_from_slice(&rate.to_le_bytes());
-        other[timings + 20..][..4].copy_from_slice(&loops.to_le_bytes());
+        let words = [rate.to_bits(), rest.to_bits(), loops].map(u32::to_le_bytes);
+        other[timings + 12..][..12].copy_from_slice(words.as_flattened());
         let (offset, what) = wrong(other);
         assert!(offset == timings + 12 && what.contains("frames a second"), "{what}");
     }
@@ -165,7 +164,7 @@ fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
             words(&[0, n, 1, 0]); // all keys, each a frame
         }
         for _ in 0..n {
-            words(&[0, 0x3ff0_0000, 0]); // a frame a second
+            words(&[1.0_f32.to_bits(), 0, 0]); // a frame a second
         }
         words(&vec![0x0001_0001; n as usize]); // both tracks of a joint move
         let refused = |what: &str, bytes: &[u8]| match PackedClips::from_bytes(bytes) {

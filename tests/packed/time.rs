@@ -25,17 +25,19 @@ fn a_packed_clip_has_the_times_of_the_clip_that_it_was_made_of() {
     let mut random = Random(11);
     for (number, clip) in clips.iter().enumerate() {
         assert_eq!(packed.frames(number), Some(clip.frames()));
-        assert_eq!(packed.rate(number), Some(clip.rate()));
+        let close = |a: Option<f64>, b: f64| (a.unwrap() - b).abs() < 1e-14 * b;
+        assert!(close(packed.rate(number), clip.rate()));
         assert_eq!(packed.loops(number), Some(clip.loops()));
-        assert_eq!(packed.duration(number), Some(clip.duration()));
+        assert!(clip.duration() == 0.0 || close(packed.duration(number), clip.duration()));
         let length = clip.duration().max(1.0);
         for _ in 0..500 {
             let at = random.between(-3.0 * length, 4.0 * length) as f32;
             let (frame, t) = clip.place(at);
             let (place, share) = packed.place(number, at).unwrap();
-            assert_eq!(share.to_bits(), t.to_bits(), "clip {number} at {at}");
-            let of_frame = packed.place(number, f64::from(frame) / clip.rate()).unwrap().0;
-            assert!(place == of_frame || clip.loops(), "clip {number} at {at}");
+            // Rounded in `f64` and in `f32`, most of all where rounds end.
+            let same = packed.place(number, f64::from(frame) / clip.rate()).unwrap().0 == place;
+            let round = clip.loops() && (frame == 0 || frame + 2 == clip.frames() as u32);
+            assert!(same && (share - t).abs() < 1e-3 || round, "clip {number} at {at}");
             let joint = random.below(JOINTS);
             let (one, other) =
                 (packed.pose(number, joint, at), clip.pose(NlerpLerp, joint, at).unwrap());
@@ -50,6 +52,7 @@ fn a_packed_clip_has_the_times_of_the_clip_that_it_was_made_of() {
         assert!(packed.pose(number, JOINTS, 0.0_f32).is_none());
     }
     assert!(packed.pose(4, 0, 0.0_f64).is_none() && packed.between(4, 0, 0.0, 1.0_f64).is_none());
+    assert_eq!(packed.place(0, 1.0_f64).unwrap().1 as f32, clips[0].place(1.0_f64).1 as f32);
     assert_eq!((packed.rate(4), packed.loops(4), packed.duration(4)), (None, None, None));
     // Two seconds and a half after the end of a looping clip are two rounds and a half of a second.
     let looping = Clip::new(JOINTS, &keys[1]).unwrap().with_rate(4.0).looping();
