@@ -63,7 +63,8 @@
 //!
 //! # Features
 //!
-//! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files; `defmt` formats errors and reports.
+//! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files, and `urdf-encodings` those
+//! that are in neither UTF-8 nor UTF-16; `defmt` formats errors and reports.
 #![cfg_attr(not(feature = "urdf"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

@@ -51,12 +51,13 @@ impl Robot {
         Self::from_bytes(&bytes)
     }
 
-    /// From the bytes of a file, in the encoding that it declares.
+    /// From the bytes of a file, in the encoding that it declares: UTF-8, UTF-16 with a byte order mark, or, with the feature
+    /// `urdf-encodings`, any other.
     ///
     /// # Errors
-    /// As for [`from_urdf`](Self::from_urdf).
+    /// As for [`from_urdf`](Self::from_urdf), or if the encoding is another one and some byte is not ASCII.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, UrdfError> {
-        let (text, warning) = encoding::text(bytes);
+        let (text, warning) = encoding::text(bytes)?;
         let mut robot = Self::from_urdf(&text)?;
         robot.warnings.splice(..0, warning);
         Ok(robot)
