@@ -159,8 +159,15 @@ impl<R: Copy> Mechanism<'_, R> {
 
     /// How many rates, and columns of a Jacobian, a configuration has.
     #[must_use]
-    #[doc(alias("dof", "nv"))]
+    #[doc(alias("nv"))]
     pub fn rates(&self) -> usize {
+        self.rates
+    }
+
+    /// How many degrees of freedom a configuration has: as many as [`rates`](Self::rates). Floating joints have more
+    /// [`values`](Self::values) than that.
+    #[must_use]
+    pub fn dof(&self) -> usize {
         self.rates
     }
 
@@ -170,6 +177,14 @@ impl<R: Copy> Mechanism<'_, R> {
         let step = self.step(joint)?;
         let first = step.value as usize;
         Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
+    }
+
+    /// Where the rates of a joint are among all, and its columns in a Jacobian; of a joint that mimics, the rate that moves it.
+    #[must_use]
+    pub fn rates_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
+        let step = self.step(joint)?;
+        let first = step.rate as usize;
+        Some(if step.rate == NONE { 0..0 } else { first..first + step.kind.rates() })
     }
 
     /// The limits of a joint, if it has any that bind; [`value_limits`](Self::value_limits) has those of its value, which
