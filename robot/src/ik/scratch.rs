@@ -142,7 +142,13 @@ impl<R: Copy> Reach<'_, R> {
         for step in mechanism.steps {
             twists += step.kind.rates();
         }
-        padded::<R>(Counts::most(mechanism.values, mechanism.rates, twists, slots(mechanism), goals))
+        padded::<R>(Counts::most(
+            mechanism.values,
+            mechanism.rates,
+            twists,
+            slots(mechanism),
+            goals,
+        ))
     }
 
     /// The same for a chain of hinges, slides and threads of which so many have a value and none mimics another, before there

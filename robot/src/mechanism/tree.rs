@@ -11,8 +11,11 @@ use dq8::{Real, ShapeError};
 /// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
 /// each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
 ///
-/// Link j is what joint j carries. Values are one array for each configuration: those of joint 0, then
-/// those of joint 1, and so on; joints that are fixed or mimic have none. Rates have an array of their own.
+/// Link j is what joint j carries, so joints and links have one number; poses, twists and accelerations are indexed by it, and
+/// so are goals. Values are one array for each configuration: those of joint 0, then those of joint 1, and so on; joints that
+/// are fixed or mimic have none, so that value j is not of joint j ([`values_of`](Self::values_of) says which are). Limits and
+/// postures are indexed by value. Rates are numbered in the same way, apart from values, as a floating joint has seven of those
+/// and six rates ([`rates_of`](Self::rates_of)); columns of a Jacobian are indexed by rate.
 ///
 /// ```
 /// use dq8_robot::{Joint, Mechanism, Step};

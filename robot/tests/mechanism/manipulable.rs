@@ -69,7 +69,9 @@ fn hinges(places: &[f64], slides: bool) -> OwnedMechanism<f64> {
 
 #[test]
 fn few_rates_and_few_directions_are_singular() {
-    // Exactly, where fewer than six rates move the link, or it is moved by none.
+    // Exactly, where there are fewer than six rates, or none moves the link.
+    let five = mechanism::<f64>(&crate::reach::seven()[..5]);
+    assert_eq!(of(&five, &[0.3, 0.4, -0.2, -1.0, 0.5], 4), 0.0);
     let arm = hinges(&[0.0, 0.3, 0.4], false);
     assert_eq!(of(&arm, &[0.2, 0.7, 0.1], 2), 0.0);
     let arm = hinges(&[0.0, 0.3], true);

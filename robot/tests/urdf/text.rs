@@ -79,7 +79,8 @@ fn latin(text: &str) -> Vec<u8> {
 /// In both orders of bytes.
 fn wide(text: &str) -> [Vec<u8>; 2] {
     let units: Vec<u16> = format!("\u{feff}{text}").encode_utf16().collect();
-    [u16::to_le_bytes, u16::to_be_bytes].map(|bytes| units.iter().copied().flat_map(bytes).collect())
+    [u16::to_le_bytes, u16::to_be_bytes]
+        .map(|bytes| units.iter().copied().flat_map(bytes).collect())
 }
 
 #[test]
