@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let waves: Vec<_> = (0..5000).map(|i| f32::from(i % 3 == 0)).collect(); // every third one
     let (mut scratch, mut palette) = (vec![DualQuat::IDENTITY; 16 * 5], vec![[0.0; 12]; 5000 * 5]);
     let at = |clip: &OwnedClip<_>, time: f32| -> (Vec<_>, Vec<_>) {
-        (0..5000).map(|i| clip.view().place(time + 0.37 * i as f32)).unzip()
+        (0..5000).map(|i| clip.place(time + 0.37 * i as f32)).unzip()
     };
     let ((frames, t), (frames_of_wave, s)) = (at(&walk, 0.25), at(&wave, 2.5));
     let legs = Sampled::new(NlerpLerp, walk.view(), &frames, &t)?;
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // One that is looked at: its pose, to be changed by hand before it goes to models.
     let (place, mut locals) = ([frames[7]], [DualQuat::IDENTITY; 5]);
     rig.job().locals(Sampled::new(NlerpLerp, walk.view(), &place, &t[7..8])?, &mut locals)?;
-    println!("its hips go {:?} a second", walk.view().between(NlerpLerp, 0, 0.0_f32, 1.0));
+    println!("its hips go {:?} a second", walk.between(NlerpLerp, 0, 0.0_f32, 1.0));
     Ok(())
 }
 

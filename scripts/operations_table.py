@@ -53,6 +53,7 @@ KERNELS = {
     ("DualQuat", "conjugate"): ["conjugate", "conjugate_in_place"],
     ("DualQuat", "nlerp"): ["nlerp", "nlerp_each"],
     ("DualQuat", "sclerp"): ["sclerp", "sclerp_each", "resample", "resample_with_twists"],
+    ("DualQuat", "slerp_lerp"): ["slerp_lerp", "slerp_lerp_each"],
     ("DualQuat", "dlb"): ["dlb"],
     ("DualQuat", "dib"): ["dib_windows"],
     ("DualQuat", "log"): ["log"],

@@ -419,6 +419,26 @@ fn what_holds_many_numbers_is_printed_on_a_line() {
     }
 }
 
+/// As a loader gives it, without a step by way of what it lends.
+#[test]
+fn clips_with_memory_of_their_own_are_asked_as_borrowed_ones() {
+    use dq8::{hierarchy::OwnedClip, law::Nlerp};
+    let keys = [0.0, 0.5, 1.5].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    let walk = OwnedClip::new(1, keys).unwrap().with_rate(4.0).looping();
+    assert_eq!((walk.duration(), walk.frames(), walk.place(0.6875)), (0.5, 3, (0, 0.75)));
+    let at = walk.pose(Nlerp, 0, 0.375).unwrap();
+    assert!(near(at.translation(), [1.0, 0.0, 0.0]) && walk.pose(Nlerp, 1, 0.0).is_none());
+    let moved = walk.between(Nlerp, 0, 0.25, 1.25).unwrap();
+    assert!(near(moved.translation(), [3.0, 0.0, 0.0]), "two rounds");
+}
+
+#[test]
+fn rotations_and_translations_of_slices_are_interpolated_apart() {
+    let (from, to, mut between) = ([a(); 5], [b(); 5], [DualQuat::IDENTITY; 5]);
+    Backend::best().slerp_lerp(&from, &to, 0.25, &mut between).unwrap();
+    assert!(between.iter().all(|pose| pose.abs_diff_eq(a().slerp_lerp(b(), 0.25), LENGTHS)));
+}
+
 #[test]
 fn twists_and_wrenches_pair_and_rest_is_zero() {
     let wrench = Wrench { force: [1.0, 2.0, 3.0], torque: [4.0, 5.0, 6.0] };

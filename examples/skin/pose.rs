@@ -5,6 +5,7 @@ use dq8::{DualQuat, Quat, representation::Affine};
 use gltf::accessor::Dimensions;
 use gltf::animation::Property;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// What moves the nodes of a file.
 #[derive(Debug, Default)]
@@ -12,11 +13,11 @@ pub(crate) struct Animation {
     channels: Vec<(usize, Channel)>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum Channel {
-    Translation(Sampler<3>),
-    Rotation(Sampler<4>),
-    Scale(Sampler<3>),
+    Translation(Rc<Sampler<3>>),
+    Rotation(Rc<Sampler<4>>),
+    Scale(Rc<Sampler<3>>),
 }
 
 impl Animation {
@@ -26,6 +27,8 @@ impl Animation {
         numbers: &[usize],
     ) -> Result<Self, String> {
         let (mut channels, mut moved) = (Vec::new(), HashMap::new());
+        // All channels may have one sampler, whose keys are read once.
+        let mut known: HashMap<_, Channel> = HashMap::new();
         for (index, channel) in numbers.iter().zip(animation.channels()) {
             let place = |what| format!("animation {}, channel {index}: {what}", animation.index());
             let (target, sampler) = (channel.target(), channel.sampler());
@@ -37,19 +40,27 @@ impl Animation {
                     "the {path} of node {node} is what channel {first} moves"
                 )));
             }
-            let vector = || Sampler::read(buffers, &sampler, Dimensions::Vec3);
+            let accessors = (sampler.input().index(), sampler.output().index());
+            let key = (accessors, sampler.interpolation() as u8, property as u8);
+            if let Some(channel) = known.get(&key) {
+                channels.push((node, channel.clone()));
+                continue;
+            }
+            let vector = || Sampler::read(buffers, &sampler, Dimensions::Vec3).map(Rc::new);
             let read = match property {
                 Property::Translation => vector().map(Channel::Translation),
                 Property::Scale => vector().map(Channel::Scale),
                 Property::Rotation => Sampler::read(buffers, &sampler, Dimensions::Vec4)
                     .and_then(Sampler::of_rotations)
-                    .map(Channel::Rotation),
+                    .map(|sampler| Channel::Rotation(Rc::new(sampler))),
                 Property::MorphTargetWeights => {
                     check_weights(buffers, &channel).map_err(place)?;
                     continue;
                 }
             };
-            channels.push((node, read.map_err(place)?));
+            let channel = read.map_err(place)?;
+            known.insert(key, channel.clone());
+            channels.push((node, channel));
         }
         Ok(Self { channels })
     }

@@ -261,6 +261,16 @@ def test_files_are_named_or_given_as_text(robot, rng):
         assert other.links == own.links and other.joints == own.joints
 
 
+def test_files_are_read_in_the_encoding_that_they_declare(tmp_path):
+    declared = '<?xml version="1.0" encoding="ISO-8859-1"?>' + CRANE.replace("hook", "b\xfcgel")
+    path = tmp_path / "crane.urdf"
+    path.write_bytes(declared.encode("latin1"))
+    # As text it is what it is, whatever it declares.
+    for source in (path, path.read_bytes(), declared):
+        robot = dq8.Mechanism.from_urdf(source)
+        assert "b\xfcgel" in robot.links and pickle.loads(pickle.dumps(robot)) == robot
+
+
 def test_mechanisms_of_arrays_are_pickled(rng):
     kinds, axes = ["revolute", "prismatic", "fixed", "planar", "floating"], np.eye(3)[[0, 1, 2, 2, 0]]
     limits = np.tile([-np.inf, np.inf], (5, 1))

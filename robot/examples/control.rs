@@ -11,6 +11,8 @@ use dq8_robot::{Joint, Mechanism, Step};
 /// Six hinges and a tool.
 const AXES: usize = 6;
 const TOOL: usize = AXES;
+/// What one goal for the tool is computed in.
+const SCRATCH: usize = Reach::<f32>::chain_scratch_bound(AXES, 1);
 
 /// Makes the angles follow a target, one tick after the other. How far off it was at worst, in metres.
 fn run(
@@ -25,7 +27,7 @@ fn run(
         _ => Joint::revolute(index.checked_sub(1), up, if index % 2 == 0 { z } else { x }),
     });
     let (mut steps, mut freedoms) = ([Step::default(); AXES + 1], [Freedom::default(); AXES]);
-    let (goals, mut scratch) = ([Goal::pose(TOOL)], [0.0; 256]);
+    let (goals, mut scratch) = ([Goal::pose(TOOL)], [0.0; SCRATCH]);
     let arm = Mechanism::new(&joints, &mut steps)?;
     let reach = Reach::new(arm, &goals, &mut freedoms)?;
     let mut worst = 0.0_f32;

@@ -3,6 +3,8 @@
 //! Motions are dual quaternions of [`dq8`], one configuration at a time in any [`Real`](dq8::Real) number, or many on
 //! the lanes of the CPU.
 //!
+//! The `guide` (feature `urdf`) goes from a file to inverse kinematics, and says which array is indexed by what.
+//!
 //! | item | what it is |
 //! |---|---|
 //! | [`Joint`], [`JointKind`], [`Mimic`] | how a link is joined to the one that carries it |
@@ -12,7 +14,7 @@
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
 //! | [`JointValues`] | how values of many configurations lie in memory |
 //! | [`Reach`], [`Goal`], [`ik`] | inverse kinematics: which values bring links to their targets |
-//! | [`OwnedReach`] | the same with memory of its own (feature `alloc`) |
+//! | [`OwnedReach`], [`OwnedSixAxisArm`](ik::OwnedSixAxisArm) | problems and arms with memory of their own (feature `alloc`) |
 //! | [`SixAxisArm`](ik::SixAxisArm) | all ways in which an arm of six hinges reaches a target: elbow up and down, shoulder left and right, wrist flipped or not |
 //! | `urdf` | robots from files (feature `urdf`) |
 //!
@@ -63,13 +65,19 @@
 //!
 //! # Features
 //!
-//! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files; `defmt` formats errors and reports.
+//! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files, and `urdf-encodings` those
+//! that are in neither UTF-8 nor UTF-16; `defmt` formats errors and reports.
 #![cfg_attr(not(feature = "urdf"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
+
+/// A page of documentation: robots, from a file to inverse kinematics, and what is indexed by what.
+#[cfg(feature = "urdf")]
+#[doc = include_str!("guide.md")]
+pub mod guide {}
 
 pub mod ik;
 mod mechanism;

@@ -96,6 +96,43 @@ fn a_robot_is_printed_as_the_tree_of_its_links() {
 }
 
 #[test]
+fn degrees_of_freedom_speeds_and_manipulability_are_asked_of_the_robot() {
+    let limited = ELBOW.replacen("<axis", "<limit velocity=\"2.5\"/><axis", 1);
+    let robot: Robot = limited.parse().expect("a robot");
+    assert_eq!(robot.velocity_limits(), [2.5, f64::INFINITY]);
+    assert_eq!((robot.mechanism().dof(), robot.value_drives().len()), (2, 2));
+    let elbow = robot.joint("elbow").expect("a joint");
+    assert_eq!((robot.mechanism().values_of(elbow), robot.drives().len()), (Some(1..2), 4));
+    let mut columns = [dq8::Twist::ZERO; 2];
+    let planar = robot.mechanism().manipulability(&[0.3, 0.4], 3, &mut columns);
+    assert_eq!(planar, Ok(0.0), "two hinges move nothing in six directions");
+}
+
+/// A floating base has seven values and six rates, and what mimics has those of its leader.
+#[test]
+fn what_a_robot_says_of_values_and_of_rates_is_found_by_its_joint() {
+    let limited = ELBOW.replacen("<axis", "<limit velocity=\"2.5\"/><axis", 1);
+    let limited = limited.replacen(
+        "<axis xyz=\"0 0 1\"/></joint>\n  <joint name=\"flange",
+        "<axis xyz=\"0 0 1\"/><mimic joint=\"shoulder\"/></joint>\n  <joint name=\"flange",
+        1,
+    );
+    let robot: Robot = limited.parse().expect("a robot");
+    let robot = robot.floating().expect("a robot that floats");
+    let arm = robot.mechanism();
+    let of = |name| robot.joint(name).expect("a joint");
+    let of_shoulder = (arm.values_of(of("shoulder")), arm.rates_of(of("shoulder")));
+    assert_eq!(of_shoulder, (Some(7..8), Some(6..7)));
+    assert_eq!((arm.values_of(of("elbow")), arm.rates_of(of("elbow"))), of_shoulder);
+    assert_eq!(arm.rates_of(of("flange")), Some(0..0));
+    assert_eq!((arm.rates_of(99), arm.dof(), arm.values()), (None, 7, 8));
+    let speeds = robot.velocity_limits();
+    assert_eq!(speeds, [[f64::INFINITY; 6].as_slice(), &[2.5]].concat());
+    let drives = robot.value_drives().into_iter().map(|drive| drive.velocity);
+    assert!(drives.eq([[f64::INFINITY; 7].as_slice(), &[2.5]].concat()));
+}
+
+#[test]
 fn values_are_within_limits_or_not_and_so_is_what_mimics() {
     let hinge =
         Joint::revolute(None, DualQuat::<f64>::IDENTITY, [0.0, 0.0, 1.0]).with_limits([-1.0, 2.0]);

@@ -1,5 +1,6 @@
 use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::Backend;
+use crate::batch::DualQuat;
 use crate::law::{Law, Nlerp, Sclerp};
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Tile};
@@ -82,10 +83,75 @@ impl Backend {
         same_length("t", t.len(), a.len())?;
         interpolate(self, Sclerp, a, b, Many(t), between)
     }
+
+    /// `between[i]` = rotation by SLERP and translation by LERP, each for itself; see
+    /// [`DualQuat::slerp_lerp`](crate::DualQuat::slerp_lerp).
+    ///
+    /// # Errors
+    /// If the slices differ in length; `between` is untouched.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat, Quat};
+    /// let turn = Quat::from_rotation_z(core::f32::consts::FRAC_PI_2);
+    /// let (a, b) = ([DualQuat::IDENTITY; 3], [DualQuat::from_rotation_translation(turn, [4.0, 0.0, 0.0]); 3]);
+    /// let mut between = a;
+    /// Backend::best().slerp_lerp(&a, &b, 0.25, &mut between)?;
+    /// let [x, y, _] = between[2].translation();
+    /// assert!((x - 1.0).abs() < 1e-6 && y.abs() < 1e-6); // straight, where `sclerp` goes on an arc
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    #[inline]
+    pub fn slerp_lerp<E: Element<8>>(
+        self,
+        a: &[E],
+        b: &[E],
+        t: Number<E, 8>,
+        between: &mut [E],
+    ) -> Result<(), ShapeError> {
+        interpolate(self, SlerpLerp, a, b, One(t), between)
+    }
+
+    /// [`slerp_lerp`](Self::slerp_lerp) with a t for each, in the precision of the motions.
+    ///
+    /// # Errors
+    /// If the slices differ in length; `between` is untouched.
+    #[inline]
+    pub fn slerp_lerp_each<E: Element<8>, T: Element<1, Layout = E::Layout>>(
+        self,
+        a: &[E],
+        b: &[E],
+        t: &[T],
+        between: &mut [E],
+    ) -> Result<(), ShapeError> {
+        same_length("t", t.len(), a.len())?;
+        interpolate(self, SlerpLerp, a, b, Many(t), between)
+    }
+}
+
+/// How a motion lies between two others: by a law of clips, or by what none of them follows.
+trait Between: Copy + Sync {
+    fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8];
+}
+
+impl<W: Law<8>> Between for W {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8] {
+        Law::between(self, a, b, t)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct SlerpLerp;
+
+impl Between for SlerpLerp {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8] {
+        DualQuat::from_array(a).slerp_lerp(DualQuat::from_array(b), t).to_array()
+    }
 }
 
 #[inline]
-fn interpolate<E: Element<8>, W: Law<8>, T: Parameter<E>>(
+fn interpolate<E: Element<8>, W: Between, T: Parameter<E>>(
     backend: Backend,
     law: W,
     a: &[E],
@@ -136,7 +202,7 @@ pub(super) struct Interpolation<'s, E, W, T> {
     pub(super) t: T,
 }
 
-impl<E: Element<8>, W: Law<8>, T: Parameter<E>> SliceKernel<E, 8> for Interpolation<'_, E, W, T> {
+impl<E: Element<8>, W: Between, T: Parameter<E>> SliceKernel<E, 8> for Interpolation<'_, E, W, T> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Things<E, V, 8> {
         let a = E::load(level, self.a, tile, &storage::identity())?;

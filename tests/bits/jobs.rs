@@ -98,6 +98,8 @@ fn slices(
     both!(say "sclerp_each", to: zero, k.sclerp_each(a, b, t, &mut to), k.sclerp_each(&ba, &bb, &bt, &mut to));
     both!(say "nlerp", to: zero, k.nlerp(a, b, t[0], &mut to), k.nlerp(&ba, &bb, t[0], &mut to));
     both!(say "sclerp", to: zero, k.sclerp(a, b, t[0], &mut to), k.sclerp(&ba, &bb, t[0], &mut to));
+    both!(say "slerp_lerp_each", to: zero, k.slerp_lerp_each(a, b, t, &mut to), k.slerp_lerp_each(&ba, &bb, &bt, &mut to));
+    both!(say "slerp_lerp", to: zero, k.slerp_lerp(a, b, t[0], &mut to), k.slerp_lerp(&ba, &bb, t[0], &mut to));
     both!(say "pow_each", to: zero, k.pow_each(a, t, &mut to), k.pow_each(&ba, &bt, &mut to));
     both!(say "dlb", to: zero, k.dlb([(&a[..], &t[..]), (b, t), (c, t)], &mut to),
         k.dlb([(&ba[..], &bt[..]), (&bb, &bt), (&bc, &bt)], &mut to));

@@ -18,7 +18,7 @@ use dq8_robot::{Joint, MechanismError, OwnedMechanism};
 use numpy::PyArray1;
 use numpy::prelude::*;
 use pyo3::prelude::*;
-use pyo3::types::{PyTuple, PyType};
+use pyo3::types::{PyBytes, PyTuple, PyType};
 
 /// A tree of joints: a robot, from a URDF file or from arrays.
 ///
@@ -64,8 +64,8 @@ pub struct Mechanism {
     pub double: OwnedMechanism<f64>,
     /// Lengths may be beyond `f32`.
     pub single: Result<OwnedMechanism<f32>, MechanismError>,
-    /// The name of the robot and the text of the file.
-    pub urdf: Option<(String, String)>,
+    /// The name of the robot and the bytes of the file.
+    pub urdf: Option<(String, Vec<u8>)>,
 }
 
 #[pymethods]
@@ -107,8 +107,8 @@ impl Mechanism {
     ///
     /// Parameters
     /// ----------
-    /// source : str or os.PathLike
-    ///     The file; or its text, if the first thing in it is ``<``.
+    /// source : str, bytes or os.PathLike
+    ///     The file, in any encoding that it declares; or its bytes; or its text, if the first thing in it is ``<``.
     ///
     /// Returns
     /// -------
@@ -197,7 +197,8 @@ impl Mechanism {
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let (py, own) = (slf.py(), slf.get());
         if let Some((_, urdf)) = &own.urdf {
-            return Ok((slf.get_type().getattr("from_urdf")?, PyTuple::new(py, [urdf])?));
+            let bytes = PyTuple::new(py, [PyBytes::new(py, urdf)])?;
+            return Ok((slf.get_type().getattr("from_urdf")?, bytes));
         }
         let arguments = joints::arrays_of(&own.joints, &own.drives, own.links.clone());
         Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))

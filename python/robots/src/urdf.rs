@@ -5,26 +5,27 @@ use crate::mechanism::Mechanism;
 use dq8_robot::OwnedMechanism;
 use dq8_robot::urdf::Robot;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::PyBytes;
 
-/// The text of a file; or the text that is given, if the first thing in it is `<`.
-fn text_of(source: &Bound<'_, PyAny>) -> PyResult<String> {
+/// The bytes of a file; or those that are given, or of the text that is given, if the first thing in it is `<`.
+fn bytes_of(source: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
+    if let Ok(bytes) = source.cast::<PyBytes>() {
+        return Ok(bytes.as_bytes().to_vec());
+    }
     if let Ok(text) = source.extract::<String>()
         && text.trim_start().starts_with('<')
     {
-        return Ok(text);
+        // It is UTF-8 here, whatever it declares.
+        return Ok(format!("\u{feff}{text}").into_bytes());
     }
-    let py = source.py();
-    let path = py.import("pathlib")?.call_method1("Path", (source,))?;
-    let options = PyDict::new(py);
-    options.set_item("encoding", "utf-8-sig")?;
-    path.call_method("read_text", (), Some(&options))?.extract()
+    let path = source.py().import("pathlib")?.call_method1("Path", (source,))?;
+    path.call_method0("read_bytes")?.extract()
 }
 
-/// The robot of a file, or of its text.
+/// The robot of a file, or of what is in it.
 pub(crate) fn mechanism_of(source: &Bound<'_, PyAny>) -> PyResult<Mechanism> {
-    let text = text_of(source)?;
-    let robot = Robot::from_urdf(&text).map_err(value_error)?;
+    let bytes = bytes_of(source)?;
+    let robot = Robot::from_bytes(&bytes).map_err(value_error)?;
     let joints = robot.joints().to_vec();
     Ok(Mechanism {
         links: robot.link_names().to_vec(),
@@ -33,6 +34,6 @@ pub(crate) fn mechanism_of(source: &Bound<'_, PyAny>) -> PyResult<Mechanism> {
         single: robot.cast(),
         drives: robot.drives().to_vec(),
         joints,
-        urdf: Some((robot.name().to_owned(), text)),
+        urdf: Some((robot.name().to_owned(), bytes)),
     })
 }

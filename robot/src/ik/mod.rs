@@ -39,6 +39,8 @@ mod model;
 mod normal;
 #[cfg(feature = "alloc")]
 mod owned;
+#[cfg(feature = "alloc")]
+mod owned_arm;
 mod problem;
 mod range;
 mod rates;
@@ -64,6 +66,8 @@ pub use goal::Goal;
 pub use job::ReachJob;
 #[cfg(feature = "alloc")]
 pub use owned::OwnedReach;
+#[cfg(feature = "alloc")]
+pub use owned_arm::OwnedSixAxisArm;
 pub use problem::Reach;
 pub use report::{Options, Outcome, Report};
 pub use six_axis::SixAxisArm;

@@ -142,11 +142,27 @@ impl<R: Copy> Reach<'_, R> {
         for step in mechanism.steps {
             twists += step.kind.rates();
         }
-        let (values, freedoms) = (mechanism.values, mechanism.rates);
-        let (rows, slots) = (goals.saturating_mul(6), slots(mechanism));
-        // A pose alone has no such system.
-        let tree = if rows > 6 { triangle(freedoms) } else { 0 };
-        padded::<R>(Counts { values, twists, slots, goals, freedoms, rows, tree }.numbers())
+        padded::<R>(Counts::most(
+            mechanism.values,
+            mechanism.rates,
+            twists,
+            slots(mechanism),
+            goals,
+        ))
+    }
+
+    /// The same for a chain of hinges, slides and threads of which so many have a value and none mimics another, before there
+    /// is a mechanism: the length of an array in memory of a fixed size. Fixed joints take nothing.
+    ///
+    /// ```
+    /// use dq8_robot::ik::Reach;
+    /// const SCRATCH: usize = Reach::<f32>::chain_scratch_bound(6, 1);
+    /// let scratch = [0.0_f32; SCRATCH];
+    /// assert_eq!(scratch.len(), 215);
+    /// ```
+    #[must_use]
+    pub const fn chain_scratch_bound(values: usize, goals: usize) -> usize {
+        padded::<R>(Counts::most(values, values, values, 1, goals))
     }
 
     /// How many numbers a [`ReachJob`](super::ReachJob) needs to compute in, with any instructions.
@@ -180,8 +196,22 @@ impl Counts {
         }
     }
 
+    /// How many numbers a lane needs at most, of goals for whole poses.
+    const fn most(
+        values: usize,
+        freedoms: usize,
+        twists: usize,
+        slots: usize,
+        goals: usize,
+    ) -> usize {
+        let rows = goals.saturating_mul(6);
+        // A pose alone has no such system.
+        let tree = if goals > 1 { triangle(freedoms) } else { 0 };
+        Self { values, twists, slots, goals, freedoms, rows, tree }.numbers()
+    }
+
     /// How many numbers a lane needs; as many as can be counted where it is more, which no memory has.
-    fn numbers(&self) -> usize {
+    const fn numbers(&self) -> usize {
         let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
         let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));
         let goals = self.goals.saturating_mul(GOAL).saturating_add(self.rows.saturating_mul(4));
@@ -192,11 +222,11 @@ impl Counts {
         values.saturating_add(freedoms).saturating_add(rest).saturating_add(tree)
     }
 
-    fn right(&self) -> usize {
+    const fn right(&self) -> usize {
         if self.tree > 0 { self.freedoms } else { 0 }
     }
 
-    fn bodies(&self) -> usize {
+    const fn bodies(&self) -> usize {
         if self.tree > 0 { self.slots } else { 0 }
     }
 }
@@ -217,11 +247,11 @@ pub(super) fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
 }
 
 /// With what aligns it to lines of the cache.
-fn padded<R>(numbers: usize) -> usize {
+const fn padded<R>(numbers: usize) -> usize {
     numbers.saturating_add(LINE / size_of::<R>())
 }
 
-fn triangle(rows: usize) -> usize {
+const fn triangle(rows: usize) -> usize {
     rows.saturating_mul(rows.saturating_add(1)) / 2
 }
 

@@ -11,6 +11,7 @@ mod jacobians;
 mod job;
 pub(crate) mod joint;
 pub(crate) mod limits;
+mod manipulability;
 #[cfg(feature = "alloc")]
 pub(crate) mod owned;
 pub(crate) mod placed;

@@ -11,8 +11,11 @@ use dq8::{Real, ShapeError};
 /// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
 /// each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
 ///
-/// Link j is what joint j carries. Values are one array for each configuration: those of joint 0, then
-/// those of joint 1, and so on; joints that are fixed or mimic have none. Rates have an array of their own.
+/// Link j is what joint j carries, so joints and links have one number; poses, twists and accelerations are indexed by it, and
+/// so are goals. Values are one array for each configuration: those of joint 0, then those of joint 1, and so on; joints that
+/// are fixed or mimic have none, so that value j is not of joint j ([`values_of`](Self::values_of) says which are). Limits and
+/// postures are indexed by value. Rates are numbered in the same way, apart from values, as a floating joint has seven of those
+/// and six rates ([`rates_of`](Self::rates_of)); columns of a Jacobian are indexed by rate.
 ///
 /// ```
 /// use dq8_robot::{Joint, Mechanism, Step};
@@ -159,8 +162,15 @@ impl<R: Copy> Mechanism<'_, R> {
 
     /// How many rates, and columns of a Jacobian, a configuration has.
     #[must_use]
-    #[doc(alias("dof", "nv"))]
+    #[doc(alias("nv"))]
     pub fn rates(&self) -> usize {
+        self.rates
+    }
+
+    /// How many degrees of freedom a configuration has: as many as [`rates`](Self::rates). Floating joints have more
+    /// [`values`](Self::values) than that.
+    #[must_use]
+    pub fn dof(&self) -> usize {
         self.rates
     }
 
@@ -170,6 +180,14 @@ impl<R: Copy> Mechanism<'_, R> {
         let step = self.step(joint)?;
         let first = step.value as usize;
         Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
+    }
+
+    /// Where the rates of a joint are among all, and its columns in a Jacobian; of a joint that mimics, the rate that moves it.
+    #[must_use]
+    pub fn rates_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
+        let step = self.step(joint)?;
+        let first = step.rate as usize;
+        Some(if step.rate == NONE { 0..0 } else { first..first + step.kind.rates() })
     }
 
     /// The limits of a joint, if it has any that bind; [`value_limits`](Self::value_limits) has those of its value, which

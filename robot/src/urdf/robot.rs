@@ -10,6 +10,7 @@ use dq8::seams::brief;
 use dq8::{DualQuat, Real, Skeleton};
 use std::collections::HashMap;
 use std::fmt;
+use std::iter::repeat_n;
 use std::path::Path;
 
 /// The mechanism of a file, and its names.
@@ -51,12 +52,13 @@ impl Robot {
         Self::from_bytes(&bytes)
     }
 
-    /// From the bytes of a file, in the encoding that it declares.
+    /// From the bytes of a file, in the encoding that it declares: UTF-8, UTF-16 with a byte order mark, or, with the feature
+    /// `urdf-encodings`, any other.
     ///
     /// # Errors
-    /// As for [`from_urdf`](Self::from_urdf).
+    /// As for [`from_urdf`](Self::from_urdf), or if the encoding is another one and some byte is not ASCII.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, UrdfError> {
-        let (text, warning) = encoding::text(bytes);
+        let (text, warning) = encoding::text(bytes)?;
         let mut robot = Self::from_urdf(&text)?;
         robot.warnings.splice(..0, warning);
         Ok(robot)
@@ -177,14 +179,30 @@ impl Robot {
     /// ```
     #[must_use]
     pub fn value_drives(&self) -> Vec<Drive> {
-        let view = self.mechanism.view();
-        let mut drives = vec![Drive::FREE; view.values()];
-        for (joint, (from, &drive)) in self.joints.iter().zip(&self.drives).enumerate() {
-            if let (None, Some(range)) = (from.mimic, view.values_of(joint)) {
-                drives.get_mut(range).unwrap_or_default().fill(drive);
-            }
-        }
-        drives
+        self.drives_of(JointKind::values).collect()
+    }
+
+    /// The greatest speed of each rate, as many as [`Mechanism::rates`]: that of its joint, radians or lengths in a second,
+    /// infinite where the file has none. As Python has it, and pinocchio's `velocityLimit`.
+    ///
+    /// ```
+    /// # use dq8_robot::urdf::Robot;
+    /// let robot = Robot::from_urdf(
+    ///     "<robot name='door'><link name='wall'/><link name='door'/><joint name='hinge' type='revolute'>
+    ///      <parent link='wall'/><child link='door'/><limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
+    /// )?;
+    /// assert_eq!(robot.velocity_limits(), [1.5]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn velocity_limits(&self) -> Vec<f64> {
+        self.drives_of(JointKind::rates).map(|drive| drive.velocity).collect()
+    }
+
+    /// Each as many times as its joint has a number of its own.
+    fn drives_of(&self, numbers: fn(&JointKind<f64>) -> usize) -> impl Iterator<Item = Drive> {
+        let own = self.joints.iter().zip(&self.drives).filter(|(joint, _)| joint.mimic.is_none());
+        own.flat_map(move |(joint, &drive)| repeat_n(drive, numbers(&joint.kind)))
     }
 
     /// The names of the links: link j of the mechanism.

@@ -72,10 +72,17 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
         rest = after;
     }
     out.push_str(rest);
-    let unknown = used.difference(&declared);
+    let unknown: Vec<_> = used.difference(&declared).collect();
+    let root = root.unwrap_or_default();
+    // They become attributes of the root, and the strict reader looks through all of them for each name.
+    if unknown.len() > ATTRIBUTES {
+        let (line, element) = (newlines(&out[..root]).count() as u32 + 1, "<robot>".into());
+        let what = format!("its names have more than {ATTRIBUTES} prefixes");
+        return Err(UrdfError::Unexpected { line, element, what });
+    }
     let declarations: String =
-        unknown.map(|prefix| format!(" xmlns:{prefix}=\"{prefix}\"")).collect();
-    out.insert_str(root.unwrap_or_default(), &declarations);
+        unknown.iter().map(|prefix| format!(" xmlns:{prefix}=\"{prefix}\"")).collect();
+    out.insert_str(root, &declarations);
     Ok(out)
 }
 

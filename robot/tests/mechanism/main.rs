@@ -8,6 +8,7 @@ mod errors;
 mod far;
 mod hinge;
 mod jobs;
+mod manipulable;
 mod reach;
 mod single;
 mod solutions;

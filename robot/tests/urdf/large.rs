@@ -62,9 +62,9 @@ fn errors_at_the_end_come_as_soon() {
     assert!(error.to_string().starts_with("line 3: more than one <link> is a root"));
 }
 
-/// A strict reader of XML compares each attribute with all others.
+/// A strict reader of XML compares each attribute with all others, and each prefix with all that are declared.
 #[test]
-fn more_attributes_than_a_reader_compares_in_time_are_refused_with_their_line() {
+fn more_attributes_or_prefixes_than_a_reader_compares_in_time_are_refused_with_their_line() {
     let element = |count: usize| {
         let attributes: String = (0..count).map(|i| format!(" a{i}='='")).collect();
         format!("<robot name='r'>\n<link name='a'{attributes}/></robot>")
@@ -72,4 +72,11 @@ fn more_attributes_than_a_reader_compares_in_time_are_refused_with_their_line() 
     let error = Robot::from_urdf(&element(40_000)).unwrap_err().to_string();
     assert_eq!(error, "not a URDF file: line 2: <link>: it has more than 1000 attributes");
     assert_eq!(Robot::from_urdf(&element(900)).unwrap().warnings().len(), 900);
+    let prefixes = |count: usize| {
+        let names: String = (0..count).map(|i| format!("<p{i}:x/>")).collect();
+        format!("\n<!-- \n --><robot name='r'>\n<link name='a'/>{names}</robot>")
+    };
+    let error = Robot::from_urdf(&prefixes(40_000)).unwrap_err().to_string();
+    assert_eq!(error, "not a URDF file: line 3: <robot>: its names have more than 1000 prefixes");
+    assert_eq!(Robot::from_urdf(&prefixes(900)).unwrap().warnings().len(), 900);
 }

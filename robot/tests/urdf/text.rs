@@ -66,27 +66,68 @@ fn comments_numbers_and_prefixes_are_written_in_any_way_that_others_read() {
     }
 }
 
+/// The file with "Büro" as the name of the robot and in a comment, and this declaration.
+fn declared(encoding: &str) -> String {
+    let body = body().replace("\"case\"", "\"B\u{fc}ro\"");
+    format!("<?xml version=\"1.0\" encoding=\"{encoding}\"?>\n<!-- B\u{fc}ro -->\n{body}")
+}
+
+fn latin(text: &str) -> Vec<u8> {
+    text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect()
+}
+
+/// In both orders of bytes.
+fn wide(text: &str) -> [Vec<u8>; 2] {
+    let units: Vec<u16> = format!("\u{feff}{text}").encode_utf16().collect();
+    [u16::to_le_bytes, u16::to_be_bytes]
+        .map(|bytes| units.iter().copied().flat_map(bytes).collect())
+}
+
+#[test]
+fn unicode_is_read_by_its_byte_order_mark_or_as_it_is_declared() {
+    let mut files = vec![declared("UTF-8"), declared("utf8"), declared("UTF-16")];
+    files.push(format!("\u{feff}{}", declared("ISO-8859-1")));
+    let mut files: Vec<_> = files.into_iter().map(String::into_bytes).collect();
+    files.extend(wide(&declared("UTF-16")));
+    for file in files {
+        let robot = stands(&file, "tip");
+        assert_eq!((robot.name(), robot.warnings()), ("B\u{fc}ro", &[][..]));
+    }
+    // Of ASCII alone it does not matter.
+    let ascii = format!("<?xml version='1.0' encoding='latin1'?>{}", body());
+    assert_eq!(stands(ascii.as_bytes(), "tip").warnings(), []);
+}
+
+#[test]
+fn bytes_that_are_not_in_the_encoding_are_replaced_with_a_warning() {
+    // Others do not look at the encoding at all.
+    let undeclared = format!("\n<!-- B\u{fc}ro -->{}", body());
+    let mut files = vec![(latin(&declared("UTF-8")), "UTF-8"), (latin(&undeclared), "UTF-8")];
+    let [mut little, mut big] = wide(&declared("UTF-16"));
+    // Half of a pair instead of a letter.
+    for (file, letter, half) in
+        [(&mut little, [0xfc, 0], [0, 0xd8]), (&mut big, [0, 0xfc], [0xd8, 0])]
+    {
+        let at = file.windows(2).position(|unit| unit == letter).unwrap();
+        file[at..at + 2].copy_from_slice(&half);
+    }
+    files.extend([(little, "UTF-16LE"), (big, "UTF-16BE")]);
+    for (file, encoding) in files {
+        let wanted = format!("line 2: <?xml?>: bytes that are not {encoding} are read as \u{fffd}");
+        assert_eq!(stands(&file, "tip").warnings()[0].to_string(), wanted);
+    }
+    // Half of a unit at the end is no space.
+    let cut = [&wide(body())[0][..], b" "].concat();
+    assert!(matches!(Robot::from_bytes(&cut), Err(UrdfError::Parse { .. })));
+}
+
+#[cfg(feature = "urdf-encodings")]
 #[test]
 fn text_is_in_the_encoding_that_is_declared() {
-    // "Büro", as a comment and as the name of the robot.
-    let declared = |encoding: &str| {
-        let body = body();
-        format!("<?xml version=\"1.0\" encoding=\"{encoding}\"?>\n<!-- B\u{fc}ro -->\n{body}")
-    };
-    let named = |encoding: &str| declared(encoding).replace("\"case\"", "\"B\u{fc}ro\"");
-    let latin = |text: String| {
-        text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect::<Vec<_>>()
-    };
     let mut files: Vec<Vec<u8>> = ["ISO-8859-1", "iso-8859-15", "latin1", "windows-1252"]
-        .map(|name| latin(named(name)))
+        .map(|name| latin(&declared(name)))
         .into();
-    files.push(named("UTF-8").into());
-    files.push(named("UTF-16").into());
-    files.push(format!("\u{feff}{}", named("ISO-8859-1")).into());
-    let wide: Vec<u16> = format!("\u{feff}{}", named("UTF-16")).encode_utf16().collect();
-    files.push(wide.iter().flat_map(|unit| unit.to_le_bytes()).collect());
-    files.push(wide.iter().flat_map(|unit| unit.to_be_bytes()).collect());
-    files.push(latin(format!("<!-- {} -->{}", "encoding='utf-8'", named("latin1"))));
+    files.push(latin(&format!("<!-- {} -->{}", "encoding='utf-8'", declared("latin1"))));
     for file in files {
         let robot = stands(&file, "tip");
         assert_eq!((robot.name(), robot.warnings()), ("B\u{fc}ro", &[][..]));
@@ -96,34 +137,33 @@ fn text_is_in_the_encoding_that_is_declared() {
     let named = body().replace("case", "\u{1}");
     koi.extend(named.bytes().map(|byte| if byte == 1 { 0xd2 } else { byte }));
     assert_eq!(stands(&koi, "tip").name(), "\u{440}");
+    assert_eq!(
+        stands(declared("klingon").as_bytes(), "tip").warnings()[0].to_string(),
+        "line 1: <?xml?>: the encoding \"klingon\" is unknown and read as UTF-8"
+    );
+}
 
-    // Others do not look at the encoding at all.
-    for (file, wanted) in [
-        (
-            latin(declared("UTF-8")),
-            "line 2: <?xml?>: bytes that are not UTF-8 are read as \u{fffd}",
-        ),
-        (
-            latin(format!("\n<!-- B\u{fc}ro -->{}", body())),
-            "line 2: <?xml?>: bytes that are not UTF-8 are read as \u{fffd}",
-        ),
-        (
-            declared("klingon").into(),
-            "line 1: <?xml?>: the encoding \"klingon\" is unknown and read as UTF-8",
-        ),
-    ] {
-        assert_eq!(stands(&file, "tip").warnings()[0].to_string(), wanted);
+#[cfg(not(feature = "urdf-encodings"))]
+#[test]
+fn other_encodings_ask_for_their_feature() {
+    for name in ["ISO-8859-1", "latin1", "windows-1252", "koi8-r", "klingon"] {
+        let error = Robot::from_bytes(&latin(&declared(name))).unwrap_err();
+        let wanted = format!(
+            "the file is in the encoding \"{name}\", which dq8-robot reads with its feature urdf-encodings; save it as UTF-8, or \
+             switch that on"
+        );
+        assert_eq!(error.to_string(), wanted);
     }
 }
 
 #[test]
 fn a_file_is_read_as_its_bytes_are() {
     let path = std::env::temp_dir().join(format!("dq8-urdf-{}.urdf", std::process::id()));
-    let comment = b"<?xml version='1.0' encoding='latin1'?><!-- \xfc -->";
-    std::fs::write(&path, [comment, body().as_bytes()].concat()).unwrap();
+    let [wide, _] = wide(&declared("UTF-16"));
+    std::fs::write(&path, wide).unwrap();
     let robot = Robot::from_file(&path);
     std::fs::remove_file(&path).unwrap();
-    assert_eq!(robot.unwrap().value_names(), ["hinge"]);
+    assert_eq!(robot.unwrap().name(), "B\u{fc}ro");
 }
 
 #[test]

@@ -37,3 +37,23 @@ fn a_problem_that_owns_its_memory_follows_one_goal_as_the_borrowed_one_does() {
     assert_eq!((Ok(report), values), (other, others));
     assert_eq!(report.restarts, 0);
 }
+
+/// Known before there is a mechanism.
+#[test]
+fn the_scratch_of_a_chain_is_that_of_its_mechanism() {
+    const SEVEN: usize = Reach::<f64>::chain_scratch_bound(7, 1);
+    let lengths = [0.5; 9];
+    for (joints, values) in
+        (1..9).map(|count| (planar(&lengths[..count]), count)).chain([(seven(), 7)])
+    {
+        let arm = mechanism::<f64>(&joints);
+        for goals in 1..4 {
+            let bound = Reach::<f64>::chain_scratch_bound(values, goals);
+            assert_eq!(bound, Reach::scratch_bound(arm.view(), goals), "{values} {goals}");
+        }
+        let reach = OwnedReach::new(arm, Goal::pose(values)).expect("a problem");
+        assert_eq!(reach.view().scratch_len(), Reach::<f64>::chain_scratch_bound(values, 1));
+    }
+    // As the guide says.
+    assert_eq!((SEVEN, Reach::<f32>::chain_scratch_bound(7, 1)), (227, 235));
+}

@@ -3,6 +3,7 @@
 mod counts;
 mod edges;
 mod near;
+mod owned;
 mod refused;
 mod wrist;
 
