@@ -55,19 +55,31 @@ impl<K> OwnedClip<K> {
     /// See [`Clip::duration`].
     #[must_use]
     pub fn duration(&self) -> f64 {
-        self.view().duration()
+        self.timing.duration()
     }
 
     /// See [`Clip::frames`].
     #[must_use]
     pub fn frames(&self) -> usize {
-        self.frames
+        self.timing.frames
+    }
+
+    /// See [`Clip::rate`].
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        self.timing.rate
+    }
+
+    /// See [`Clip::loops`].
+    #[must_use]
+    pub fn loops(&self) -> bool {
+        self.timing.loops
     }
 
     /// See [`Clip::place`].
     #[must_use]
     pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
-        self.view().place(at)
+        self.timing.place(at)
     }
 
     /// See [`Clip::pose`].
