@@ -202,8 +202,12 @@ impl<'a> PlacedTracks<'a, '_> {
         let padded;
         let mut lanes = places.get(first..).unwrap_or_default();
         if lanes.len() < L::LANES {
-            padded = repeat(lanes, *places.last()?);
-            lanes = &padded;
+            lanes = if L::LANES == 1 {
+                core::slice::from_ref(places.last()?)
+            } else {
+                padded = repeat(lanes, *places.last()?);
+                &padded
+            };
         }
         if column >= columns {
             return None;
@@ -263,8 +267,12 @@ impl<'a> PlacedTracks<'a, '_> {
         let padded;
         let mut lanes = row.get(first..).unwrap_or_default();
         if lanes.len() < L::LANES {
-            padded = repeat(lanes, *row.last()?);
-            lanes = &padded;
+            lanes = if L::LANES == 1 {
+                core::slice::from_ref(row.last()?)
+            } else {
+                padded = repeat(lanes, *row.last()?);
+                &padded
+            };
         }
         let from = self.tracks.keys.as_ptr();
         // SAFETY: there are as many entries as lanes, all of the row of the place; by the check of the rows a key and the

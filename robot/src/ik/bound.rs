@@ -18,13 +18,13 @@ impl<R: Real> Reach<'_, R> {
         let mut link = goal.link;
         // From the link to the base. What lies below the lowest joint that moves is rigid: it places the centre, and adds
         // nothing to the distance, so the base is kept at the last joint with a value.
-        let (mut length, mut base) = (vector::norm(goal.point), None);
+        let (mut length, mut base) = (norm(goal.point), None);
         while let Some(step) = self.mechanism.step(link) {
             if step.kind.values() > 0 {
                 length += self.slide(step);
                 base = Some((link, length));
             }
-            length += vector::norm(step.placement().translation());
+            length += norm(step.placement().translation());
             link = step.parent as usize;
         }
         let (mut link, length) = base.filter(|(_, length)| length.is_finite())?;
@@ -61,11 +61,11 @@ impl<R: Real> Reach<'_, R> {
     pub(super) fn typical_length(&self) -> R {
         let mut longest = R::ZERO;
         for goal in self.goals {
-            let (mut length, mut link) = (vector::norm(goal.point), goal.link);
+            let (mut length, mut link) = (norm(goal.point), goal.link);
             while let Some(step) = self.mechanism.step(link) {
                 let slide = self.slide(step);
                 length += if slide.is_finite() { slide } else { R::ZERO };
-                length += vector::norm(step.placement().translation());
+                length += norm(step.placement().translation());
                 link = step.parent as usize;
             }
             longest = if length > longest { length } else { longest };
@@ -78,7 +78,7 @@ impl<R: Real> Reach<'_, R> {
         let mut longest = self.facts.size;
         if self.facts.is_endless {
             for target in targets {
-                longest = longest.max_or_nan(vector::norm(target.translation()));
+                longest = longest.max_or_nan(norm(target.translation()));
             }
             for (position, step) in self.mechanism.steps.iter().enumerate() {
                 if self.moves_goal(position) {
@@ -117,12 +117,12 @@ impl<R: Real> Reach<'_, R> {
             return Some((target, None));
         };
         let way = vector::sub(target.translation(), centre);
-        let far = vector::norm(way);
+        let far = norm(way);
         if !far.is_finite() {
             return None;
         }
         // All three have been rounded, the places to parts of their distance from the base.
-        let sizes = length + vector::norm(centre) + vector::norm(target.translation());
+        let sizes = length + norm(centre) + norm(target.translation());
         if far <= length + R::from(64.0) * R::EPSILON * sizes + tolerance {
             return Some((target, None));
         }
@@ -130,6 +130,12 @@ impl<R: Real> Reach<'_, R> {
         let drawn = vector::sub(target.translation(), edge);
         Some((DualQuat::from_rotation_translation(target.rotation(), edge), Some(drawn)))
     }
+}
+
+/// The length of a vector: once in machine code.
+#[inline(never)]
+fn norm<R: Real>(vector: [R; 3]) -> R {
+    vector::norm(vector)
 }
 
 /// The longest way along one direction that a joint has slid.

@@ -8,7 +8,7 @@ use crate::mechanism::values::JointNumbers;
 use crate::mechanism::walk::{Joined, moved};
 use dq8::batch::vector;
 use dq8::{Real, Scalar};
-use dq8_simd::Lanes;
+use dq8_simd::{Lanes, Level};
 
 /// Of which values.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -30,6 +30,17 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// The poses of the links with goals, from the base up; links that carry none are left out.
+    ///
+    /// As a call, for searches that need both: firmware holds it once.
+    #[inline(never)]
+    pub(super) fn call_place(&mut self, of: Of) {
+        self.level.run(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || self.place(of),
+        );
+    }
+
+    /// The same in line.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(&mut self, of: Of) {
         let (level, reach) = (self.level, self.reach);

@@ -72,7 +72,11 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
                 break;
             }
             self.keep_within();
-            self.model.place(Of::Values);
+            if AGAIN {
+                self.model.call_place(Of::Values);
+            } else {
+                self.model.place(Of::Values);
+            }
             let apart = self.model.compare(None);
             let wish = self.model.wish();
             self.judge(apart, wish, last);

@@ -107,7 +107,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
                     false => JointKind::Revolute { axis },
                 };
             }
-            *slot = numbered(&joint, index, &mut counts)?;
+            numbered(&joint, index, &mut counts, slot)?;
         }
         Ok(planned(steps, counts))
     }

@@ -43,6 +43,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// # Errors
     /// If an axis or the tool, as that of joint N, is farther than 10⁻³ from unit or not finite, a screw is none of
     /// the three, limits are not in order, or there are fewer steps than N + 1. `steps` may have been written.
+    // A frame of its own, so that it does not lie under that of a search.
+    #[inline(never)]
     pub fn from_screws(
         screws: &[(Screw<R>, [R; 2])],
         tool: DualQuat<R>,
@@ -67,7 +69,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
             } else {
                 Joint::fixed(parent, back * tool)
             };
-            *slot = numbered(&joint, index, &mut counts)?;
+            numbered(&joint, index, &mut counts, slot)?;
             before = at;
         }
         Ok(planned(steps, counts))

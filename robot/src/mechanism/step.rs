@@ -140,11 +140,11 @@ impl<R: Real> Step<R> {
     }
 
     fn place(&mut self, placement: DualQuat<R>, index: usize) -> Result<(), MechanismError> {
-        let norm = placement.real().norm();
+        let norm = norm(placement.real());
         if is_far_from_one(norm) {
             return Err(MechanismError::Placement { joint: index, norm: norm.into() });
         }
-        let (along, size) = (placement.real().dot(placement.dual()), placement.dual().norm());
+        let (along, size) = (placement.real().dot(placement.dual()), self::norm(placement.dual()));
         if along.abs() > R::from(UNIT) * size.max_or_nan(R::ONE) {
             return Err(MechanismError::DualPart { joint: index, along: along.into() });
         }
@@ -182,6 +182,12 @@ fn from_z<R: Real>([x, y, z]: [R; 3]) -> Quat<R> {
     let across = vector::norm([x, y]);
     let w = if z < R::ZERO { across * across / (R::ONE - z) } else { R::ONE + z };
     Quat::from_xyzw(-y, x, R::ZERO, w).normalize()
+}
+
+/// The norm: once in machine code.
+#[inline(never)]
+fn norm<R: Real>(quaternion: Quat<R>) -> R {
+    quaternion.norm()
 }
 
 /// NaN is too.

@@ -215,14 +215,15 @@ pub(crate) fn room<R>(
     steps.ok_or(MechanismError::Steps { steps: count, joints })
 }
 
-/// The step of joint number `index`, but for what it mimics, with the next of the values and rates that have been
-/// counted.
+/// Writes the step of joint number `index`, but for what it mimics, with the next of the values and rates that have been
+/// counted. Steps are large: none is copied on the stack.
 pub(crate) fn numbered<R: Real>(
     joint: &Joint<R>,
     index: usize,
     (values, rates): &mut (usize, usize),
-) -> Result<Step<R>, MechanismError> {
-    let mut step = Step::of(joint, index)?;
+    step: &mut Step<R>,
+) -> Result<(), MechanismError> {
+    *step = Step::of(joint, index)?;
     step.link = index as u32;
     if let Some(parent) = joint.parent {
         if parent >= index {
@@ -235,7 +236,7 @@ pub(crate) fn numbered<R: Real>(
         *values += step.kind.values();
         *rates += step.kind.rates();
     }
-    Ok(step)
+    Ok(())
 }
 
 /// Writes the steps in the order of the joints. How many values and rates they have.
@@ -245,7 +246,7 @@ fn check<R: Real>(
 ) -> Result<(usize, usize), MechanismError> {
     let mut counts = (0, 0);
     for (index, (joint, slot)) in joints.iter().zip(steps.iter_mut()).enumerate() {
-        *slot = numbered(joint, index, &mut counts)?;
+        numbered(joint, index, &mut counts, slot)?;
     }
     for (index, joint) in joints.iter().enumerate() {
         let Some(mimic) = joint.mimic else { continue };
