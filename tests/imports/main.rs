@@ -134,6 +134,7 @@ const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("segments", &["dq8", "clock", "error", "path", "screw"]),
     ("along", &["dq8", "clock", "screw", "segments"]),
     ("job", &["dq8", "along", "clock", "error", "path", "segments"]),
+    ("files", &["dq8", "error", "path"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.

@@ -9,6 +9,7 @@
 //! | [`Frame`] | the frame that poses and points come out in |
 //! | [`Outside`] | what happens before the first stamp and after the last |
 //! | [`Time`] | the numbers that times of points may be |
+//! | `files` | trajectories in text files: TUM, EuRoC, KITTI (feature `std`) |
 //!
 //! Poses and stamps are `f64`. A pose is first taken relative to the wanted frame and only then
 //! rounded to the numbers of the points, so a map whose origin is 10⁶ m away costs an `f32` point
@@ -39,10 +40,14 @@
 #![forbid(unsafe_code)]
 
 extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
 
 mod along;
 mod clock;
 mod error;
+#[cfg(feature = "std")]
+pub mod files;
 mod job;
 mod path;
 mod screw;
