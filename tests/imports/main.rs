@@ -75,7 +75,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("seams", &["brief", "errors", "scalar", "everyday", "backend"]),
+    ("seams", &["brief", "errors", "scalar", "everyday", "representation", "backend"]),
     ("ik", &["errors", "number", "scalar"]),
     (
         "hierarchy",
@@ -135,6 +135,7 @@ const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("along", &["dq8", "clock", "screw", "segments"]),
     ("job", &["dq8", "along", "clock", "error", "path", "segments"]),
     ("files", &["dq8", "error", "path"]),
+    ("compare", &["dq8", "path"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.
@@ -240,7 +241,9 @@ fn every_file_of_the_reference_has_a_twin_in_batch_and_the_other_way_round() {
 /// `simd` has the instructions, `capi` the pointers of C.
 #[test]
 fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
-    for source in ["src", "robot", "examples", "benches"].into_iter().flat_map(sources) {
+    for source in
+        ["src", "robot", "trajectory", "examples", "benches"].into_iter().flat_map(sources)
+    {
         assert!(!tokens(&source.text).iter().any(|token| token == "unsafe"), "{}", source.path);
     }
     let lib = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/lib.rs")).unwrap();
@@ -250,7 +253,7 @@ fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
 
 #[test]
 fn no_file_is_longer_than_eight_hundred_lines() {
-    for source in ["src", "simd/src", "robot", "capi"].into_iter().flat_map(sources) {
+    for source in ["src", "simd/src", "robot", "trajectory", "capi"].into_iter().flat_map(sources) {
         let lines = source.text.lines().count();
         assert!(lines <= MAX_LINES, "{} has {lines} lines", source.path);
     }

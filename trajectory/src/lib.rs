@@ -9,6 +9,7 @@
 //! | [`Frame`] | the frame that poses and points come out in |
 //! | [`Outside`] | what happens before the first stamp and after the last |
 //! | [`Time`] | the numbers that times of points may be |
+//! | [`compare`] | an estimate against a reference: pairs, alignment, absolute and relative errors |
 //! | `files` | trajectories in text files: TUM, EuRoC, KITTI (feature `std`) |
 //!
 //! Poses and stamps are `f64`. A pose is first taken relative to the wanted frame and only then
@@ -45,6 +46,7 @@ extern crate std;
 
 mod along;
 mod clock;
+pub mod compare;
 mod error;
 #[cfg(feature = "std")]
 pub mod files;

@@ -4,6 +4,7 @@ use super::error::FileError;
 use super::format::Format;
 use super::warning::Warning;
 use crate::{OwnedTrajectory, TrajectoryError};
+use alloc::borrow::Cow;
 use alloc::string::String;
 use alloc::vec::Vec;
 use dq8::representation::Polar;
@@ -31,8 +32,15 @@ const ROUNDED: f64 = 1e-3;
 /// # Errors
 /// If the file cannot be read, is of no known format, and as [`Format::parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Recording, FileError> {
-    let text = bytes(path.as_ref())?;
-    Format::guess(&text)?.parse(&text)
+    let bytes = bytes(path.as_ref())?;
+    let text = decoded(&bytes);
+    Format::of(&text)?.poses(&text)
+}
+
+/// What is no UTF-8 may stand in comments.
+fn decoded(bytes: &[u8]) -> Cow<'_, str> {
+    // Quicker than the other one, which would do as well.
+    core::str::from_utf8(bytes).map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed)
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
@@ -47,9 +55,11 @@ impl Format {
     /// # Errors
     /// If there is no such line, or it is none of these.
     pub fn guess(text: &[u8]) -> Result<Self, FileError> {
-        // What is no UTF-8 may stand in comments.
-        let text = String::from_utf8_lossy(text);
-        let (line, first) = lines(&text).next().ok_or(TrajectoryError::Empty)?;
+        Self::of(&decoded(text))
+    }
+
+    fn of(text: &str) -> Result<Self, FileError> {
+        let (line, first) = lines(text).next().ok_or(TrajectoryError::Empty)?;
         match first.split_ascii_whitespace().count() {
             _ if first.contains(',') => Ok(Self::Euroc),
             8 => Ok(Self::Tum),
@@ -91,9 +101,12 @@ impl Format {
     /// is no finite number, or larger than 10³⁰⁰; a quaternion is zero; or a matrix mirrors, or has no
     /// nearest rotation.
     pub fn parse(self, text: &[u8]) -> Result<Recording, FileError> {
-        let text = String::from_utf8_lossy(text);
+        self.poses(&decoded(text))
+    }
+
+    fn poses(self, text: &str) -> Result<Recording, FileError> {
         let mut found = Found::default();
-        for (line, fields) in lines(&text) {
+        for (line, fields) in lines(text) {
             let (stamp, pose) = match self {
                 Self::Tum => {
                     let [stamp, x, y, z, rotation @ ..] =
