@@ -54,12 +54,15 @@ mod job;
 mod path;
 mod screw;
 mod segments;
+mod spline;
+mod stretches;
 
 pub use clock::Time;
 pub use error::TrajectoryError;
 pub use job::{Columns, Job};
 pub use path::{OwnedTrajectory, Trajectory};
 pub use segments::{Frame, Outside};
+pub use spline::{Basis, Jacobians, Moving, Spline};
 
 /// The example of the README is tested like the documentation.
 #[cfg(doctest)]
