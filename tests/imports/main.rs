@@ -131,9 +131,11 @@ const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("clock", &["error"]),
     ("screw", &["dq8"]),
     ("path", &["dq8", "error", "screw"]),
-    ("segments", &["dq8", "clock", "error", "path", "screw"]),
+    ("segments", &["dq8", "clock", "error"]),
+    ("stretches", &["dq8", "error", "path", "screw", "segments"]),
     ("along", &["dq8", "clock", "screw", "segments"]),
-    ("job", &["dq8", "along", "clock", "error", "path", "segments"]),
+    ("job", &["dq8", "along", "clock", "error", "path", "segments", "stretches"]),
+    ("spline", &["dq8", "along", "clock", "error", "job", "segments"]),
     ("files", &["dq8", "error", "path"]),
     ("compare", &["dq8", "path"]),
 ];

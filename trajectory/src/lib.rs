@@ -1,10 +1,11 @@
-//! Trajectories: poses with stamps, sampled at many times; and points that are each moved by the
-//! pose at their own time.
+//! Trajectories: poses with stamps, sampled at many times, and compared; points that are each moved by
+//! the pose at their own time; and smooth curves by control poses.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`Trajectory`] | stamps and poses in the caller's memory, checked once; screw motion between neighbours |
 //! | [`OwnedTrajectory`] | the same with memory of its own; made of unsorted stamps, or of one constant velocity |
+//! | [`Spline`] | a cubic B-spline by control poses, or Catmull and Rom's through them; twists, accelerations, Jacobians |
 //! | [`Job`] | a run over many times, with options: clock, frame, what is outside the stamps, instructions, threads |
 //! | [`Frame`] | the frame that poses and points come out in |
 //! | [`Outside`] | what happens before the first stamp and after the last |
@@ -34,8 +35,8 @@
 //!
 //! # Features
 //!
-//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8. The crate is `no_std` and
-//! needs a heap, on which a job keeps the segments of its trajectory.
+//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8; `std` adds the module `files`. The
+//! crate is `no_std` and needs a heap, on which a job keeps the segments of its trajectory.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

@@ -212,16 +212,18 @@ impl<
                 continue;
             }
             let (twice, thrice) = (c + c, d + d + d);
-            let speed = u.mul_add(u.mul_add(thrice, twice), b) * rate;
-            let now = way.scale(speed);
-            let back = step.conjugate();
-            twist = back.adjoint(twist) + now;
-            if DERIVATIVES < 2 {
+            let now = way.scale(u.mul_add(u.mul_add(thrice, twice), b) * rate);
+            let faster = way.scale(u.mul_add(thrice + thrice, twice) * (rate * rate));
+            if j == 0 {
+                // Nothing is carried on yet.
+                (twist, acceleration) = (now, faster);
                 continue;
             }
-            let change = u.mul_add(thrice + thrice, twice) * (rate * rate);
-            let turned = back.adjoint(acceleration) + lie_bracket(twist, now);
-            acceleration = turned + way.scale(change);
+            let back = step.conjugate();
+            twist = back.adjoint(twist) + now;
+            if DERIVATIVES > 1 {
+                acceleration = back.adjoint(acceleration) + lie_bracket(twist, now) + faster;
+            }
         }
         M::store(pose.to_array(), self.poses, tile);
         if DERIVATIVES > 0 {
