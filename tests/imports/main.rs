@@ -75,7 +75,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("seams", &["brief", "errors", "scalar", "everyday", "representation", "backend"]),
+    ("seams", &["brief", "errors", "batch", "scalar", "everyday", "representation", "backend"]),
     ("ik", &["errors", "number", "scalar"]),
     (
         "hierarchy",

@@ -72,6 +72,11 @@ impl<P: Copy> Job<P> {
 
     options!();
 
+    /// A time on the clock of the stamps, in seconds.
+    pub(crate) fn stamp(self, time: impl Time) -> f64 {
+        self.clock.stamp(time)
+    }
+
     /// Lengths, clock, and times that are refused.
     pub(crate) fn check<T: Time>(
         self,

@@ -86,8 +86,8 @@ pub struct Jacobians {
 
 /// Where a time is: the number of the first of its four control poses, and u.
 #[derive(Clone, Copy, Debug)]
-struct Place {
-    first: usize,
+pub(super) struct Place {
+    pub(super) first: usize,
     share: f64,
 }
 
@@ -232,12 +232,16 @@ impl Spline {
         clippy::cast_sign_loss,
         reason = "saturates, and the segment is the last at most; NaN counts as zero"
     )]
-    fn place(&self, time: f64) -> Place {
+    pub(super) fn place(&self, time: f64) -> Place {
         let [first, last] = self.range();
         // `clamp` keeps NaN.
-        let place = (time.clamp(first, last) - first) / self.every;
-        let first = (place as usize).min(self.control.len() - 4);
-        Place { first, share: place - first as f64 }
+        let time = time.clamp(first, last);
+        let most = self.control.len() - 4;
+        let near = ((time - first) / self.every) as usize;
+        // The quotient may be rounded to beyond a knot.
+        let near = near.saturating_sub(usize::from(time < self.knot(near)));
+        let first = (near + usize::from(self.knot(near + 1) <= time)).min(most);
+        Place { first, share: (time - self.knot(first)) / self.every }
     }
 }
 

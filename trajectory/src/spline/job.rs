@@ -5,6 +5,7 @@ use crate::TrajectoryError;
 use crate::along::Work;
 use crate::clock::Time;
 use crate::job::{GRAIN, Job};
+use crate::screw::horner;
 use crate::segments::{Outside, Segments};
 use dq8::batch::{self, lie_bracket};
 use dq8::seams::Rows;
@@ -13,7 +14,7 @@ use dq8::{DualQuat, Lanes, Level, Scalar, Twist};
 
 /// The numbers of a record: the first control pose of four, the three ways between them, and two that
 /// fill fours.
-const RECORD: usize = 28;
+pub(super) const RECORD: usize = 28;
 
 impl Spline {
     /// A run over many times.
@@ -135,30 +136,59 @@ impl Job<&Spline> {
         let [first, last] = spline.range();
         let at = |time| spline.at_or_beyond(time, outside);
         let into = self.frame.pose([first, last], outside, at)?.conjugate();
-        let record = |pose: DualQuat<f64>, ways: [Twist<f64>; 3]| {
-            let mut record = [0.0; RECORD];
-            record[..8].copy_from_slice(&(into * pose).to_array());
-            for (slots, way) in record[8..26].chunks_exact_mut(6).zip(ways) {
-                slots.copy_from_slice(&way.to_array());
-            }
-            record
-        };
         // λ₁ + λ₂ + λ₃ = 1 + u: of three equal ways the motion has a constant twist.
         let ends = spline.ends().map(|end| {
             let way = match outside {
                 Outside::Continue => end.twist.scale(spline.every),
                 _ => Twist::ZERO,
             };
-            record(end.pose * DualQuat::from_twist(-way), [way; 3])
+            record(into * end.pose * DualQuat::from_twist(-way), &[way; 3])
         });
-        let between = spline.ways.windows(3).zip(spline.control());
-        let between = between.map(|(ways, &pose)| record(pose, [ways[0], ways[1], ways[2]]));
-        let records = [ends[0]].into_iter().chain(between).chain([ends[1]]);
-        let knots = (0..spline.ways.len() - 2).map(|index| spline.knot(index));
+        let records = [ends[0]].into_iter().chain(spline.records(into)).chain([ends[1]]);
         // The last knot is of the segment before.
-        let starts = [first].into_iter().chain(knots).chain([last.next_up()]);
+        let starts = [first].into_iter().chain(spline.starts()).chain([last.next_up()]);
         Ok(Segments::new(starts, records, [first, last], outside != Outside::Continue))
     }
+}
+
+impl Spline {
+    /// The first knot of each segment.
+    fn starts(&self) -> impl Iterator<Item = f64> {
+        (0..self.ways.len() - 2).map(|index| self.knot(index))
+    }
+
+    /// The records of the segments, in the frame that `into` leads into.
+    fn records(&self, into: DualQuat<f64>) -> impl Iterator<Item = [f64; RECORD]> {
+        let segments = self.ways.windows(3).zip(self.control());
+        segments.map(move |(ways, &pose)| record(into * pose, ways))
+    }
+
+    /// Segments of which the first and the last have no end.
+    pub(super) fn inner_segments<R: Scalar>(&self) -> Segments<R, RECORD> {
+        let range = self.range();
+        let starts = [range[0]].into_iter().chain(self.starts());
+        let records = self.records(DualQuat::IDENTITY);
+        let before = self.records(DualQuat::IDENTITY).take(1);
+        Segments::new(starts, before.chain(records), range, false)
+    }
+}
+
+fn record(pose: DualQuat<f64>, ways: &[Twist<f64>]) -> [f64; RECORD] {
+    let mut record = [0.0; RECORD];
+    record[..8].copy_from_slice(&pose.to_array());
+    for (slots, way) in record[8..26].chunks_exact_mut(6).zip(ways) {
+        slots.copy_from_slice(&way.to_array());
+    }
+    record
+}
+
+/// The three ways of a record.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn ways<L: Lanes>(record: &[L; RECORD]) -> [Twist<L>; 3] {
+    let [.., a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, _, _] = *record;
+    let first = Twist { angular: [a, b, c], linear: [d, e, f] };
+    let second = Twist { angular: [g, h, i], linear: [j, k, l] };
+    [first, second, Twist { angular: [m, n, o], linear: [p, q, r] }]
 }
 
 type Parts<'s, M, W, A> = (Rows<'s, M>, (Rows<'s, W>, Rows<'s, A>));
@@ -191,29 +221,22 @@ impl<
         records: [Register<M, V, 8>; RECORD],
         since: Register<M, V, 8>,
     ) -> Option<()> {
-        let [a, b, c, d, e, f, g, h, ways @ .., _, _] = records;
+        let [a, b, c, d, e, f, g, h, ..] = records;
         let mut pose = batch::DualQuat::from_array([a, b, c, d, e, f, g, h]);
         let rate = since.constant(self.rate);
         let u = since * rate;
         let zero = Twist { angular: [since.constant(0.0); 3], linear: [since.constant(0.0); 3] };
         let [mut twist, mut acceleration] = [zero; 2];
-        for (j, shares) in self.shares.into_iter().enumerate() {
-            let mut way = [since; 6];
-            way.copy_from_slice(ways.get(6 * j..6 * j + 6)?);
-            let way = Twist::from_array(way);
-            let [a, b, c, d] = shares.map(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |share| since.constant(share),
-            );
-            let value = u.mul_add(u.mul_add(u.mul_add(d, c), b), a);
+        for (j, (way, shares)) in ways(&records).into_iter().zip(self.shares).enumerate() {
+            let value = horner(u, shares);
             let step = batch::DualQuat::from_twist(way.scale(value));
             pose = pose * step;
             if DERIVATIVES < 1 {
                 continue;
             }
-            let (twice, thrice) = (c + c, d + d + d);
-            let now = way.scale(u.mul_add(u.mul_add(thrice, twice), b) * rate);
-            let faster = way.scale(u.mul_add(thrice + thrice, twice) * (rate * rate));
+            let [_, b, c, d] = shares;
+            let now = way.scale(horner(u, [b, 2.0 * c, 3.0 * d]) * rate);
+            let faster = way.scale(horner(u, [2.0 * c, 6.0 * d]) * (rate * rate));
             if j == 0 {
                 // Nothing is carried on yet.
                 (twist, acceleration) = (now, faster);

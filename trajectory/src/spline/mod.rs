@@ -20,6 +20,7 @@
 //! ```
 
 mod curve;
+mod jacobians;
 mod job;
 
 pub use curve::{Basis, Jacobians, Moving, Spline};
