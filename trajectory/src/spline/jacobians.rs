@@ -82,6 +82,8 @@ struct Answers<'s, R> {
 type Plain<R> = <[R; NUMBERS] as Element<NUMBERS>>::Layout;
 
 impl<R: Scalar> Work<Plain<R>, RECORD> for Answers<'_, R> {
+    const WIDE: bool = true;
+
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile<V: Level>(
         &mut self,

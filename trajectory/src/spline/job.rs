@@ -213,6 +213,8 @@ impl<
     const DERIVATIVES: usize,
 > Work<M::Layout, RECORD> for Curve<'_, M, W, A, DERIVATIVES>
 {
+    const WIDE: bool = true;
+
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile<V: Level>(
         &mut self,
