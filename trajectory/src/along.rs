@@ -166,6 +166,8 @@ pub(crate) struct Poses<'s, M, W> {
 impl<M: Element<8>, W: Element<6, Layout = M::Layout>> Work<M::Layout, SAMPLES>
     for Poses<'_, M, W>
 {
+    const WIDE: bool = true;
+
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile<V: Level>(
         &mut self,
