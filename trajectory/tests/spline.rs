@@ -518,3 +518,38 @@ fn knots_begin_their_segments() {
         }
     }
 }
+
+/// With lanes that fuse nothing every level of a CPU has the same bits.
+#[cfg(feature = "reproducible")]
+#[test]
+fn lanes_that_fuse_nothing_have_the_same_bits_on_every_level() {
+    fn all<R: Scalar>() {
+        let mut random = Random(15);
+        for (basis, turn) in BASES.into_iter().flat_map(|basis| [0.3, 3.1].map(|t| (basis, t))) {
+            let spline = spline(&mut random, 9, turn, basis);
+            let times = times(&mut random, &spline, 60);
+            for outside in [Outside::Hold, Outside::Continue] {
+                let mut found: Vec<Vec<u64>> = vec![];
+                for backend in Backend::available().map(Backend::unfused) {
+                    let job = spline.job().outside(outside).backend(backend);
+                    let mut poses = vec![DualQuat::<R>::IDENTITY; times.len()];
+                    let mut twists = vec![Twist::<R>::ZERO; times.len()];
+                    let mut faster = twists.clone();
+                    job.sample_with_accelerations(&times, &mut poses, &mut twists, &mut faster)
+                        .unwrap();
+                    let mut first = vec![0; times.len()];
+                    let mut matrices = vec![[[[R::ZERO; 6]; 6]; 4]; times.len()];
+                    job.jacobians(&times, &mut first, &mut matrices).unwrap();
+                    let poses = poses.into_iter().flat_map(DualQuat::to_array);
+                    let twists = twists.into_iter().chain(faster).flat_map(Twist::to_array);
+                    let matrices = matrices.into_iter().flatten().flatten().flatten();
+                    let numbers = poses.chain(twists).chain(matrices);
+                    found.push(numbers.map(|number| number.into().to_bits()).collect());
+                }
+                assert!(found.iter().all(|bits| *bits == found[0]), "{basis:?} {turn} {outside:?}");
+            }
+        }
+    }
+    all::<f32>();
+    all::<f64>();
+}
