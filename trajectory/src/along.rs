@@ -19,8 +19,8 @@ use dq8::{Kernel, Lanes, Level, Scalar, Twist};
 
 /// What is done with a register of times.
 pub(crate) trait Work<Y: Layout, const C: usize> {
-    /// With AVX-512 the compiler makes gathers of the search, which takes twice as long: for work that
-    /// takes much longer.
+    /// With AVX-512 the compiler makes gathers of the search, which takes twice as long: for work
+    /// that takes much longer.
     const WIDE: bool = false;
 
     /// Takes the records of the segments that the times are in, and the seconds since their start.

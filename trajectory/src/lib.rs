@@ -1,5 +1,5 @@
-//! Trajectories: poses with stamps, sampled at many times, and compared; points that are each moved by
-//! the pose at their own time; and smooth curves by control poses.
+//! Trajectories: poses with stamps, sampled at many times, and compared; points that are each moved
+//! by the pose at their own time; and smooth curves by control poses.
 //!
 //! | item | what it is |
 //! |---|---|
@@ -35,8 +35,9 @@
 //!
 //! # Features
 //!
-//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8; `std` adds the module `files`. The
-//! crate is `no_std` and needs a heap, on which a job keeps the segments of its trajectory.
+//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8; `std` adds the module
+//! `files`. The crate is `no_std` and needs a heap, on which a job keeps the segments of its
+//! trajectory.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

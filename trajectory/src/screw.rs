@@ -20,8 +20,8 @@ use dq8::simd::{Float, Mask};
 /// are short.
 const LONGEST: f64 = 0.5;
 
-/// So many parts that none turns by more than the longest turn; one where the turn is not finite, as
-/// from a pose that is NaN.
+/// So many parts that none turns by more than the longest turn; one where the turn is not finite,
+/// as from a pose that is NaN.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

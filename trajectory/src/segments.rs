@@ -1,5 +1,5 @@
-//! [`Segments`]: a path as a table of records, one for each stretch of time; and which of them a time
-//! is in.
+//! [`Segments`]: a path as a table of records, one for each stretch of time; and which of them a
+//! time is in.
 
 use crate::TrajectoryError;
 use crate::clock::{Clock, Time};
@@ -83,7 +83,8 @@ impl Span {
     }
 }
 
-/// One record for the time before the range, one for each stretch of it, and one for the time after.
+/// One record for the time before the range, one for each stretch of it, and one for the time
+/// after.
 #[derive(Debug)]
 pub(crate) struct Segments<R, const C: usize> {
     spans: Vec<Span>,
@@ -112,8 +113,8 @@ pub(crate) struct Found<R> {
 }
 
 impl<R: Scalar, const C: usize> Segments<R, C> {
-    /// Records that begin at `starts`, the first for the time before and the last for the time after
-    /// the `range`, where the body `stands` or moves.
+    /// Records that begin at `starts`, the first for the time before and the last for the time
+    /// after the `range`, where the body `stands` or moves.
     pub(crate) fn new(
         starts: impl IntoIterator<Item = f64>,
         records: impl IntoIterator<Item = [f64; C]>,

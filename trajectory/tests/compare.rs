@@ -20,9 +20,9 @@ impl Noise {
 }
 
 /// A reference and an estimate as TUM files, in whole centimetres and milliseconds, so that every
-/// program reads the same numbers: a curve, and what a camera on it might say that began a
-/// quarter turn away, sees a tenth too little, misses some poses and is milliseconds off. The second
-/// pair has fewer poses in the estimate, the first one fewer in the reference.
+/// program reads the same numbers: a curve, and what a camera on it might say that began a quarter
+/// turn away, sees a tenth too little, misses some poses and is milliseconds off. The second pair
+/// has fewer poses in the estimate, the first one fewer in the reference.
 fn files(kind: i64) -> [String; 2] {
     let mut noise = Noise(kind + 1);
     let [mut reference, mut estimate] = [String::new(), String::new()];
@@ -282,7 +282,8 @@ fn partners_are_the_nearest_in_time() {
     }
 }
 
-/// Far away stamps differ by less than their rounding from each other, and the nearest is still found.
+/// Far away stamps differ by less than their rounding from each other, and the nearest is still
+/// found.
 #[test]
 fn stamps_far_from_each_other_have_no_partner_and_hide_none() {
     let poses = |count| vec![DualQuat::IDENTITY; count];

@@ -73,8 +73,8 @@ fn nanoseconds_are_written_whole_and_read_as_the_nearest_stamp() {
 
 #[test]
 fn what_other_programs_write_is_read() {
-    // A mark, comments in Latin-1, lines of Windows, tabs, blanks at both ends, empty lines, numbers in
-    // all spellings, no end of the last line.
+    // A mark, comments in Latin-1, lines of Windows, tabs, blanks at both ends, empty lines,
+    // numbers in all spellings, no end of the last line.
     let text = b"\xef\xbb\xbf# Gel\xe4nde\r\n\r\n 1.5\t1  -2. +.5e1 0 0 0 1 \r\n  # and\n2 0 0 0 -0 0 0 -1";
     let file = Format::Tum.parse(text).unwrap();
     assert_eq!(file.trajectory.stamps(), [1.5, 2.0]);

@@ -4,8 +4,9 @@
 //! cargo run --release --example compare_trajectories -- REFERENCE ESTIMATE --align similarity --plot both.svg
 //! ```
 //!
-//! Files are in the format of TUM, EuRoC or KITTI. Options: `--align none|origin|yaw|rigid|similarity` (rigid),
-//! `--tolerance SECONDS` between stamps (0.01), `--step 1f|1.5m|2s` of the relative errors (1f), `--plot SVG`.
+//! Files are in the format of TUM, EuRoC or KITTI. Options: `--align
+//! none|origin|yaw|rigid|similarity` (rigid), `--tolerance SECONDS` between stamps (0.01), `--step
+//! 1f|1.5m|2s` of the relative errors (1f), `--plot SVG`.
 
 mod plot;
 

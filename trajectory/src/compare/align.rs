@@ -69,14 +69,14 @@ pub(super) fn align(how: Align, reference: &[Pose], estimate: &[Pose]) -> Option
         }
         squares = [squares[0] + vector::dot(y, y), squares[1] + vector::dot(x, x)];
     }
-    // Of Σ|y − s r x r*|² only the mixed term depends on the rotation: it is the sum of the products of
-    // its elements and these, which is to be largest.
+    // Of Σ|y − s r x r*|² only the mixed term depends on the rotation: it is the sum of the
+    // products of its elements and these, which is to be largest.
     let (rotation, [sum, gap]) = match how {
         Align::Yaw => yaw(products),
         _ => best_rotation(products).ok()?,
     };
-    // What the rounding of the positions, which grows with their distance from the origin, can add to
-    // a product. The comparison is false for what has overflowed, too.
+    // What the rounding of the positions, which grows with their distance from the origin, can add
+    // to a product. The comparison is false for what has overflowed, too.
     let lengths = squares.map(Real::sqrt);
     let mixed = furthest[0] * lengths[1] + furthest[1] * lengths[0];
     let rounding = 8.0 * f64::EPSILON * Real::sqrt(reference.len() as f64) * mixed;
@@ -94,8 +94,8 @@ fn center(poses: &[Pose]) -> [f64; 3] {
     sum.map(|sum| sum / poses.len() as f64)
 }
 
-/// The best rotation about z, the sum of the products for it, and how much of it depends on the angle:
-/// (a + e) cos ψ + (d − b) sin ψ.
+/// The best rotation about z, the sum of the products for it, and how much of it depends on the
+/// angle: (a + e) cos ψ + (d − b) sin ψ.
 fn yaw([[a, b, _], [d, e, _], [.., i]]: [[f64; 3]; 3]) -> (Quat<f64>, [f64; 2]) {
     let [cosine, sine] = [a + e, d - b];
     let gap = Real::sqrt(cosine * cosine + sine * sine);

@@ -19,8 +19,8 @@ errors! {
             index: usize = "The number of the pose in that trajectory."
         }
             => "pose {index} of the {what} is not finite";
-        /// Many rotations align the positions equally well: they lie on a line or in a point, or above
-        /// each other where only the yaw is looked for.
+        /// Many rotations align the positions equally well: they lie on a line or in a point, or
+        /// above each other where only the yaw is looked for.
         Ambiguous { pairs: usize = "The number of pairs." }
             => "{pairs} pairs do not say how to align them: the positions lie on a line, or in a point";
         /// A step is not positive.

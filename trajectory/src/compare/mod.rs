@@ -8,9 +8,9 @@
 //! | errors | [`Pairs::absolute`] of poses (APE, ATE), [`Pairs::relative`] of motions over a [`Step`] (RPE) |
 //! | in a few numbers | [`Errors::translation`] and [`Errors::rotation`]: [`Statistics`] |
 //!
-//! Definitions and figures are those of the Python package evo (1.38), but for two things: stamps of a
-//! trajectory rise here, where evo takes doubles and disorder as they come; and interpolation follows
-//! screws.
+//! Definitions and figures are those of the Python package evo (1.38), but for two things: stamps
+//! of a trajectory rise here, where evo takes doubles and disorder as they come; and interpolation
+//! follows screws.
 
 mod align;
 mod error;

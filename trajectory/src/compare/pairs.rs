@@ -40,8 +40,8 @@ pub struct Pairs {
 
 impl Trajectory<'_> {
     /// Each pose of whichever trajectory has fewer (of the estimate, where they have as many) with
-    /// that of the other one whose stamp is nearest, the earlier of two, if it is at most `tolerance`
-    /// seconds away. A pose of the longer one may have several partners. It is the
+    /// that of the other one whose stamp is nearest, the earlier of two, if it is at most
+    /// `tolerance` seconds away. A pose of the longer one may have several partners. It is the
     /// association of evo.
     ///
     /// # Errors
@@ -77,8 +77,8 @@ impl Trajectory<'_> {
         Pairs::new(stamps, reference, estimated).ok_or_else(|| none(self, estimate))?
     }
 
-    /// Each pose of this trajectory whose stamp lies within those of the estimate, with the pose of the
-    /// estimate at that time ([`Trajectory::at`], along the screw from one pose to the next).
+    /// Each pose of this trajectory whose stamp lies within those of the estimate, with the pose of
+    /// the estimate at that time ([`Trajectory::at`], along the screw from one pose to the next).
     ///
     /// # Errors
     /// If the estimate has no pose at any of these times, or a pose is not finite.
@@ -175,9 +175,9 @@ impl Pairs {
     /// The same pairs with the estimate laid over the reference.
     ///
     /// # Errors
-    /// If the positions of either lie on a line or in a point (for [`Align::Yaw`], as seen from above
-    /// in a point), within rounding: then many rotations are as good. Or if squares of distances
-    /// overflow.
+    /// If the positions of either lie on a line or in a point (for [`Align::Yaw`], as seen from
+    /// above in a point), within rounding: then many rotations are as good. Or if squares of
+    /// distances overflow.
     pub fn align(mut self, how: Align) -> Result<Self, CompareError> {
         let pairs = self.stamps.len();
         let map = align(how, &self.reference, &self.estimate);
@@ -191,8 +191,9 @@ impl Pairs {
     }
 
     /// The distances of the poses: |t − u| and the angle of p*q, where the reference has the
-    /// translation t and the rotation p, the estimate u and q. They are the absolute pose error of evo
-    /// (APE), and the absolute trajectory error of Sturm et al. 2012 (ATE) where the pairs are aligned.
+    /// translation t and the rotation p, the estimate u and q. They are the absolute pose error of
+    /// evo (APE), and the absolute trajectory error of Sturm et al. 2012 (ATE) where the pairs are
+    /// aligned.
     #[must_use]
     pub fn absolute(&self) -> Errors {
         let pairs = || self.reference.iter().zip(&self.estimate);
@@ -205,9 +206,9 @@ impl Pairs {
         }
     }
 
-    /// The difference of motions over a step from pair i to pair j: the translation and the rotation
-    /// of (Qᵢ⁻¹Qⱼ)⁻¹(Pᵢ⁻¹Pⱼ), where the reference has the poses Q and the estimate P. It is the relative
-    /// pose error of evo (RPE) over consecutive steps, after Sturm et al. 2012.
+    /// The difference of motions over a step from pair i to pair j: the translation and the
+    /// rotation of (Qᵢ⁻¹Qⱼ)⁻¹(Pᵢ⁻¹Pⱼ), where the reference has the poses Q and the estimate P. It
+    /// is the relative pose error of evo (RPE) over consecutive steps, after Sturm et al. 2012.
     ///
     /// # Errors
     /// If the step is not positive and finite, or none ends before the pairs do.

@@ -5,8 +5,8 @@ pub enum Format {
     Tum,
     /// Of the ground truth of the EuRoC MAV dataset (Burri et al. 2016).
     Euroc,
-    /// Of the poses of the KITTI odometry benchmark (Geiger et al. 2012). Lines are stamped 0, 1, 2 …
-    /// seconds; true stamps, from a file of their own, make a trajectory with the poses by
+    /// Of the poses of the KITTI odometry benchmark (Geiger et al. 2012). Lines are stamped 0, 1, 2
+    /// … seconds; true stamps, from a file of their own, make a trajectory with the poses by
     /// [`OwnedTrajectory::new`](crate::OwnedTrajectory::new).
     Kitti,
 }

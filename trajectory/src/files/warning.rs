@@ -1,7 +1,7 @@
 use core::fmt::{Display, Formatter, Result};
 
-/// What a file has that was put right. Each kind is said once for a file, with the first line, counted
-/// from one.
+/// What a file has that was put right. Each kind is said once for a file, with the first line,
+/// counted from one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
@@ -17,8 +17,8 @@ pub enum Warning {
         /// The number of poses that were dropped.
         dropped: usize,
     },
-    /// Quaternions differ from unit length by more than 10⁻³, which is more than rounding. They were
-    /// normalized.
+    /// Quaternions differ from unit length by more than 10⁻³, which is more than rounding. They
+    /// were normalized.
     NotUnit {
         /// The first such line.
         line: usize,

@@ -30,7 +30,8 @@ impl Basis {
     }
 }
 
-/// A cubic spline by control poses at equal intervals of time, with twists and accelerations in closed form.
+/// A cubic spline by control poses at equal intervals of time, with twists and accelerations in
+/// closed form.
 ///
 /// Control pose k is at the time `start + every · (k − 1)`: the first stands before the beginning,
 /// the last after the end, as four are needed between any two knots. From one control pose to the
@@ -66,8 +67,8 @@ pub struct Spline {
 pub struct Moving {
     /// The pose σ.
     pub pose: DualQuat<f64>,
-    /// ω with σ̇ = ½σω, for one second: angular in radians per second, linear in metres per second, of
-    /// the origin of the body, in its axes.
+    /// ω with σ̇ = ½σω, for one second: angular in radians per second, linear in metres per second,
+    /// of the origin of the body, in its axes.
     pub twist: Twist<f64>,
     /// How fast that twist changes in a second. (The acceleration of the origin of the body is
     /// its linear part plus angular × linear of the twist.)
@@ -95,8 +96,8 @@ impl Spline {
     /// A spline that begins at the time `start` and has a knot `every` so many seconds.
     ///
     /// # Errors
-    /// If there are fewer than four control poses, one is not finite, the interval is not positive or
-    /// lost in the rounding of the times, or a time is not finite.
+    /// If there are fewer than four control poses, one is not finite, the interval is not positive
+    /// or lost in the rounding of the times, or a time is not finite.
     pub fn new(
         start: f64,
         every: f64,
@@ -138,8 +139,8 @@ impl Spline {
         self.moving_at(time).pose
     }
 
-    /// The pose with its twist and acceleration at a time in seconds. Before the first knot and after
-    /// the last one the body stands; at NaN all are NaN.
+    /// The pose with its twist and acceleration at a time in seconds. Before the first knot and
+    /// after the last one the body stands; at NaN all are NaN.
     #[must_use]
     pub fn moving_at(&self, time: f64) -> Moving {
         let moving = self.moving(self.place(time));
@@ -175,10 +176,9 @@ impl Spline {
     /// How the pose σ at a time answers to the control poses: where each σₖ of four changes to
     /// σₖ exp(½δₖ), it becomes σ exp(½ΣJₖδₖ), but for squares of δ. All in body frames.
     ///
-    /// With Bⱼ = Ad(exp(−½λ₃ξ₃) … exp(−½λⱼ₊₁ξⱼ₊₁)) λⱼ J_r(λⱼξⱼ) they are
-    /// Jₖ = Bₖ J_r⁻¹(ξₖ) − Bₖ₊₁ J_l⁻¹(ξₖ₊₁), where B₄ = 0, and the first term of J₀ is the
-    /// adjoint of all three factors. Outside the knots the time is that of the nearest one; at NaN all
-    /// are NaN.
+    /// With Bⱼ = Ad(exp(−½λ₃ξ₃) … exp(−½λⱼ₊₁ξⱼ₊₁)) λⱼ J_r(λⱼξⱼ) they are Jₖ = Bₖ J_r⁻¹(ξₖ) − Bₖ₊₁
+    /// J_l⁻¹(ξₖ₊₁), where B₄ = 0, and the first term of J₀ is the adjoint of all three factors.
+    /// Outside the knots the time is that of the nearest one; at NaN all are NaN.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};

@@ -1,8 +1,9 @@
 //! Jacobians at many times, a time in each lane.
 //!
 //! Maps of twists that come from motions or from brackets are 3×3 matrices of dual numbers, P + εQ:
-//! they take ω + εv to Pω + ε(Pv + Qω), and as 6×6 matrices they are [P, 0; Q, P]. With X for ξ ×, all
-//! maps of one factor are polynomials of X, for which X³ = −(ξ·ξ) X: three coefficients each. So with
+//! they take ω + εv to Pω + ε(Pv + Qω), and as 6×6 matrices they are [P, 0; Q, P]. With X for ξ ×,
+//! all maps of one factor are polynomials of X, for which X³ = −(ξ·ξ) X: three coefficients each.
+//! So with
 //!
 //! ```text
 //! λ J_r(λξ) = λ − λ²A X + λ³B X²      J_r⁻¹(ξ) = 1 + ½X + C X²      J_l⁻¹(ξ) = 1 − ½X + C X²
@@ -26,8 +27,8 @@ use dq8::{Lanes, Level, Scalar, Twist};
 const NUMBERS: usize = 4 * 36;
 
 impl Job<&Spline> {
-    /// `matrices[i]` = the four matrices of [`Spline::jacobians`] at the time `times[i]`, and `first[i]`
-    /// = the number of the first of their control poses. Times outside are those of the
+    /// `matrices[i]` = the four matrices of [`Spline::jacobians`] at the time `times[i]`, and
+    /// `first[i]` = the number of the first of their control poses. Times outside are those of the
     /// nearest knot, if they are not refused; the frame of the job makes no difference.
     ///
     /// ```

@@ -12,8 +12,8 @@ use dq8::seams::Rows;
 use dq8::storage::{Element, Layout, Register, Tile, same_length};
 use dq8::{DualQuat, Lanes, Level, Scalar, Twist};
 
-/// The numbers of a record: the first control pose of four, the three ways between them, and two that
-/// fill fours.
+/// The numbers of a record: the first control pose of four, the three ways between them, and two
+/// that fill fours.
 pub(super) const RECORD: usize = 28;
 
 impl Spline {
@@ -51,8 +51,8 @@ impl Job<&Spline> {
     ///
     /// # Errors
     /// If `poses` does not hold as many poses as there are times (of blocks, so many that all find
-    /// place), the clock has a number that is not finite or a unit of zero, there is no such frame, or
-    /// a time is outside where that is refused; nothing is written.
+    /// place), the clock has a number that is not finite or a unit of zero, there is no such frame,
+    /// or a time is outside where that is refused; nothing is written.
     pub fn sample<T: Time, M: Element<8>>(
         self,
         times: &[T],
@@ -63,9 +63,9 @@ impl Job<&Spline> {
         self.run::<_, _, _, _, 0>(times, poses, twists, accelerations)
     }
 
-    /// [`sample`](Self::sample), and `twists[i]` = the velocity there for one second, in the frame of
-    /// the moving body (angular first). Outside the knots it is zero where the body stands, and that
-    /// of the nearest knot where it goes on.
+    /// [`sample`](Self::sample), and `twists[i]` = the velocity there for one second, in the frame
+    /// of the moving body (angular first). Outside the knots it is zero where the body stands, and
+    /// that of the nearest knot where it goes on.
     ///
     /// # Errors
     /// As there, and if `twists` is not as long as `poses`; nothing is written.
@@ -81,8 +81,8 @@ impl Job<&Spline> {
         self.run::<_, _, _, _, 1>(times, poses, twists, none)
     }
 
-    /// [`sample_with_twists`](Self::sample_with_twists), and `accelerations[i]` = how fast the twist
-    /// changes there, for one second. Outside the knots it is zero.
+    /// [`sample_with_twists`](Self::sample_with_twists), and `accelerations[i]` = how fast the
+    /// twist changes there, for one second. Outside the knots it is zero.
     ///
     /// # Errors
     /// As there, and if `accelerations` is not as long as `poses`; nothing is written.
