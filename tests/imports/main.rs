@@ -135,7 +135,7 @@ const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("stretches", &["dq8", "error", "path", "screw", "segments"]),
     ("along", &["dq8", "clock", "screw", "segments"]),
     ("job", &["dq8", "along", "clock", "error", "path", "segments", "stretches"]),
-    ("spline", &["dq8", "along", "clock", "error", "job", "segments"]),
+    ("spline", &["dq8", "along", "clock", "error", "job", "screw", "segments"]),
     ("files", &["dq8", "error", "path"]),
     ("compare", &["dq8", "path"]),
 ];
