@@ -2,7 +2,7 @@
 //! differences; many times at once are one at a time.
 
 use dq8::storage::{Block, Element, Layout, unpack};
-use dq8::{Backend, DualQuat, Scalar, ShapeError, Twist};
+use dq8::{Backend, DualQuat, Quat, Scalar, ShapeError, Twist};
 use dq8_fixtures::random::Random;
 use dq8_trajectory::{Basis, Frame, Moving, Outside, Spline, TrajectoryError};
 
@@ -552,4 +552,47 @@ fn lanes_that_fuse_nothing_have_the_same_bits_on_every_level() {
     }
     all::<f32>();
     all::<f64>();
+}
+
+/// From turns of a hundredth to those near half a turn, at tens of metres.
+#[test]
+fn splines_agree_with_answers_of_ninety_digits() {
+    let rows = include_str!("spline.tsv").lines().filter(|line| !line.starts_with('#'));
+    let mut count = 0;
+    for line in rows {
+        let fields: Vec<_> = line.split('\t').collect();
+        let basis = if fields[0] == "Smooth" { Basis::Smooth } else { Basis::Through };
+        let numbers: Vec<f64> = fields[1..].iter().map(|field| field.parse().unwrap()).collect();
+        let (u, control, wanted) = (numbers[0], &numbers[1..29], &numbers[29..]);
+        let pose = |c: &[f64]| {
+            let rotation = Quat::from_xyzw(c[0], c[1], c[2], c[3]).normalize();
+            DualQuat::from_rotation_translation(rotation, [c[4], c[5], c[6]])
+        };
+        let control: Vec<_> = control.chunks_exact(7).map(pose).collect();
+        let spline = Spline::new(0.0, EVERY, &control, basis).unwrap();
+        let single = spline.moving_at(EVERY * u);
+        let mut found = vec![single];
+        for backend in Backend::available() {
+            let mut many = ([single.pose], [Twist::ZERO], [Twist::ZERO]);
+            let job = spline.job().backend(backend);
+            let times = [EVERY * u];
+            job.sample_with_accelerations(&times, &mut many.0, &mut many.1, &mut many.2).unwrap();
+            let mut lanes = single;
+            (lanes.pose, lanes.twist, lanes.acceleration) = (many.0[0], many.1[0], many.2[0]);
+            found.push(lanes);
+        }
+        for Moving { pose, twist, acceleration, .. } in found {
+            let rows = pose.to_matrix3x4();
+            let numbers = rows.as_flattened().iter().copied();
+            let changes = twist.to_array().into_iter().chain(acceleration.to_array());
+            for (i, (found, wanted)) in numbers.chain(changes).zip(wanted).enumerate() {
+                // Metres, metres in a second, and in its square, of a quarter of a second.
+                let bound = [1e-13, 1e-12, 2e-11][i.saturating_sub(6) / 6];
+                assert!((found - wanted).abs() < bound, "{line}: number {i}, {found} for {wanted}");
+            }
+        }
+        assert_eq!(wanted.len(), 24);
+        count += 1;
+    }
+    assert_eq!(count, 6);
 }
