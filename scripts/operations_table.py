@@ -149,7 +149,7 @@ EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite",
                           "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
 # What operations are made of, for kernels of users or for C: not in the tables. Nor is anything of `vector.rs`, nor of
 # `shorthand.rs`, which are other ways to write operations that are.
-PIECES = {"lie_bracket", "dib", "weighted_sum"}
+PIECES = {"best_rotation", "lie_bracket", "dib", "weighted_sum"}
 
 
 def functions(*folders):

@@ -1,8 +1,10 @@
-//! What dq8-robot and dq8-capi have of dq8 that is not for others: it may change in any version.
+//! What dq8-robot, dq8-trajectory and dq8-capi have of dq8 that is not for others: it may change in any version.
 
 pub use crate::backend::{Choice, Outputs, Rows, options};
+pub use crate::batch::even::{exponential_integrals, half_cotangent};
 pub use crate::brief::brief;
 pub use crate::errors::errors;
 pub use crate::everyday::{Number, Quick};
+pub use crate::representation::polar::best_rotation;
 pub use crate::scalar::blend::weighted_sum;
 pub use crate::scalar::mean::dib;

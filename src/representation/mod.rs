@@ -25,7 +25,7 @@ mod error;
 mod euler_angles;
 mod euler_order;
 mod gram_schmidt;
-mod polar;
+pub(crate) mod polar;
 mod rotation_translation;
 mod shorthand;
 mod symmetric;

@@ -4,9 +4,9 @@ use super::symmetric;
 use crate::number::Real;
 use crate::scalar::{Quat, vector};
 
-/// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions, then
-/// a rotation. Of all rotations R is the nearest to A, in the sum of the squares of the differences of
-/// the elements (Fan & Hoffman 1955), whatever the order of the axes.
+/// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions,
+/// then a rotation. Of all rotations R is the nearest to A, in the sum of the squares of the
+/// differences of the elements (Fan & Hoffman 1955), whatever the order of the axes.
 ///
 /// ```
 /// use dq8::{Quat, representation::Polar};
@@ -24,8 +24,8 @@ pub struct Polar<R> {
     /// S = RᵀA, symmetric. Its eigenvalues are the singular values of A, all of them negated if A
     /// mirrors.
     pub stretch: [[R; 3]; 3],
-    /// The determinant of A is negative. No rotation mirrors, so R is then the one nearest to −A, and
-    /// S mirrors in the origin (Shoemake & Duff 1992 keep that sign as a factor of its own).
+    /// The determinant of A is negative. No rotation mirrors, so R is then the one nearest to −A,
+    /// and S mirrors in the origin (Shoemake & Duff 1992 keep that sign as a factor of its own).
     pub mirrors: bool,
 }
 
@@ -33,42 +33,25 @@ impl<R: Real> Polar<R> {
     /// The decomposition of the rows.
     ///
     /// The sum of the products of the elements of A and those of the rotation matrix of q is a
-    /// quadratic form of q, so the nearest rotation is the eigenvector of the largest eigenvalue of a
-    /// symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). With the singular values σ₁ ≥ σ₂ ≥ σ₃
-    /// of A the four eigenvalues of −A are those of A negated, and the largest is σ₁ + σ₂ + σ₃ for the
-    /// one of ±A that does not mirror, which is how that is told. Newton's iteration (Higham 1986)
-    /// inverts A at every step; this inverts nothing, so a flat A (σ₃ = 0 within rounding) has its
-    /// answer too, and does not count as mirroring.
+    /// quadratic form of q, so the nearest rotation is the eigenvector of the largest eigenvalue of
+    /// a symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). With the singular values σ₁ ≥ σ₂
+    /// ≥ σ₃ of A the four eigenvalues of −A are those of A negated, and the largest is σ₁ + σ₂ + σ₃
+    /// for the one of ±A that does not mirror, which is how that is told. Newton's iteration
+    /// (Higham 1986) inverts A at every step; this inverts nothing, so a flat A (σ₃ = 0 within
+    /// rounding) has its answer too, and does not count as mirroring.
     ///
     /// # Errors
-    /// If an element is not finite, of A or of S (which overflows where singular values do), or if A squeezes space into a line or a point within rounding
-    /// (σ₂ = σ₃ = 0): then many rotations are as near as each other.
+    /// If an element is not finite, of A or of S (which overflows where singular values do), or if
+    /// A squeezes space into a line or a point within rounding (σ₂ = σ₃ = 0): then many rotations
+    /// are as near as each other.
     pub fn try_from_matrix3(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
-        all_finite(rows)?;
-        let largest = vector::largest(rows.map(vector::largest));
-        if largest == R::ZERO {
-            return Err(OrthonormalError::Ambiguous { gap: 0.0 });
-        }
-        let (values, vectors) = symmetric::eigen(horn(rows.map(|row| row.map(|c| c / largest))));
-        let [mut most, mut least] = [0; 2];
-        for index in 1..4 {
-            most = if values[index] > values[most] { index } else { most };
-            least = if values[index] < values[least] { index } else { least };
-        }
-        let rounding = R::from(32.0) * R::EPSILON;
+        let Spectrum { largest, values, vectors } = Spectrum::of(rows)?;
+        let rounding = rounding::<R>();
+        let [most, least] =
+            [place_of_the_largest(values), place_of_the_largest(values.map(|v| -v))];
         let mirrors = -values[least] > values[most] * (R::ONE + rounding);
         let (best, sign) = if mirrors { (least, -R::ONE) } else { (most, R::ONE) };
-        let values = values.map(|value| sign * value);
-        let others = values.into_iter().enumerate().filter(|(index, _)| *index != best);
-        // They are not further below than −λ.
-        let next =
-            others.fold(-values[best], |next, (_, other)| if other > next { other } else { next });
-        let gap = (values[best] - next) / (R::TWO * values[best]);
-        if gap <= rounding {
-            return Err(OrthonormalError::Ambiguous { gap: gap.into() });
-        }
-        let rotation = Quat::from_array(vectors.map(|row| row[best])).normalize();
-        let rotation = if rotation.w() < R::ZERO { -rotation } else { rotation };
+        let (rotation, _) = rotation(values.map(|value| sign * value), vectors, best)?;
         // Near the top of the range the sums on the way may overflow where S does not.
         let scale = if largest > R::from(1e30) { R::from(0.25) } else { R::ONE };
         let stretch = stretch(rotation, rows.map(|row| row.map(|c| c * scale)));
@@ -76,6 +59,68 @@ impl<R: Real> Polar<R> {
         all_finite(stretch)?;
         Ok(Self { rotation, stretch, mirrors })
     }
+}
+
+/// The rotation R for which the sum of the products of its elements and those of A is largest, w ≥
+/// 0. It is the one nearest to A, also if A mirrors: then the smallest axis of A is turned over
+/// (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum, σ₁ + σ₂ ± σ₃ of
+/// the singular values, less where A mirrors; and σ₂ ± σ₃, by which R is told from others.
+///
+/// # Errors
+/// If an element is not finite, or many rotations are as good: A squeezes space into a line or a
+/// point within rounding, or mirrors and has its two smaller singular values in common.
+pub fn best_rotation<R: Real>(rows: [[R; 3]; 3]) -> Result<(Quat<R>, [R; 2]), OrthonormalError> {
+    let Spectrum { largest, values, vectors } = Spectrum::of(rows)?;
+    let best = place_of_the_largest(values);
+    let (rotation, gap) = rotation(values, vectors, best)?;
+    Ok((rotation, [R::ONE, gap].map(|share| share * values[best] * largest)))
+}
+
+/// The eigenvalues and eigenvectors of [`horn`], of A over its largest element.
+struct Spectrum<R> {
+    largest: R,
+    values: [R; 4],
+    vectors: [[R; 4]; 4],
+}
+
+impl<R: Real> Spectrum<R> {
+    fn of(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
+        all_finite(rows)?;
+        let largest = vector::largest(rows.map(vector::largest));
+        if largest == R::ZERO {
+            return Err(OrthonormalError::Ambiguous { gap: 0.0 });
+        }
+        let (values, vectors) = symmetric::eigen(horn(rows.map(|row| row.map(|c| c / largest))));
+        Ok(Self { largest, values, vectors })
+    }
+}
+
+/// What is smaller, next to one, may be rounding.
+fn rounding<R: Real>() -> R {
+    R::from(32.0) * R::EPSILON
+}
+
+fn place_of_the_largest<R: Real>(values: [R; 4]) -> usize {
+    (1..4).fold(0, |most, index| if values[index] > values[most] { index } else { most })
+}
+
+/// The rotation of the largest eigenvalue, if the others are smaller, and by how much the next one
+/// is: half of the difference, as a share.
+fn rotation<R: Real>(
+    values: [R; 4],
+    vectors: [[R; 4]; 4],
+    best: usize,
+) -> Result<(Quat<R>, R), OrthonormalError> {
+    let others = values.into_iter().enumerate().filter(|(index, _)| *index != best);
+    // They are not further below than −λ.
+    let next =
+        others.fold(-values[best], |next, (_, other)| if other > next { other } else { next });
+    let gap = (values[best] - next) / (R::TWO * values[best]);
+    if gap <= rounding() {
+        return Err(OrthonormalError::Ambiguous { gap: gap.into() });
+    }
+    let rotation = Quat::from_array(vectors.map(|row| row[best])).normalize();
+    Ok((if rotation.w() < R::ZERO { -rotation } else { rotation }, gap))
 }
 
 /// K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the rotation matrix of a unit q.

@@ -75,7 +75,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("seams", &["brief", "errors", "scalar", "everyday", "backend"]),
+    ("seams", &["brief", "errors", "batch", "scalar", "everyday", "representation", "backend"]),
     ("ik", &["errors", "number", "scalar"]),
     (
         "hierarchy",
@@ -131,9 +131,13 @@ const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("clock", &["error"]),
     ("screw", &["dq8"]),
     ("path", &["dq8", "error", "screw"]),
-    ("segments", &["dq8", "clock", "error", "path", "screw"]),
+    ("segments", &["dq8", "clock", "error"]),
+    ("stretches", &["dq8", "error", "path", "screw", "segments"]),
     ("along", &["dq8", "clock", "screw", "segments"]),
-    ("job", &["dq8", "along", "clock", "error", "path", "segments"]),
+    ("job", &["dq8", "along", "clock", "error", "path", "segments", "stretches"]),
+    ("spline", &["dq8", "along", "clock", "error", "job", "screw", "segments"]),
+    ("files", &["dq8", "error", "path"]),
+    ("compare", &["dq8", "path"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.
@@ -239,7 +243,9 @@ fn every_file_of_the_reference_has_a_twin_in_batch_and_the_other_way_round() {
 /// `simd` has the instructions, `capi` the pointers of C.
 #[test]
 fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
-    for source in ["src", "robot", "examples", "benches"].into_iter().flat_map(sources) {
+    for source in
+        ["src", "robot", "trajectory", "examples", "benches"].into_iter().flat_map(sources)
+    {
         assert!(!tokens(&source.text).iter().any(|token| token == "unsafe"), "{}", source.path);
     }
     let lib = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/lib.rs")).unwrap();
@@ -249,7 +255,7 @@ fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
 
 #[test]
 fn no_file_is_longer_than_eight_hundred_lines() {
-    for source in ["src", "simd/src", "robot", "capi"].into_iter().flat_map(sources) {
+    for source in ["src", "simd/src", "robot", "trajectory", "capi"].into_iter().flat_map(sources) {
         let lines = source.text.lines().count();
         assert!(lines <= MAX_LINES, "{} has {lines} lines", source.path);
     }

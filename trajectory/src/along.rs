@@ -19,6 +19,10 @@ use dq8::{Kernel, Lanes, Level, Scalar, Twist};
 
 /// What is done with a register of times.
 pub(crate) trait Work<Y: Layout, const C: usize> {
+    /// With AVX-512 the compiler makes gathers of the search, which takes twice as long: for work
+    /// that takes much longer.
+    const WIDE: bool = false;
+
     /// Takes the records of the segments that the times are in, and the seconds since their start.
     /// `None` ends the loop.
     fn tile<V: Level>(
@@ -41,8 +45,7 @@ pub(crate) struct Along<'a, Y: Layout, T, W, const C: usize> {
 
 impl<Y: Layout, T: Time, W: Work<Y, C>, const C: usize> Kernel for Along<'_, Y, T, W, C> {
     type Output = ();
-    // The compiler makes gathers of the search with AVX-512, which takes twice as long.
-    const WIDE: bool = false;
+    const WIDE: bool = W::WIDE;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
@@ -163,6 +166,8 @@ pub(crate) struct Poses<'s, M, W> {
 impl<M: Element<8>, W: Element<6, Layout = M::Layout>> Work<M::Layout, SAMPLES>
     for Poses<'_, M, W>
 {
+    const WIDE: bool = true;
+
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile<V: Level>(
         &mut self,

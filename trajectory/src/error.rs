@@ -29,6 +29,13 @@ errors! {
         /// The frame was asked for at a time that is not finite, or outside the stamps where that
         /// is refused.
         NoFrame { time: f64 = "The time in seconds." } => "there is no frame at {time} s";
+        /// A spline needs four control poses.
+        TooFewPoses { poses: usize = "The number of control poses." } => "{poses} control poses: a spline needs at least four";
+        /// A control pose is not finite.
+        ControlPose { index: usize = "The number of the pose." } => "control pose {index} is not finite";
+        /// A spline has no such times.
+        Interval { start: f64 = "The time of the first knot in seconds.", every: f64 = "The interval of the knots in seconds." }
+            => "knots every {every} s from {start} s on: times must be finite, and the interval positive and larger than their rounding";
         /// The clock has a number that is not finite, or a unit of zero.
         Clock { value: f64 = "The number." } => "the clock has {value}: its origin and unit must be finite, the unit not zero";
     }

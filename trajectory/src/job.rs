@@ -3,13 +3,15 @@
 use crate::along::{Along, MOVES, Points, Poses, SAMPLES, Scan, Work};
 use crate::clock::{Clock, Time};
 use crate::segments::{Frame, Outside, Segments};
+use crate::stretches::stretches;
 use crate::{OwnedTrajectory, Trajectory, TrajectoryError};
 use alloc::vec;
 use dq8::seams::{Choice, Rows, options};
 use dq8::storage::{Element, Layout, same_length};
-use dq8::{DualQuat, Scalar, ShapeError};
+use dq8::{DualQuat, Scalar, ShapeError, Twist};
 
-/// A run over many times, as many at once as there are lanes. Times may be in any order; rising
+/// A run over many times, as many at once as there are lanes, of a [`Trajectory`] or of a
+/// [`Spline`](crate::Trajectory). Times may be in any order; rising
 /// ones are quickest.
 ///
 /// Without options times are seconds on the clock of the stamps, poses and points come out in the
@@ -17,33 +19,33 @@ use dq8::{DualQuat, Scalar, ShapeError};
 /// blocks, of `f32` or `f64`.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
-pub struct Job<'a> {
-    path: Trajectory<'a>,
+pub struct Job<P> {
+    pub(crate) path: P,
     clock: Clock,
-    frame: Frame,
-    outside: Outside,
-    choice: Choice,
+    pub(crate) frame: Frame,
+    pub(crate) outside: Outside,
+    pub(crate) choice: Choice,
 }
 
 /// The number of things that a thread takes at least.
-const GRAIN: usize = 4096;
+pub(crate) const GRAIN: usize = 4096;
 
 impl<'a> Trajectory<'a> {
     /// A run over many times.
-    pub fn job(self) -> Job<'a> {
+    pub fn job(self) -> Job<Self> {
         Job::new(self)
     }
 }
 
 impl OwnedTrajectory {
     /// A run over many times.
-    pub fn job(&self) -> Job<'_> {
+    pub fn job(&self) -> Job<Trajectory<'_>> {
         self.view().job()
     }
 }
 
-impl<'a> Job<'a> {
-    fn new(path: Trajectory<'a>) -> Self {
+impl<P: Copy> Job<P> {
+    pub(crate) fn new(path: P) -> Self {
         let clock = Clock { origin: 0.0, unit: 1.0 };
         let choice = Choice::default();
         Self { path, clock, frame: Frame::default(), outside: Outside::default(), choice }
@@ -70,6 +72,52 @@ impl<'a> Job<'a> {
 
     options!();
 
+    /// A time on the clock of the stamps, in seconds.
+    pub(crate) fn stamp(self, time: impl Time) -> f64 {
+        self.clock.stamp(time)
+    }
+
+    /// Lengths, clock, and times that are refused.
+    pub(crate) fn check<T: Time>(
+        self,
+        [first, last]: [f64; 2],
+        what: &'static str,
+        length: usize,
+        times: &[T],
+        things: usize,
+    ) -> Result<(), TrajectoryError> {
+        same_length(what, length, times.len().div_ceil(things))?;
+        self.clock.check()?;
+        if self.outside != Outside::Refuse {
+            return Ok(());
+        }
+        let inside = |stamp| (first..=last).contains(&stamp);
+        match times.iter().position(|&time| !inside(self.clock.stamp(time))) {
+            Some(index) => {
+                let value = self.clock.stamp(times[index]);
+                Err(TrajectoryError::Outside { index, value, first, last })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The loop over the times of a part of the output.
+    pub(crate) fn along<Y: Layout, T: Time, W: Work<Y, C>, const C: usize>(
+        self,
+        segments: &Segments<Y::Real, C>,
+        times: &[T],
+        first: usize,
+        elements: usize,
+        work: W,
+    ) {
+        let from = first * Y::THINGS;
+        let to = (from + elements * Y::THINGS).min(times.len());
+        let (clock, times) = (self.clock, times.get(from..to).unwrap_or_default());
+        self.choice.instructions().run(Along { segments, clock, times, elements, work });
+    }
+}
+
+impl<'a> Job<Trajectory<'a>> {
     /// A scan whose points share times by column: `times[column]`.
     pub fn columns<T: Time>(self, times: &'a [T]) -> Columns<'a, T> {
         Columns { job: self, times }
@@ -98,7 +146,7 @@ impl<'a> Job<'a> {
         times: &[T],
         poses: &mut [M],
     ) -> Result<(), TrajectoryError> {
-        self.check("poses", poses.len(), times, M::Layout::THINGS)?;
+        self.check(self.path.range(), "poses", poses.len(), times, M::Layout::THINGS)?;
         let none: &mut [<M::Layout as Layout>::Record<6>] = &mut [];
         self.poses(times, poses, none)
     }
@@ -115,7 +163,7 @@ impl<'a> Job<'a> {
         poses: &mut [M],
         twists: &mut [W],
     ) -> Result<(), TrajectoryError> {
-        self.check("poses", poses.len(), times, M::Layout::THINGS)?;
+        self.check(self.path.range(), "poses", poses.len(), times, M::Layout::THINGS)?;
         same_length("twists", twists.len(), poses.len())?;
         self.poses(times, poses, twists)
     }
@@ -145,7 +193,7 @@ impl<'a> Job<'a> {
         points: &[P],
         moved: &mut [P],
     ) -> Result<(), TrajectoryError> {
-        self.check("points", points.len(), times, P::Layout::THINGS)?;
+        self.check(self.path.range(), "points", points.len(), times, P::Layout::THINGS)?;
         same_length("moved", moved.len(), points.len())?;
         self.points::<_, _, false, N>(times, Some(points), moved)
     }
@@ -159,7 +207,7 @@ impl<'a> Job<'a> {
         times: &[T],
         points: &mut [P],
     ) -> Result<(), TrajectoryError> {
-        self.check("points", points.len(), times, P::Layout::THINGS)?;
+        self.check(self.path.range(), "points", points.len(), times, P::Layout::THINGS)?;
         self.points::<_, _, false, N>(times, None, points)
     }
 
@@ -174,7 +222,7 @@ impl<'a> Job<'a> {
         points: &[P],
         moved: &mut [P],
     ) -> Result<(), TrajectoryError> {
-        self.check("points", points.len(), times, P::Layout::THINGS)?;
+        self.check(self.path.range(), "points", points.len(), times, P::Layout::THINGS)?;
         same_length("moved", moved.len(), points.len())?;
         self.points::<_, _, true, N>(times, Some(points), moved)
     }
@@ -188,32 +236,8 @@ impl<'a> Job<'a> {
         times: &[T],
         points: &mut [P],
     ) -> Result<(), TrajectoryError> {
-        self.check("points", points.len(), times, P::Layout::THINGS)?;
+        self.check(self.path.range(), "points", points.len(), times, P::Layout::THINGS)?;
         self.points::<_, _, true, N>(times, None, points)
-    }
-
-    /// Lengths, clock, and times that are refused.
-    fn check<T: Time>(
-        self,
-        what: &'static str,
-        length: usize,
-        times: &[T],
-        things: usize,
-    ) -> Result<(), TrajectoryError> {
-        same_length(what, length, times.len().div_ceil(things))?;
-        self.clock.check()?;
-        if self.outside != Outside::Refuse {
-            return Ok(());
-        }
-        let [first, last] = self.path.range();
-        let inside = |stamp| (first..=last).contains(&stamp);
-        match times.iter().position(|&time| !inside(self.clock.stamp(time))) {
-            Some(index) => {
-                let value = self.clock.stamp(times[index]);
-                Err(TrajectoryError::Outside { index, value, first, last })
-            }
-            None => Ok(()),
-        }
     }
 
     fn poses<T: Time, M: Element<8>, W: Element<6, Layout = M::Layout>>(
@@ -223,7 +247,7 @@ impl<'a> Job<'a> {
         twists: &mut [W],
     ) -> Result<(), TrajectoryError> {
         let Self { path, frame, outside, .. } = self;
-        let segments = Segments::new(path, frame, outside, |pose, twist| {
+        let segments = segments(path, frame, outside, |pose, twist| {
             let mut record = [0.0; SAMPLES];
             record[..8].copy_from_slice(&pose.to_array());
             record[8..14].copy_from_slice(&twist.to_array());
@@ -252,7 +276,7 @@ impl<'a> Job<'a> {
     ) -> Result<(), TrajectoryError> {
         const { assert!(N >= 3, "a point has three coordinates") }
         let Self { path, frame, outside, .. } = self;
-        let segments = Segments::new(path, frame, outside, |pose, twist| {
+        let segments = segments(path, frame, outside, |pose, twist| {
             let pose = if BACK { pose.conjugate() } else { pose };
             let mut record = [0.0; MOVES];
             record[..12].copy_from_slice(pose.to_matrix3x4().as_flattened());
@@ -268,28 +292,34 @@ impl<'a> Job<'a> {
         self.choice.instructions().share(GRAIN, (moved, 1), &work);
         Ok(())
     }
+}
 
-    /// The loop over the times of a part of the output.
-    fn along<Y: Layout, T: Time, W: Work<Y, C>, const C: usize>(
-        self,
-        segments: &Segments<Y::Real, C>,
-        times: &[T],
-        first: usize,
-        elements: usize,
-        work: W,
-    ) {
-        let from = first * Y::THINGS;
-        let to = (from + elements * Y::THINGS).min(times.len());
-        let (clock, times) = (self.clock, times.get(from..to).unwrap_or_default());
-        self.choice.instructions().run(Along { segments, clock, times, elements, work });
-    }
+/// The records that `record` makes of the pose of the body in the wanted frame at the start of each
+/// stretch, and of its twist for a second.
+fn segments<R: Scalar, const C: usize>(
+    path: Trajectory<'_>,
+    frame: Frame,
+    outside: Outside,
+    record: impl Fn(DualQuat<f64>, Twist<f64>) -> [f64; C],
+) -> Result<Segments<R, C>, TrajectoryError> {
+    let stretches = stretches(path, outside)?;
+    let [first, last] = path.range();
+    let at = |time| match outside {
+        Outside::Continue if time < first => stretches[0].at(time),
+        Outside::Continue if time > last => stretches[stretches.len() - 1].at(time),
+        _ => path.at(time),
+    };
+    let into = frame.pose([first, last], outside, at)?.conjugate();
+    let records = stretches.iter().map(|stretch| record(into * stretch.pose, stretch.velocity));
+    let starts = stretches.iter().map(|stretch| stretch.start);
+    Ok(Segments::new(starts, records, [first, last], outside != Outside::Continue))
 }
 
 /// A scan of rows and columns, whose points share the times of their columns: [`Job::columns`].
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Columns<'a, T> {
-    job: Job<'a>,
+    job: Job<Trajectory<'a>>,
     times: &'a [T],
 }
 

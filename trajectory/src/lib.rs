@@ -1,14 +1,17 @@
-//! Trajectories: poses with stamps, sampled at many times; and points that are each moved by the
-//! pose at their own time.
+//! Trajectories: poses with stamps, sampled at many times, and compared; points that are each moved
+//! by the pose at their own time; and smooth curves by control poses.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`Trajectory`] | stamps and poses in the caller's memory, checked once; screw motion between neighbours |
 //! | [`OwnedTrajectory`] | the same with memory of its own; made of unsorted stamps, or of one constant velocity |
+//! | [`Spline`] | a cubic B-spline by control poses, or Catmull and Rom's through them; twists, accelerations, Jacobians |
 //! | [`Job`] | a run over many times, with options: clock, frame, what is outside the stamps, instructions, threads |
 //! | [`Frame`] | the frame that poses and points come out in |
 //! | [`Outside`] | what happens before the first stamp and after the last |
 //! | [`Time`] | the numbers that times of points may be |
+//! | [`compare`] | an estimate against a reference: pairs, alignment, absolute and relative errors |
+//! | `files` | trajectories in text files: TUM, EuRoC, KITTI (feature `std`) |
 //!
 //! Poses and stamps are `f64`. A pose is first taken relative to the wanted frame and only then
 //! rounded to the numbers of the points, so a map whose origin is 10⁶ m away costs an `f32` point
@@ -32,27 +35,36 @@
 //!
 //! # Features
 //!
-//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8. The crate is `no_std` and
-//! needs a heap, on which a job keeps the segments of its trajectory.
+//! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8; `std` adds the module
+//! `files`. The crate is `no_std` and needs a heap, on which a job keeps the segments of its
+//! trajectory.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
 
 mod along;
 mod clock;
+pub mod compare;
 mod error;
+#[cfg(feature = "std")]
+pub mod files;
 mod job;
 mod path;
 mod screw;
 mod segments;
+mod spline;
+mod stretches;
 
 pub use clock::Time;
 pub use error::TrajectoryError;
 pub use job::{Columns, Job};
 pub use path::{OwnedTrajectory, Trajectory};
 pub use segments::{Frame, Outside};
+pub use spline::{Basis, Jacobians, Moving, Spline};
 
 /// The example of the README is tested like the documentation.
 #[cfg(doctest)]

@@ -216,3 +216,9 @@ impl OwnedTrajectory {
         self.view().at(time)
     }
 }
+
+impl<'a> From<&'a OwnedTrajectory> for Trajectory<'a> {
+    fn from(path: &'a OwnedTrajectory) -> Self {
+        path.view()
+    }
+}

@@ -20,8 +20,8 @@ use dq8::simd::{Float, Mask};
 /// are short.
 const LONGEST: f64 = 0.5;
 
-/// So many parts that none turns by more than the longest turn; one where the turn is not finite, as
-/// from a pose that is NaN.
+/// So many parts that none turns by more than the longest turn; one where the turn is not finite,
+/// as from a pose that is NaN.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -117,8 +117,9 @@ const fn alternating<const N: usize>(first: f64) -> [f64; N] {
     coefficients
 }
 
+/// c₀ + c₁x + …
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn horner<L: Lanes, const N: usize>(x: L, coefficients: [f64; N]) -> L {
+pub(crate) fn horner<L: Lanes, const N: usize>(x: L, coefficients: [f64; N]) -> L {
     let mut sum = x.constant(coefficients[N - 1]);
     let mut n = N - 1;
     while n > 0 {

@@ -1,11 +1,10 @@
-//! [`Segments`]: a trajectory as a table of records, one for each stretch of constant velocity; and
-//! which of them a time is in.
+//! [`Segments`]: a path as a table of records, one for each stretch of time; and which of them a
+//! time is in.
 
+use crate::TrajectoryError;
 use crate::clock::{Clock, Time};
-use crate::screw::parts;
-use crate::{Trajectory, TrajectoryError};
 use alloc::vec::Vec;
-use dq8::{DualQuat, Real, Scalar, Twist};
+use dq8::{DualQuat, Real, Scalar};
 
 /// The frame that poses and points come out in.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,68 +35,24 @@ pub enum Outside {
     Refuse,
 }
 
-/// A time of constant velocity, from its start on.
-struct Stretch {
-    start: f64,
-    pose: DualQuat<f64>,
-    /// For one second, in the frame of the moving body.
-    velocity: Twist<f64>,
-}
-
-/// The time before the first stamp, the ways between the poses, cut into parts that turn little,
-/// and the time after the last stamp.
-fn stretches(path: Trajectory<'_>, outside: Outside) -> Result<Vec<Stretch>, TrajectoryError> {
-    let (stamps, poses) = (path.stamps(), path.poses());
-    let mut between = Vec::with_capacity(stamps.len());
-    for (pair, stamps) in poses.windows(2).zip(stamps.windows(2)) {
-        let length = stamps[1] - stamps[0];
-        let way = pair[0].twist_to(pair[1]);
-        let velocity = Twist::from_array(way.to_array().map(|number| number / length));
-        let [x, y, z] = way.angular;
-        let parts = parts(Real::sqrt(x * x + y * y + z * z));
-        for part in 0..parts {
-            let start = stamps[0] + length * (part as f64 / parts as f64);
-            // The start is rounded, and the pose is the one at the rounded start.
-            let share = (start - stamps[0]) / length;
-            let pose = pair[0] * DualQuat::from_twist(way.scale(share));
-            between.push(Stretch { start, pose, velocity });
-        }
-    }
-    let [before, after] = match (outside, between.first().zip(between.last())) {
-        (Outside::Continue, Some((first, last))) => [first.velocity, last.velocity],
-        (Outside::Continue, None) => return Err(TrajectoryError::OnePose),
-        _ => [Twist::ZERO; 2],
-    };
-    let [first, last] = path.range();
-    let before = Stretch { start: first, pose: poses[0], velocity: before };
-    let after = Stretch { start: last, pose: poses[poses.len() - 1], velocity: after };
-    Ok([before].into_iter().chain(between).chain([after]).collect())
-}
-
 impl Frame {
-    fn pose(
+    /// Its pose in the world, where `at` gives the poses of the body at any time.
+    pub(crate) fn pose(
         self,
-        path: Trajectory<'_>,
-        stretches: &[Stretch],
+        [first, last]: [f64; 2],
         outside: Outside,
+        at: impl Fn(f64) -> DualQuat<f64>,
     ) -> Result<DualQuat<f64>, TrajectoryError> {
-        let [first, last] = path.range();
-        let goes_on = |end: &Stretch, time: f64| {
-            end.pose * DualQuat::from_twist(end.velocity.scale(time - end.start))
-        };
         match self {
             Self::World => Ok(DualQuat::IDENTITY),
             Self::Pose(pose) => Ok(pose),
-            Self::Start => Ok(path.at(first)),
-            Self::End => Ok(path.at(last)),
-            Self::At(time) if !time.is_finite() => Err(TrajectoryError::NoFrame { time }),
-            Self::At(time) if (first..=last).contains(&time) => Ok(path.at(time)),
-            Self::At(time) => match outside {
-                Outside::Hold => Ok(path.at(time)),
-                Outside::Continue if time < first => Ok(goes_on(&stretches[0], time)),
-                Outside::Continue => Ok(goes_on(&stretches[stretches.len() - 1], time)),
-                Outside::Refuse => Err(TrajectoryError::NoFrame { time }),
-            },
+            Self::Start => Ok(at(first)),
+            Self::End => Ok(at(last)),
+            Self::At(time) => {
+                let inside = (first..=last).contains(&time);
+                let is_there = time.is_finite() && (inside || outside != Outside::Refuse);
+                is_there.then(|| at(time)).ok_or(TrajectoryError::NoFrame { time })
+            }
         }
     }
 }
@@ -105,7 +60,7 @@ impl Frame {
 /// The times that one record is for.
 #[derive(Clone, Copy, Debug)]
 struct Span {
-    /// From here on, until `to`; infinite before the first stamp and after the last one.
+    /// From here on, until `to`; infinite before the range and after it.
     from: f64,
     to: f64,
     /// The time at which the body is at the pose of the record.
@@ -128,8 +83,8 @@ impl Span {
     }
 }
 
-/// One record for the time before the first stamp, one for each stretch of constant velocity, and
-/// one for the time after the last stamp.
+/// One record for the time before the range, one for each stretch of it, and one for the time
+/// after.
 #[derive(Debug)]
 pub(crate) struct Segments<R, const C: usize> {
     spans: Vec<Span>,
@@ -158,32 +113,29 @@ pub(crate) struct Found<R> {
 }
 
 impl<R: Scalar, const C: usize> Segments<R, C> {
-    /// The records that `record` makes of the pose of the body in the wanted frame at the start,
-    /// and of its twist for a second.
+    /// Records that begin at `starts`, the first for the time before and the last for the time
+    /// after the `range`, where the body `stands` or moves.
     pub(crate) fn new(
-        path: Trajectory<'_>,
-        frame: Frame,
-        outside: Outside,
-        record: impl Fn(DualQuat<f64>, Twist<f64>) -> [f64; C],
-    ) -> Result<Self, TrajectoryError> {
-        let stretches = stretches(path, outside)?;
-        let into = frame.pose(path, &stretches, outside)?.conjugate();
+        starts: impl IntoIterator<Item = f64>,
+        records: impl IntoIterator<Item = [f64; C]>,
+        [first, last]: [f64; 2],
+        stands: bool,
+    ) -> Self {
+        let starts: Vec<_> = starts.into_iter().collect();
         let round = |numbers: [f64; C]| numbers.map(<R as Real>::from_f64);
-        let record = |s: &Stretch| round(record(into * s.pose, s.velocity));
-        let records: Vec<_> = stretches.iter().map(record).collect();
-        let last = stretches.len() - 1;
+        let records: Vec<_> = records.into_iter().map(round).collect();
+        let end = starts.len() - 1;
         // Parts that are shorter than the roundoff of their stamps begin at one time: all but the
         // last are empty.
         let span = |k: usize| Span {
-            from: if k == 0 { f64::NEG_INFINITY } else { stretches[k].start },
-            to: stretches.get(k + 1).map_or(f64::INFINITY, |next| next.start),
-            start: stretches[k].start,
-            stands: (k == 0 || k == last) && outside != Outside::Continue,
+            from: if k == 0 { f64::NEG_INFINITY } else { starts[k] },
+            to: starts.get(k + 1).copied().unwrap_or(f64::INFINITY),
+            start: starts[k],
+            stands: (k == 0 || k == end) && stands,
         };
-        let spans: Vec<_> = (0..=last).map(span).collect();
+        let spans: Vec<_> = (0..=end).map(span).collect();
 
         let count = BUCKETS * records.len();
-        let [first, last] = path.range();
         // One bucket for all, where the stamps are one.
         let rate = if last > first { count as f64 / (last - first) } else { 0.0 };
         let mut buckets = Vec::with_capacity(count);
@@ -195,7 +147,7 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
             }
             buckets.push(index(record));
         }
-        Ok(Self { spans, records, buckets, rate })
+        Self { spans, records, buckets, rate }
     }
 
     /// The record that a time is in; the first for NaN.
