@@ -1,6 +1,6 @@
 use super::length::Length;
-use super::vector::{any_across, cross, dot, epsilon, scale, scale_onto, select, sub};
-use super::{Quat, atan2, vector};
+use super::vector::{across, any_across, cross, dot, epsilon, scale, scale_onto, select, sub};
+use super::{DualQuat, Quat, atan2, vector};
 use dq8_simd::{Lanes, Mask};
 
 /// Limbs of two bones, one per lane: [`ik::TwoBone`](crate::ik::TwoBone) on lanes.
@@ -140,4 +140,67 @@ fn about_z<L: Lanes>(frame: Quat<L>, z: L, w: L) -> Quat<L> {
         k.neg_mul_add(z, s * w),
     )
     .normalize()
+}
+
+/// Where the root of a limb is, and the lengths of its bones, by the local poses of its joints.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn root_and_lengths<L: Lanes>(
+    parent: Option<DualQuat<L>>,
+    [hip, knee, foot]: [DualQuat<L>; 3],
+) -> ([L; 3], [L; 2]) {
+    let place = hip.translation();
+    let root = match parent {
+        Some(parent) => parent.transform_point(place),
+        None => place,
+    };
+    let one = place[0].constant(1.0);
+    let length = Length::of(knee.translation(), one);
+    (root, [length.value(), Length::of(foot.translation(), one).value()])
+}
+
+/// The local poses of the joints of a limb whose end reaches the target, and is turned as `end`; `hinge` is in the frame of the
+/// second joint.
+///
+/// The model rotation of a bone is `upper` or `lower` times F*, where F takes x to the bone and z to the hinge, in the frame
+/// of its joint.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn locals<L: Lanes>(
+    parent: Option<DualQuat<L>>,
+    [hip, knee, foot]: [DualQuat<L>; 3],
+    end: Quat<L>,
+    hinge: [L; 3],
+    (root, lengths, target, pole): ([L; 3], [L; 2], [L; 3], [L; 3]),
+) -> [DualQuat<L>; 3] {
+    let found = TwoBone::reach(root, lengths, target, pole);
+    let (thigh, shin) = (knee.translation(), foot.translation());
+    let of_thigh = frame_of_bone(thigh, knee.real().rotate(hinge));
+    let upper = (found.upper * of_thigh.conjugate()).normalize();
+    let lower = (found.lower * frame_of_bone(shin, hinge).conjugate()).normalize();
+    let of_hip = match parent {
+        Some(parent) => parent.real().conjugate() * upper,
+        None => upper,
+    };
+    [
+        DualQuat::from_rotation_translation(of_hip, hip.translation()),
+        DualQuat::from_rotation_translation(upper.conjugate() * lower, thigh),
+        DualQuat::from_rotation_translation(lower.conjugate() * end, shin),
+    ]
+}
+
+/// Some multiple of the rotation that takes x to a bone, and z to what of the hinge is across it: some axis if nothing is.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn frame_of_bone<L: Lanes>(bone: [L; 3], hinge: [L; 3]) -> Quat<L> {
+    let (zero, one) = (bone[0].constant(0.0), bone[0].constant(1.0));
+    let length = Length::of(bone, one);
+    let x = select(zero.lt(length.value()), length.divide_all(bone), [one, zero, zero]);
+    let length = Length::of(hinge, one);
+    let hinge = length.divide_all(hinge);
+    let side = across(x, across(x, hinge));
+    let size = Length::of(side, one);
+    let clear = one.constant(16.0 * epsilon::<L>()).lt(size.value());
+    let mut z = size.divide_all(side);
+    if !clear.all() {
+        z = select(clear, z, any_across(x));
+    }
+    frame_of(x, z)
 }

@@ -2,7 +2,10 @@
 //! target. For robots and other chains of joints there is `Reach` of the crate `dq8-robot`.
 
 mod error;
+mod limb;
 mod two_bone;
 
-pub use error::LimbError;
+pub use error::{LimbError, LimbsError};
+pub use limb::Limb;
+pub(crate) use limb::{Asked, fault};
 pub use two_bone::{Span, TwoBone};
