@@ -301,3 +301,30 @@ fn what_is_no_limb_is_named_and_no_local_is_written() {
     let error = hierarchy.job().two_bone(&limb, &models, &targets, &targets, &mut new).unwrap_err();
     assert_eq!(error.to_string(), "the hinge is not finite: coordinate 1 is NaN");
 }
+
+#[cfg(feature = "rayon")]
+#[test]
+fn all_cores_bend_limbs_as_one_does() {
+    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
+    let mut random = Random(8);
+    for instances in [0, 1, 100, 9001] {
+        let asked = asked(instances);
+        let [one, all] = [1, usize::MAX]
+            .map(|threads| bent::<AoSoA<[f32; 16]>>(&asked, Backend::best().threads(threads)));
+        assert_eq!(one, all);
+        let motion = |_| DualQuat::from_array(step(&mut random).motion().map(|c| c as f32));
+        let locals: Vec<_> = (0..instances * JOINTS).map(motion).collect();
+        let point = |(_, _, target, _): &Asked| target.map(|c| c as f32);
+        let targets: Vec<_> = asked.iter().map(point).collect();
+        let mut models = locals.clone();
+        hierarchy.job().local_to_model_in_place(&mut models).expect("they fit");
+        let limb = Limb { joints: LEG, hinge: [1.0, 0.0, 0.0] };
+        let roots: Vec<_> = locals.iter().step_by(JOINTS).copied().collect();
+        let [one, all] = [1, usize::MAX].map(|threads| {
+            let (mut new, job) = (locals.clone(), hierarchy.job().threads(threads).roots(&roots));
+            job.two_bone(&limb, &models, &targets, &targets, &mut new).expect("a limb");
+            new
+        });
+        assert!(one == all && (instances == 0 || one != locals), "{instances}");
+    }
+}
