@@ -222,7 +222,7 @@ def how_bounded(bounds, kind, name):
 
 def main():
     bounds = tomllib.loads((ROOT / "proofs/bounds.toml").read_text(encoding="utf-8"))
-    reference = functions("src/scalar", "src/representation", "src/incidence", "src/ik/two_bone.rs")
+    reference = functions("src/scalar", "src/representation", "src/incidence")
     shared = functions("src/geometry")
     lanes = functions("src/batch")
     traits = methods_of_traits()

@@ -1,7 +1,7 @@
-use super::error::{LimbError, LimbsError};
-use super::two_bone::TwoBone;
+use super::error::LimbsError;
 use crate::batch;
 use crate::number::{Real, Scalar};
+use crate::scalar::two_bone::{LimbError, TwoBone};
 use dq8_simd::{Lanes, Mask};
 
 /// Three joints of a skeleton that are a limb: hip, knee and ankle, or shoulder, elbow and wrist.

@@ -3,9 +3,8 @@
 
 mod error;
 mod limb;
-mod two_bone;
 
-pub use error::{LimbError, LimbsError};
+pub use crate::scalar::two_bone::{LimbError, Span, TwoBone};
+pub use error::LimbsError;
 pub use limb::Limb;
 pub(crate) use limb::{Asked, fault};
-pub use two_bone::{Span, TwoBone};

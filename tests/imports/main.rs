@@ -45,7 +45,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ),
     ("palette_entry", &["dq8_simd", "batch", "storage"]),
     ("law", &["dq8_simd", "batch"]),
-    ("ik", &["errors", "number", "scalar", "everyday", "storage"]),
+    ("ik", &["errors", "number", "scalar", "batch", "storage", "dq8_simd"]),
     (
         "slices",
         &[

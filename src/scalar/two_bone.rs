@@ -1,8 +1,22 @@
-use super::error::LimbError;
+use super::vector::{self, Length};
+use super::{DualQuat, Quat};
+use crate::errors::errors;
 use crate::everyday;
 use crate::number::Real;
-use crate::scalar::vector::{self, Length};
-use crate::scalar::{DualQuat, Quat};
+
+errors! {
+    /// What [`TwoBone`](crate::ik::TwoBone) cannot bend.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    LimbError {
+        /// A bone of negative or infinite length, or NaN.
+        Length { bone: usize = "The bone, 0 for the one at the root.", value: f64 = "Its length." }
+            => "bone {bone} cannot have the length {value}";
+        /// A coordinate that is not finite.
+        NotFinite { what: &'static str = "Of what.", index: usize = "The axis.", value: f64 = "The coordinate." }
+            => "the {what} is not finite: coordinate {index} is {value}";
+    }
+}
 
 /// A limb of two bones with a hinge between them, hip, knee and ankle or shoulder, elbow and wrist,
 /// with its end at a target.
