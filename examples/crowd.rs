@@ -1,5 +1,5 @@
-//! 5,000 characters walk over waves of sand, each at its own time, and wave with the arm alone. Their feet stay above
-//! the ground; the GPU gets 3×4 matrices by columns.
+//! 5,000 characters walk over waves of sand, each at its own time, and wave with the arm alone.
+//! Their feet stay above the ground; the GPU gets 3×4 matrices by columns.
 //!
 //! ```sh
 //! cargo run --release --example crowd
@@ -79,7 +79,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arm = Sampled::new(NlerpLerp, wave.view(), &frames_of_wave, &s)?;
     let pose = Layered::blend(NlerpLerp, legs, arm, &waves).mask(&mask);
 
-    // The pose, to be changed before it goes to models. Its characters are at their own origins, where `f32` is finest.
+    // The pose, to be changed before it goes to models. Its characters are at their own origins,
+    // where `f32` is finest.
     let mut locals = vec![DualQuat::IDENTITY; 5000 * JOINTS];
     rig.job().locals(pose, &mut locals)?;
     let mut models = locals.clone();

@@ -13,17 +13,19 @@ pub struct TwoBone<L> {
     pub lower: Quat<L>,
     /// The angle of the hinge, 0 for a stretched limb and π for a folded one.
     pub bend: L,
-    /// How much farther the target is than the end reaches: zero where it is within, negative where it is too near.
+    /// How much farther the target is than the end reaches: zero where it is within, negative where
+    /// it is too near.
     pub beyond: L,
 }
 
 impl<L: Lanes> TwoBone<L> {
-    /// Roots, lengths, targets and poles as [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) has them: of what that refuses
-    /// nothing is promised.
+    /// Roots, lengths, targets and poles as [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) has
+    /// them: of what that refuses nothing is promised.
     ///
-    /// No angle is computed on the way. With S = a + b + D and the three sums p = D + a − b, q = D − a + b, r = a + b − D, each
-    /// without cancellation beyond that of its own (Kahan 2014), the halves of the angles at the root and at the end have
-    /// the tangents √(qr/(Sp)) and √(pr/(Sq)): roots alone, of which a quaternion is made and normalized.
+    /// No angle is computed on the way. With S = a + b + D and the three sums p = D + a − b, q = D
+    /// − a + b, r = a + b − D, each without cancellation beyond that of its own (Kahan 2014), the
+    /// halves of the angles at the root and at the end have the tangents √(qr/(Sp)) and √(pr/(Sq)):
+    /// roots alone, of which a quaternion is made and normalized.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn reach(root: [L; 3], lengths: [L; 2], target: [L; 3], pole: [L; 3]) -> Self {
         let [a, b] = lengths;
@@ -56,7 +58,8 @@ impl<L: Lanes> TwoBone<L> {
         }
     }
 
-    /// [`reach`](Self::reach), and the lanes that [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) refuses.
+    /// [`reach`](Self::reach), and the lanes that [`ik::TwoBone::reach`](crate::ik::TwoBone::reach)
+    /// refuses.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn reach_checked(
         root: [L; 3],
@@ -94,8 +97,8 @@ fn share<L: Lanes>(d: L, side: L, other: L, sum: L, straight: L::Mask) -> L {
     L::select(straight, one, L::select(zero.lt(part), part, zero) / sum)
 }
 
-/// Some multiple of the rotation that takes x to the unit vector `along`, and −y to the side of the pole; where the target
-/// is at the root, nobody knows `along`.
+/// Some multiple of the rotation that takes x to the unit vector `along`, and −y to the side of the
+/// pole; where the target is at the root, nobody knows `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Mask) -> Quat<L> {
     let (zero, one) = (along[0].constant(0.0), along[0].constant(1.0));
@@ -158,11 +161,11 @@ pub(crate) fn root_and_lengths<L: Lanes>(
     (root, [length.value(), Length::of(foot.translation(), one).value()])
 }
 
-/// The local poses of the joints of a limb whose end reaches the target, and is turned as `end`; `hinge` is in the frame of the
-/// second joint.
+/// The local poses of the joints of a limb whose end reaches the target, and is turned as `end`;
+/// `hinge` is in the frame of the second joint.
 ///
-/// The model rotation of a bone is `upper` or `lower` times F*, where F takes x to the bone and z to the hinge, in the frame
-/// of its joint.
+/// The model rotation of a bone is `upper` or `lower` times F*, where F takes x to the bone and z
+/// to the hinge, in the frame of its joint.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn locals<L: Lanes>(
     parent: Option<DualQuat<L>>,
@@ -187,7 +190,8 @@ pub(crate) fn locals<L: Lanes>(
     ]
 }
 
-/// Some multiple of the rotation that takes x to a bone, and z to what of the hinge is across it: some axis if nothing is.
+/// Some multiple of the rotation that takes x to a bone, and z to what of the hinge is across it:
+/// some axis if nothing is.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn frame_of_bone<L: Lanes>(bone: [L; 3], hinge: [L; 3]) -> Quat<L> {
     let (zero, one) = (bone[0].constant(0.0), bone[0].constant(1.0));

@@ -13,17 +13,20 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// Takes the end of a limb to a target in each instance, by new locals of its three joints: [`TwoBone::reach`](crate::ik::TwoBone::reach)
-    /// from where its root is, with the lengths that its locals have. The knee is on the side of the pole, the end keeps its
-    /// turn in model space, and translations stay as they are. Out of reach the limb is stretched toward the target, or folded.
+    /// Takes the end of a limb to a target in each instance, by new locals of its three joints:
+    /// [`TwoBone::reach`](crate::ik::TwoBone::reach) from where its root is, with the lengths that
+    /// its locals have. The knee is on the side of the pole, the end keeps its turn in model space,
+    /// and translations stay as they are. Out of reach the limb is stretched toward the target, or
+    /// folded.
     ///
-    /// `models` are what `locals` gave: of them the parent of the limb and its end are read. One target and one pole for each
-    /// instance (block), in model space. Models of the limb and of what hangs from it are old afterwards:
-    /// `job.joints(..)` computes them anew.
+    /// `models` are what `locals` gave: of them the parent of the limb and its end are read. One
+    /// target and one pole for each instance (block), in model space. Models of the limb and of
+    /// what hangs from it are old afterwards: a job of those [`joints`](Self::joints) computes them
+    /// anew. Here that range says nothing.
     ///
     /// # Errors
-    /// If lengths do not fit, the joints are no limb, or a target cannot be reached for, because it or what the limb stands on
-    /// is not finite: the first such instance. `locals` are untouched.
+    /// If lengths do not fit, the joints are no limb, or a target cannot be reached for, because it
+    /// or what the limb stands on is not finite: the first such instance. `locals` are untouched.
     ///
     /// ```
     /// use dq8::ik::Limb;
@@ -59,8 +62,10 @@ impl<S, P: Plans> Job<'_, S, P> {
     {
         self.check::<E>("models", models.len())?;
         let run = self.run::<E>();
-        let joints = run.parents.len();
         limb.check(|joint| run.parents.get(joint).map(|&parent| parent as usize))?;
+        // There are three at least, which the compiler does not know: division by zero would be a
+        // path to a panic.
+        let joints = run.parents.len().max(1);
         same_length("locals", locals.len(), models.len())?;
         for (what, length) in [("targets", targets.len()), ("poles", poles.len())] {
             same_length(what, length, models.len() / joints)?;

@@ -7,10 +7,11 @@ use crate::backend::Kernel;
 use crate::storage::{Element, Layout, Register};
 use dq8_simd::{Lanes, Level};
 
-/// poses(j) = local(j). In the lanes are instances where they lie in blocks, and where locals are made: a clip and a layer
-/// are quicker for a group of joints at a time, and a small skeleton has fewer registers of joints than that, of which
-/// the last one is half empty. What lies in memory, and the instances left over, have joints of one instance in the lanes: no
-/// joint waits for another here, and joints side by side are not strided. The bits are the same.
+/// poses(j) = local(j). In the lanes are instances where they lie in blocks, and where locals are
+/// made: a clip and a layer are quicker for a group of joints at a time, and a small skeleton has
+/// fewer registers of joints than that, of which the last one is half empty. What lies in memory,
+/// and the instances left over, have joints of one instance in the lanes: no joint waits for
+/// another here, and joints side by side are not strided. The bits are the same.
 pub(super) struct Write<'r, 's, E: Element<8>, L> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,

@@ -11,9 +11,9 @@ use dq8_simd::{Lanes, Mask};
 pub struct Limb<R> {
     /// The joint at the root, its child, and the child of that.
     pub joints: [usize; 3],
-    /// The axis of the hinge, in the frame of the second joint, of any length: a positive turn about it bends the limb. Of a
-    /// character that looks along z and stands on y up, with joints that have these axes too, it is x for a knee. What of it is
-    /// along a bone does not count.
+    /// The axis of the hinge, in the frame of the second joint, of any length: a positive turn
+    /// about it bends the limb. Of a character that looks along z and stands on y up, with joints
+    /// that have these axes too, it is x for a knee. What of it is along a bone does not count.
     pub hinge: [R; 3],
 }
 
@@ -38,8 +38,8 @@ impl<R: Real> Limb<R> {
 /// Roots, lengths, targets and poles on lanes.
 pub(crate) type Asked<L> = ([L; 3], [L; 2], [L; 3], [L; 3]);
 
-/// The first of these limbs that is refused, and why; `first` is the number of the one in the first lane. Lanes ask, and
-/// what they find is looked at once more one by one, which says what is wrong.
+/// The first of these limbs that is refused, and why; `first` is the number of the one in the first
+/// lane. Lanes ask, and what they find is looked at once more one by one, which says what is wrong.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn fault<L: Lanes<Real: Scalar>>(asked: Asked<L>, first: usize) -> Option<LimbsError> {
     let (root, lengths, target, pole) = asked;

@@ -10,13 +10,14 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `uppers[i]` and `lowers[i]` = the rotations of both bones of a limb, [`TwoBone::reach`](crate::ik::TwoBone::reach) of `roots[i]`, `lengths[i]`,
-    /// `targets[i]` and `poles[i]`. Lengths are two numbers, points three, rotations four. For the limbs of skeletons there
-    /// is [`Job::two_bone`](crate::Job::two_bone).
+    /// `uppers[i]` and `lowers[i]` = the rotations of both bones of a limb,
+    /// [`TwoBone::reach`](crate::ik::TwoBone::reach) of `roots[i]`, `lengths[i]`, `targets[i]` and
+    /// `poles[i]`. Lengths are two numbers, points three, rotations four. For the limbs of
+    /// skeletons there is [`Job::two_bone`](crate::Job::two_bone).
     ///
     /// # Errors
-    /// If the slices differ in length, or a limb cannot be bent: the first such. All limbs are looked at before any rotation
-    /// is written.
+    /// If the slices differ in length, or a limb cannot be bent: the first such. All limbs are
+    /// looked at before any rotation is written.
     ///
     /// ```
     /// use dq8::{Backend, Quat, ik::TwoBone};

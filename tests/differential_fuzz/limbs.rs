@@ -1,4 +1,5 @@
-//! Limbs of two bones: the same bits for many at once, one by one, single, and in blocks of any width.
+//! Limbs of two bones: the same bits for many at once, one by one, single, and in blocks of any
+//! width.
 
 use super::kernels::{Entries, Scene, from, fuses, of_motions, of_numbers};
 use dq8::ik::{Limb, TwoBone};
@@ -19,7 +20,8 @@ where
     [R; W]: Row<Real = R>,
     R: Scalar,
 {
-    /// Of any bits, as far as there is an answer; now and then with its target at the root, and equal bones.
+    /// Of any bits, as far as there is an answer; now and then with its target at the root, and
+    /// equal bones.
     fn limb(&mut self) -> Asked<R> {
         loop {
             let [root, target, pole] = [(); 3].map(|()| [(); 3].map(|()| self.number()));

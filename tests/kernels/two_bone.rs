@@ -13,8 +13,8 @@ use dq8_contract::random::Random;
 /// Root, lengths, target, pole.
 type Asked = ([f64; 3], [f64; 2], [f64; 3], [f64; 3]);
 
-/// Rounded to `f32`: within reach, too far, too near, at the root, straight, along the pole, without one, without length, and
-/// of any size.
+/// Rounded to `f32`: within reach, too far, too near, at the root, straight, along the pole,
+/// without one, without length, and of any size.
 fn asked(count: usize) -> Vec<Asked> {
     let mut random = Random(50);
     let mut one = |i: usize| {
@@ -157,7 +157,8 @@ fn what_cannot_be_bent_is_named_and_nothing_is_written() {
     assert_eq!(run(&lengths, &good, &good[1..]), length("poles", 18));
 }
 
-/// A torso, a leg with a toe and a bone between hip and thigh that is no part of the limb, and a second root.
+/// A torso, a leg with a toe and a bone between hip and thigh that is no part of the limb, and a
+/// second root.
 const PARENTS: [u32; 8] = [Hierarchy::ROOT, 0, 0, 2, 3, 4, 5, Hierarchy::ROOT];
 const JOINTS: usize = PARENTS.len();
 const LEG: [usize; 3] = [3, 4, 5];
@@ -237,7 +238,8 @@ fn bends<L: Memory>(instances: usize, joints: [usize; 3], roots: bool) {
                 let size = away(across, [0.0; 3]);
                 across.map(|c| c / size)
             };
-            // What of the hinge is across each bone is the normal of the limb's plane: one vector in model space.
+            // What of the hinge is across each bone is the normal of the limb's plane: one vector
+            // in model space.
             let of_hip = motion(&after, i, joints[0]).rotation();
             let of_knee = motion(&after, i, joints[1]).rotation();
             let [a, b] =
