@@ -2,12 +2,14 @@
 //!
 //! One skeleton of 64 joints, crowds of 1 to 8192 instances, out of place and in place, in every
 //! layout and with every set of instructions that the CPU has. The groups `one-instance` have
-//! plans too.
+//! plans too. The group `locals` writes down the locals of two clips, on skeletons small and large, beside their
+//! models, which are more work.
 //!
 //! ```text
 //! cargo bench --bench hierarchy -- crowd/1024/in-place
 //! cargo bench --bench hierarchy -- '16 lanes AVX2'
 //! cargo bench --bench hierarchy -- one-instance
+//! cargo bench --bench hierarchy -- locals
 //! ```
 
 mod measurement;
@@ -41,5 +43,11 @@ fn one_instance(criterion: &mut Criterion) {
     }
 }
 
-criterion_group! { name = hierarchy; config = measurement::brief(); targets = crowds, one_instance }
+fn locals(criterion: &mut Criterion) {
+    for joints in [16, 21, 32, 64] {
+        measure(criterion, &format!("locals/{joints}"), Task::Locals(512, joints));
+    }
+}
+
+criterion_group! { name = hierarchy; config = measurement::brief(); targets = crowds, one_instance, locals }
 criterion_main!(hierarchy);

@@ -57,6 +57,7 @@ KERNELS = {
     ("DualQuat", "dlb"): ["dlb"],
     ("DualQuat", "dib"): ["dib_windows"],
     ("DualQuat", "log"): ["log"],
+    ("TwoBone", "reach"): ["two_bone"],
     ("DualQuat", "exp"): ["exp"],
     ("DualQuat", "to_twist"): ["to_twist"],
     ("DualQuat", "from_twist"): ["from_twist"],
@@ -128,7 +129,7 @@ REASONS = {
     "g": "a column or a row of `left_jacobian` for each unit twist; the trait has that",
     "h": "by the parts: the other operations of the trait are made of it",
     "k": "no kernel of its own: `Kernel` and `Backend::run` run the form on lanes over any slices",
-    "l": "asked for one at a time: lines, planes, maps, poses, limbs, Euler angles, directions; no kernel has many",
+    "l": "asked for one at a time: lines, planes, maps, poses, Euler angles, directions; no kernel has many",
     "m": "not in the C interface, which has what firmware and engines call on motions in memory",
     "p": "signs, sums or copies: exact, or one rounding; the laws hold them",
     "q": "no vectors of 60 digits; every implementation is compared with the scalar path in `f64`, and that with laws "
@@ -142,7 +143,7 @@ ORDERS = {"from_wxyz", "to_wxyz", "to_cols_array_2d", "to_rows_array_2d", "try_f
           "try_from_rows_array_2d"}
 OF_EULER_ANGLES = {"from_euler", "from_rpy"}
 NO_LANES = {**dict.fromkeys(ORDERS, "a"), "cast": "b", "make_continuous": "c", "from_rpy": "u"}
-ALONE = {"Line", "Plane", "Polar", "Affine", "RotationTranslation", "EulerAngles", "TwoBone"}
+ALONE = {"Line", "Plane", "Polar", "Affine", "RotationTranslation", "EulerAngles"}
 FEW = {"from_euler", "to_euler", "look_to", "look_at", "gram_schmidt"}
 EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite", "neg", "apply", "scale", "from_rotation",
                           "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
@@ -222,7 +223,7 @@ def how_bounded(bounds, kind, name):
 
 def main():
     bounds = tomllib.loads((ROOT / "proofs/bounds.toml").read_text(encoding="utf-8"))
-    reference = functions("src/scalar", "src/representation", "src/incidence", "src/ik/two_bone.rs")
+    reference = functions("src/scalar", "src/representation", "src/incidence")
     shared = functions("src/geometry")
     lanes = functions("src/batch")
     traits = methods_of_traits()

@@ -3,6 +3,7 @@
 use dq8::ik::{LimbError, Span, TwoBone};
 use dq8::{Dual, Quat, Real};
 use dq8_contract::random::Random;
+use dq8_contract::textbook::Textbook;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -211,4 +212,31 @@ fn poles_and_targets_are_directions_whatever_their_length() {
         assert!(far.upper.abs_diff_eq(near.upper, SINGLE), "{far:?}, {near:?}");
         assert_eq!(far.span, Span::Stretched);
     }
+}
+
+/// Floats take roots where the formulas have angles.
+#[test]
+fn roots_give_the_limbs_that_angles_give() {
+    let mut random = Random(21);
+    let mut spans = [0; 3];
+    for i in 0..3000 {
+        let [root, target, pole] = [(); 3].map(|()| vector(&mut random));
+        let short = if i % 3 == 0 { 0.01 } else { 0.5 };
+        let lengths = [random.between(0.5, 1.5) * short, random.between(0.5, 1.5) * 0.5];
+        let quick = TwoBone::reach(root, lengths, target, pole).expect("finite");
+        let book = |numbers: [f64; 3]| numbers.map(Textbook);
+        let [root, target, pole] = [root, target, pole].map(book);
+        let slow = TwoBone::reach(root, lengths.map(Textbook), target, pole).expect("finite");
+        assert_eq!(quick.span, slow.span);
+        spans[quick.span as usize] += 1;
+        // Angles near a stretched limb turn by the root of a rounding.
+        for (got, wanted) in [(quick.upper, slow.upper), (quick.lower, slow.lower)] {
+            for (got, wanted) in got.to_array().into_iter().zip(wanted.to_array()) {
+                assert!((got - wanted.0).abs() < 1e-10, "{i}: {quick:?} {slow:?}");
+            }
+        }
+        assert!((quick.bend - slow.bend.0).abs() < 1e-10, "{i}: {quick:?} {slow:?}");
+        assert!((quick.missed - slow.missed.0).abs() < ROUNDING, "{i}: {quick:?} {slow:?}");
+    }
+    assert!(spans.iter().all(|&count| count > 50), "{spans:?}");
 }

@@ -23,6 +23,8 @@ pub enum Task {
     Points(Motions, Level),
     /// So many characters.
     Animation(usize),
+    /// Their locals alone, of so many characters and joints.
+    Locals(usize, usize),
     Skin,
 }
 
@@ -36,7 +38,7 @@ impl Task {
             Self::Hierarchy(..) => "J3",
             Self::Points(..) => "J4",
             Self::Pairs(..) => "J5",
-            Self::Animation(_) => "J6",
+            Self::Animation(_) | Self::Locals(..) => "J6",
             Self::Skin => "J7",
         })
     }
@@ -56,6 +58,9 @@ impl Task {
             Self::Hierarchy(shape, way) => hierarchy::with_contest(shape, way, run),
             Self::Points(motions, level) => points::with_contest(motions, level, caches, run),
             Self::Animation(instances) => animation::with_contest(instances, run),
+            Self::Locals(instances, joints) => {
+                animation::with_locals_contest(instances, joints, run);
+            }
             Self::Skin => skin::with_contest(run),
         }
     }

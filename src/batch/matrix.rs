@@ -23,6 +23,15 @@ impl<L: Lanes> Quat<L> {
     /// divides by the largest component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3(rows: [[L; 3]; 3]) -> Self {
+        let rotation = Self::some_of_matrix3(rows).normalize();
+        let one = rotation.w().constant(1.0);
+        let turned_over = rotation.w().lt(one.constant(0.0));
+        rotation.scale(L::select(turned_over, -one, one))
+    }
+
+    /// The same times a number between 2 and 4, of either sign.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn some_of_matrix3(rows: [[L; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
         let one = m00.constant(1.0);
         let (x2, y2) = (one + m00 - m11 - m22, one - m00 + m11 - m22);
@@ -34,10 +43,7 @@ impl<L: Lanes> Quat<L> {
         let x_largest = y2.le(x2) & z2.le(x2);
         let y_or_z = vector::select(z2.le(y2), [sum_xy, y2, sum_yz, wy], [sum_xz, sum_yz, z2, wz]);
         let not_w = vector::select(x_largest, [x2, sum_xy, sum_xz, wx], y_or_z);
-        let rotation = Self::from_array(vector::select(w_largest, [wx, wy, wz, w2], not_w));
-        let rotation = rotation.normalize();
-        let turned_over = rotation.w().lt(one.constant(0.0));
-        rotation.scale(L::select(turned_over, -one, one))
+        Self::from_array(vector::select(w_largest, [wx, wy, wz, w2], not_w))
     }
 
     /// [`from_matrix3`](Self::from_matrix3), and the lanes whose matrix is no rotation: it differs from one by

@@ -45,6 +45,7 @@ mod slerp;
 mod squad;
 mod transform;
 mod trigonometry;
+pub(crate) mod two_bone;
 pub mod vector;
 
 pub use dual::Dual;
@@ -53,3 +54,4 @@ pub use even::{cos_sin, farthest, half_turns};
 pub use jacobian::lie_bracket;
 pub use quat::Quat;
 pub use trigonometry::atan2;
+pub use two_bone::TwoBone;

@@ -71,6 +71,7 @@ operations! {
     QuaternionUnit(quaternion: [R; 4]) -> [R; 4] = quad::quaternion_unit;
     Slerp(a: [R; 4], b: [R; 4], t: R) -> [R; 4] = between::slerp;
     Rotate(rotation: [R; 4], vector: [R; 3]) -> [R; 3] = quad::rotate;
+    Limb(root: [R; 3], lengths: [R; 2], target: [R; 3], pole: [R; 3]) -> ([[R; 4]; 2], [R; 2]) = one_lane::limb;
 }
 
 /// `f32` or `f64`: a number, and one lane.

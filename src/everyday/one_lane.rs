@@ -3,8 +3,9 @@
 
 use super::Number;
 use crate::batch;
+use crate::batch::vector::splat;
 use crate::geometry::DualVector;
-use dq8_simd::Lanes;
+use dq8_simd::{Float, Lanes, Portable, Unfused};
 
 /// (θ̂/2)(l + εm)
 #[inline]
@@ -31,6 +32,31 @@ pub(super) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
 #[inline]
 pub(super) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).sqrt().to_array())
+}
+
+/// Both rotations of a limb, its bend, and how much farther the target is than its end.
+#[inline]
+pub(super) fn limb<F: Number>(
+    root: [F; 3],
+    lengths: [F; 2],
+    target: [F; 3],
+    pole: [F; 3],
+) -> Option<([[F; 4]; 2], [F; 2])> {
+    let level = Unfused(Portable);
+    let lanes = |point| splat::<Together<F>, 3>(level, point);
+    let limb =
+        batch::TwoBone::reach(lanes(root), splat(level, lengths), lanes(target), lanes(pole));
+    let turn = |[x, y, z, w]: [Together<F>; 4]| [first(x), first(y), first(z), first(w)];
+    let turns = [turn(limb.upper.to_array()), turn(limb.lower.to_array())];
+    Some((turns, [first(limb.bend), first(limb.beyond)]))
+}
+
+/// Lanes of which one is asked: where there are many cases, that is quicker than to take one of them.
+type Together<F> = <F as Float>::Lanes<Unfused<Portable>>;
+
+#[inline(always)]
+fn first<L: Lanes>(lanes: L) -> L::Real {
+    lanes.to_array().as_ref().first().copied().unwrap_or_default()
 }
 
 /// Exact normalization of any length, or all NaN. Out of line: hardly anything is so long or so short.

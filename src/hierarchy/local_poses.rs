@@ -27,7 +27,7 @@ impl<P: Plans> Job<'_, NoRoot, P> {
     /// let pose = Sampled::new(Nlerp, Clip::new(2, &keys)?, &[0], &[0.5])?;
     /// let mut locals = [DualQuat::IDENTITY; 2];
     /// leg.job().locals(pose, &mut locals)?;
-    /// // Here the foot is put on the ground, and then:
+    /// // Here `Job::two_bone` puts the foot on the ground, and then:
     /// leg.job().local_to_model_in_place(&mut locals)?;
     /// assert!((locals[1].rotation().angle_to(dq8::Quat::IDENTITY) - 0.5).abs() < 1e-6);
     /// # Ok::<(), Box<dyn core::error::Error>>(())

@@ -36,6 +36,7 @@ mod forward;
 mod job;
 mod keys;
 mod layers;
+mod limb;
 mod local_poses;
 mod locals;
 mod model_to_local;

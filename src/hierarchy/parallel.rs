@@ -4,20 +4,12 @@ use super::backward::Backward;
 use super::forward;
 use super::locals::Locals;
 use super::palette::{Epilogue, Palette};
-use super::run::Run;
+use super::run::{Run, grain};
 use super::write::Write;
 use crate::backend::Backend;
 use crate::backend::Outputs;
 use crate::palette_entry::PaletteEntry;
 use crate::storage::{Element, Layout, Number, Source};
-
-/// The fewest elements in a task: some microseconds of work, where starting a task takes a fraction of one.
-const GRAIN: usize = 2048;
-
-/// The instances of a task.
-fn grain(joints: usize) -> usize {
-    GRAIN.div_ceil(joints)
-}
 
 /// Models of whole instances, and what is computed from them.
 struct Models<'s, E, X> {

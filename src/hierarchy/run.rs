@@ -8,6 +8,14 @@ use crate::storage::{self, Element, Number, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
 
+/// The fewest elements in a task of a thread: some microseconds of work, where starting a task takes a fraction of one.
+const GRAIN: usize = 2048;
+
+/// The instances of a task; there are joints.
+pub(super) fn grain(joints: usize) -> usize {
+    GRAIN.div_ceil(joints)
+}
+
 /// The hierarchy, which joints of it, what they stand on, and when they are normalized.
 #[derive(Clone, Debug)]
 pub(super) struct Run<'a, E: Element<8>> {

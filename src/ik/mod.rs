@@ -2,7 +2,9 @@
 //! target. For robots and other chains of joints there is `Reach` of the crate `dq8-robot`.
 
 mod error;
-mod two_bone;
+mod limb;
 
-pub use error::LimbError;
-pub use two_bone::{Span, TwoBone};
+pub use crate::scalar::two_bone::{LimbError, Span, TwoBone};
+pub use error::LimbsError;
+pub use limb::Limb;
+pub(crate) use limb::{Asked, fault};

@@ -23,6 +23,7 @@ mod screw;
 mod slerp;
 mod squad;
 mod transform;
+pub(crate) mod two_bone;
 pub mod vector;
 
 pub use dual::Dual;

@@ -16,6 +16,7 @@
 //! | [`to_twist`](Backend::to_twist), [`from_twist`](Backend::from_twist) | motions and the twists that lead to them in one second |
 //! | [`integrate_body`](Backend::integrate_body) | one step along twists |
 //! | [`angles`](Backend::angles), [`distances`](Backend::distances) | between aᵢ and bᵢ |
+//! | [`two_bone`](Backend::two_bone) | limbs of two bones with their ends at targets |
 //! | [`matrices`](Backend::matrices), [`from_matrices`](Backend::from_matrices), [`try_from_matrices`](Backend::try_from_matrices) | to and from 3×4 and 4×4 matrices, by rows or by columns |
 //!
 //! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
@@ -45,6 +46,7 @@ mod sweep;
 mod trajectory;
 mod transform;
 mod transform_each;
+mod two_bone;
 mod unit;
 
 pub use matrix::MatricesError;

@@ -30,7 +30,6 @@ pub(super) fn part<T>(slice: &[T], elements: Range<usize>) -> &[T] {
 }
 
 /// The fewest elements in a task: some microseconds of work, where starting a task takes a fraction of one.
-#[cfg(feature = "rayon")]
 pub(super) const GRAIN: usize = 2048;
 
 /// From this size on, in bytes, an output is written past the caches: a line that is written whole need

@@ -9,6 +9,7 @@ use dq8::hierarchy::{
     Clip, Layered, MatrixOrder, PackedClips, Plan, PlanScratch, Poses, Renormalize,
     RotationsTranslations, Sampled,
 };
+use dq8::ik::Limb;
 use dq8::law::{Nlerp, NlerpLerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
@@ -64,6 +65,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
     robots(k, say, [&a, &b], &mut random);
     solutions(k, say, &mut random.clone());
     skins(k, say, &a, &points, &mut random);
+    limbs(k, say, [&a, &b], &points, &logs);
     zeros::run(k, say);
 }
 
@@ -246,6 +248,49 @@ fn hierarchies(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b, c]: [&[M; N]; 
     let moved = shares.iter().filter_map(|&t| round.between(NlerpLerp, 1, -t, 7.0 * t));
     to.iter_mut().zip(moved).for_each(|(to, moved)| *to = moved);
     say("clips, between", hash(&to));
+}
+
+/// Of all spans, and of a skeleton.
+fn limbs(
+    k: Backend,
+    say: &mut dyn FnMut(&str, u64),
+    [a, b]: [&[M; N]; 2],
+    roots: &[[R; 3]; N],
+    numbers: &[[R; 6]; N],
+) {
+    let targets: [[R; 3]; N] = numbers.map(|[x, y, z, ..]| [x, y, z]);
+    let poles: [[R; 3]; N] = numbers.map(|[.., x, y, z]| [x, y, z]);
+    let lengths: [[R; 2]; N] = numbers.map(|[x, .., y]| [x.abs(), y.abs()]);
+    let aims = (blocks(roots), blocks(&lengths), blocks(&targets), blocks(&poles));
+    let zero = [[0.0; 4]; N];
+    let mut lowers = zero;
+    both!(say "two_bone", to: zero,
+        k.two_bone(roots, &lengths, &targets, &poles, &mut to, &mut lowers),
+        k.two_bone(&aims.0, &aims.1, &aims.2, &aims.3, &mut to, &mut blocks(&zero)));
+    say("two_bone, lower", hash(&lowers));
+
+    const ALL: usize = JOINTS * INSTANCES;
+    let tree = Hierarchy::new(&PARENTS).expect("parents come first");
+    let limb = Limb { joints: [3, 4, 6], hinge: [0.6, 0.0, 0.8] };
+    let (mut to, mut models) = ([M::IDENTITY; ALL], [M::IDENTITY; ALL]);
+    let (targets, poles) = (&targets[..INSTANCES], &poles[..INSTANCES]);
+    to.copy_from_slice(&a[..ALL]);
+    let job = tree.job().backend(k).roots(&b[..INSTANCES]);
+    job.local_to_model(&to, &mut models).expect("lengths fit");
+    job.two_bone(&limb, &models, targets, poles, &mut to).expect("a limb");
+    say("two_bone, locals", hash(&to));
+    let (mut crowd, mut stands) = ([Motions::splat([0.0; 8]); JOINTS], [Motions::splat([0.0; 8])]);
+    let mut aims = [[Block::<R, 8, 3>::splat([0.0; 3])]; 2];
+    let mut laid = crowd;
+    pack(JOINTS, &models, &mut laid).expect("whole instances");
+    pack(JOINTS, &a[..ALL], &mut crowd).expect("whole instances");
+    pack(1, &b[..INSTANCES], &mut stands).expect("whole instances");
+    pack(1, targets, &mut aims[0]).expect("whole instances");
+    pack(1, poles, &mut aims[1]).expect("whole instances");
+    let job = tree.job().backend(k).roots(&stands);
+    job.two_bone(&limb, &laid, &aims[0], &aims[1], &mut crowd).expect("a limb");
+    unpack(JOINTS, &crowd, &mut to).expect("whole instances");
+    say("two_bone, locals in blocks", hash(&to));
 }
 
 /// A stride of 21 joints, which mocap has packed.

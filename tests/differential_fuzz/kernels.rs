@@ -36,6 +36,7 @@ where
             ("skeleton", scene.skeleton()),
             ("packed clip", scene.packed()),
             ("product", scene.slices()),
+            ("limb", scene.limbs()),
         ];
         let mut find = |job: &str, other: &str, got: &[u64], wanted: &[u64]| {
             assert_eq!(got.len(), wanted.len());
@@ -223,7 +224,7 @@ where
     }
 }
 
-fn from<R: Scalar>(number: f64) -> R {
+pub(crate) fn from<R: Scalar>(number: f64) -> R {
     <R as dq8::Real>::from_f64(number)
 }
 

@@ -11,6 +11,7 @@ mod families;
 mod geometry;
 mod judge;
 mod kernels;
+mod limbs;
 mod skeletons;
 mod zeros;
 

@@ -45,10 +45,12 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ),
     ("palette_entry", &["dq8_simd", "batch", "storage"]),
     ("law", &["dq8_simd", "batch"]),
+    ("ik", &["errors", "number", "scalar", "batch", "storage", "dq8_simd"]),
     (
         "slices",
         &[
             "errors",
+            "ik",
             "number",
             "geometry",
             "dq8_simd",
@@ -76,12 +78,12 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
         ],
     ),
     ("seams", &["brief", "errors", "batch", "scalar", "everyday", "representation", "backend"]),
-    ("ik", &["errors", "number", "scalar"]),
     (
         "hierarchy",
         &[
             "brief",
             "errors",
+            "ik",
             "number",
             "geometry",
             "contract",

@@ -29,3 +29,4 @@ mod sampling;
 mod scene;
 mod slices;
 mod subject;
+mod two_bone;

@@ -3,7 +3,7 @@
 
 use crate::backends;
 use crate::contest::Contest;
-use crate::memory::{Element, Product, Representation, Rows3x4};
+use crate::memory::{Element, Own, Product, Representation, Rows3x4};
 use crate::scene::{Scene, Shape};
 use crate::walk;
 use dq8::hierarchy::{Clip, Layered, Locals, PackedClip, Sampled, Tolerance, TrackPlace};
@@ -42,14 +42,17 @@ struct Crowd {
 }
 
 impl Crowd {
-    fn new(instances: usize) -> Self {
-        let scene = Scene::new(Shape::Crowd { instances: DIFFERENT });
+    /// Of the first joints of the skeleton, so many or all.
+    fn new(instances: usize, joints: usize) -> Self {
+        let mut scene = Scene::new(Shape::Crowd { instances: DIFFERENT });
+        let all = scene.parents.len();
+        scene.parents.truncate(joints);
         let joints = scene.parents.len();
         let mut random = Random(4);
         // The joints swing between the poses of two of the scene's instances, at speeds of their own.
         let poses = scene.locals.different();
         let swing = |first: usize, frame: usize, joint: usize| {
-            let [a, b] = [first, first + 1].map(|instance| poses[instance * joints + joint]);
+            let [a, b] = [first, first + 1].map(|instance| poses[instance * all + joint]);
             let speed = 0.05 + 0.01 * (joint % 8) as f32;
             a.sclerp(b, 0.5 + 0.5 * (speed * frame as f32 + joint as f32).sin())
         };
@@ -107,24 +110,33 @@ impl Crowd {
         }
     }
 
-    /// The palette by `f64`, from what lies between two motions.
+    /// The locals of an instance by `f64`, from what lies between two motions.
+    fn locals(
+        &self,
+        instance: usize,
+        motions: &[Vec<Motion>; 2],
+        between: impl Fn(DualQuat<f64>, DualQuat<f64>, f64) -> DualQuat<f64>,
+    ) -> Vec<Rows3x4<f64>> {
+        let joints = self.parents.len();
+        let sampled = |clip: usize, joint: usize| {
+            let at = self.frames[clip][instance] as usize * joints + joint;
+            let [a, b] = [at, at + joints].map(|at| motions[clip][at].cast());
+            between(a, b, self.t[clip][instance].into())
+        };
+        let weight = f64::from(self.weights[instance]);
+        let local = |joint| between(sampled(0, joint), sampled(1, joint), weight);
+        (0..joints).map(|joint| Rows3x4(local(joint).to_matrix3x4())).collect()
+    }
+
+    /// The palette by `f64`.
     fn expected(
         &self,
         motions: &[Vec<Motion>; 2],
-        between: impl Fn(DualQuat<f64>, DualQuat<f64>, f64) -> DualQuat<f64>,
+        between: impl Fn(DualQuat<f64>, DualQuat<f64>, f64) -> DualQuat<f64> + Copy,
     ) -> Vec<Vec<f64>> {
-        let joints = self.parents.len();
         let hierarchy = Hierarchy::new(&self.parents).expect("parents come first");
         let of_one = |instance: usize| {
-            let sampled = |clip: usize, joint: usize| {
-                let at = self.frames[clip][instance] as usize * joints + joint;
-                let [a, b] = [at, at + joints].map(|at| motions[clip][at].cast());
-                between(a, b, self.t[clip][instance].into())
-            };
-            let weight = f64::from(self.weights[instance]);
-            let local = |joint| between(sampled(0, joint), sampled(1, joint), weight);
-            let mut models: Vec<_> =
-                (0..joints).map(|joint| Rows3x4(local(joint).to_matrix3x4())).collect();
+            let mut models = self.locals(instance, motions, between);
             walk::local_to_model_in_place(&hierarchy, &mut models);
             let binds = self.binds.iter().map(Rows3x4::<f64>::from_motion);
             let entries = models.iter().zip(binds).map(|(model, bind)| model.product(&bind));
@@ -152,10 +164,17 @@ macro_rules! locals {
         });
         Layered::blend($law, a, b, &$crowd.weights)
     }};
+    ($crowd:ident) => {{
+        let [a, b] = [0, 1].map(|i| {
+            Sampled::new(NlerpLerp, $crowd.packed.clips(), &$crowd.places[i], &$crowd.t[i])
+                .expect("places of these clips")
+        });
+        Layered::blend(NlerpLerp, a, b, &$crowd.weights)
+    }};
 }
 
 pub fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
-    let crowd = Crowd::new(instances);
+    let crowd = Crowd::new(instances, usize::MAX);
     let joints = crowd.parents.len();
     let title = format!(
         "{instances} characters of {joints} joints: two clips sampled, blended, to model space, 3×4 matrices"
@@ -171,13 +190,7 @@ pub fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
             locals!(crowd, NlerpLerp, keys)
         });
         // Both clips in one library.
-        plain(&mut contest, &crowd, backend, "packed", |crowd| {
-            let [a, b] = [0, 1].map(|i| {
-                Sampled::new(NlerpLerp, crowd.packed.clips(), &crowd.places[i], &crowd.t[i])
-                    .expect("places of these clips")
-            });
-            Layered::blend(NlerpLerp, a, b, &crowd.weights)
-        });
+        plain(&mut contest, &crowd, backend, "packed", |crowd| locals!(crowd));
         contest.last_should(crowd.expected(&crowd.unpacked, apart));
         plain(&mut contest, &crowd, backend, "motions", |crowd| locals!(crowd, Nlerp, motions));
         contest.last_should(crowd.expected(&crowd.motions, DualQuat::nlerp));
@@ -186,6 +199,59 @@ pub fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
     }
     glam(&mut contest, &crowd);
     run(&contest);
+}
+
+/// Locals of packed clips that are written down, beside the models of the same, which are more work.
+pub fn with_locals_contest(instances: usize, joints: usize, run: &mut dyn FnMut(&Contest<'_>)) {
+    let crowd = Crowd::new(instances, joints);
+    let title = format!("{instances} characters of {joints} joints: two packed clips, blended");
+    let of_one = |instance| crowd.locals(instance, &crowd.unpacked, apart);
+    let numbers =
+        |poses: &[Rows3x4<f64>]| -> Vec<_> { poses.iter().map(|pose| pose.numbers(0)).collect() };
+    let locals: Vec<_> = (0..instances.min(DIFFERENT)).map(of_one).collect();
+    let mut models = locals.clone();
+    let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
+    models.iter_mut().for_each(|poses| walk::local_to_model_in_place(&hierarchy, poses));
+    let [locals, models] =
+        [locals, models].map(|all| all.iter().flat_map(|one| numbers(one)).collect::<Vec<_>>());
+    let mut contest = Contest {
+        transforms: instances * joints,
+        tolerance: 6e-5,
+        expected: locals,
+        ..Contest::new("J6", format!("{joints}x{instances} locals"), title)
+    };
+    for backend in backends() {
+        written::<Motion>(&mut contest, &crowd, backend, "AoS", &models);
+        written::<Block<f32, 16>>(&mut contest, &crowd, backend, "16 lanes", &models);
+    }
+    run(&contest);
+}
+
+fn written<'a, P: Own>(
+    contest: &mut Contest<'a>,
+    crowd: &'a Crowd,
+    backend: Backend,
+    layout: &str,
+    expected: &[Vec<f64>],
+) {
+    let joints = crowd.parents.len();
+    let memory = move || {
+        ((), vec![P::gather(&[Motion::IDENTITY; 16]); crowd.weights.len() / P::LANES * joints])
+    };
+    let job =
+        move || Hierarchy::new(&crowd.parents).expect("parents come first").job().backend(backend);
+    let numbers = move |poses: &[P], index: usize| {
+        let (instance, joint) = (index / joints, index % joints);
+        let element = &poses[instance / P::LANES * joints + joint];
+        element.numbers(instance % P::LANES)
+    };
+    let name = |what: &str| format!("dq8 {what}, {layout} {backend}");
+    let pass = move |(): &(), to: &mut [P]| job().locals(locals!(crowd), to).expect("they fit");
+    contest.add(name("locals"), Some(backend), memory, pass, numbers);
+    let pass =
+        move |(): &(), to: &mut [P]| job().locals_to_model(locals!(crowd), to).expect("they fit");
+    contest.add(name("models"), Some(backend), memory, pass, numbers);
+    contest.last_should(expected.to_vec());
 }
 
 /// Of plain motions, whatever locals are made of.

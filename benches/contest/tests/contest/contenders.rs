@@ -9,7 +9,7 @@ fn all() -> Vec<Task> {
     let mut tasks: Vec<_> =
         Operation::ALL.map(|operation| Task::Pairs(operation, Level::L1)).into();
     tasks.extend([Motions::One, Motions::Each].map(|by| Task::Points(by, Level::L1)));
-    tasks.push(Task::Animation(64));
+    tasks.extend([Task::Animation(64), Task::Locals(64, 21)]);
     tasks.extend([Way::In, Way::Out, Way::Rotations].map(|w| Task::Hierarchy(crowd(64), w)));
     tasks.push(Task::Skin);
     tasks.extend([1, 8].map(|instances| Task::Hierarchy(crowd(instances), Way::In)));

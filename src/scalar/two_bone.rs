@@ -1,7 +1,22 @@
-use super::error::LimbError;
+use super::vector::{self, Length};
+use super::{DualQuat, Quat};
+use crate::errors::errors;
+use crate::everyday;
 use crate::number::Real;
-use crate::scalar::vector::{self, Length};
-use crate::scalar::{DualQuat, Quat};
+
+errors! {
+    /// What [`TwoBone`](crate::ik::TwoBone) cannot bend.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    LimbError {
+        /// A bone of negative or infinite length, or NaN.
+        Length { bone: usize = "The bone, 0 for the one at the root.", value: f64 = "Its length." }
+            => "bone {bone} cannot have the length {value}";
+        /// A coordinate that is not finite.
+        NotFinite { what: &'static str = "Of what.", index: usize = "The axis.", value: f64 = "The coordinate." }
+            => "the {what} is not finite: coordinate {index} is {value}";
+    }
+}
 
 /// A limb of two bones with a hinge between them, hip, knee and ankle or shoulder, elbow and wrist,
 /// with its end at a target.
@@ -63,6 +78,10 @@ impl<R: Real> TwoBone<R> {
     /// tan(β/2) = √((a + b + D)(a + b − D) / ((D + a − b)(D − a + b))),  β the bend
     /// ```
     ///
+    /// Floats come to the same rotations by roots alone, as lanes do
+    /// ([`batch::TwoBone::reach`](crate::batch::TwoBone::reach)): without fused products with the
+    /// same bits.
+    ///
     /// A limb without a plane takes one: where the pole is zero or along the way to the target, the knee
     /// goes toward the axis (x, y or z) that is most across it; where the target is at the root, the
     /// knee is where the pole points, or on x.
@@ -75,25 +94,46 @@ impl<R: Real> TwoBone<R> {
         target: [R; 3],
         pole: [R; 3],
     ) -> Result<Self, LimbError> {
-        for (bone, length) in lengths.into_iter().enumerate() {
-            if !(length >= R::ZERO && length.is_finite()) {
-                return Err(LimbError::Length { bone, value: length.into() });
-            }
-        }
-        let [a, b] = lengths;
-        // Twice: the sides of the triangle are added up.
-        if !(R::TWO * (a + b)).is_finite() {
-            return Err(LimbError::Length { bone: 1, value: b.into() });
-        }
-        let way = vector::sub(target, root);
-        for (what, point) in [("root", root), ("target", target), ("pole", pole), ("way", way)] {
-            for (index, value) in point.into_iter().enumerate() {
-                if !value.is_finite() {
-                    return Err(LimbError::NotFinite { what, index, value: value.into() });
-                }
-            }
-        }
+        Self::check(root, lengths, target, pole)?;
+        let Some((turns, [bend, beyond])) = R::quick(everyday::Limb(root, lengths, target, pole))
+        else {
+            return Ok(Self::by_the_book(root, lengths, target, pole));
+        };
+        let span = if beyond > R::ZERO {
+            Span::Stretched
+        } else if beyond < R::ZERO {
+            Span::Folded
+        } else {
+            Span::Within
+        };
+        let [upper, lower] = turns.map(Quat::from_array);
+        Ok(Self { upper, lower, bend, span, missed: beyond.abs() })
+    }
 
+    /// Refuses what [`reach`](Self::reach) does.
+    #[inline]
+    pub(crate) fn check(
+        root: [R; 3],
+        lengths: [R; 2],
+        target: [R; 3],
+        pole: [R; 3],
+    ) -> Result<(), LimbError> {
+        let [a, b] = lengths;
+        let way = vector::sub(target, root);
+        let mut sum = R::TWO * (a + b);
+        for number in [root, pole, way].as_flattened() {
+            sum += number.abs();
+        }
+        // One question for nearly all.
+        if a >= R::ZERO && b >= R::ZERO && sum.is_finite() {
+            return Ok(());
+        }
+        check_each(root, lengths, target, pole)
+    }
+
+    /// By angles, as the formulas have them.
+    fn by_the_book(root: [R; 3], [a, b]: [R; 2], target: [R; 3], pole: [R; 3]) -> Self {
+        let way = vector::sub(target, root);
         let wanted = vector::norm(way);
         let (shortest, longest) = ((a - b).abs(), a + b);
         // Straight limbs are told apart: the root of a rounding is eight digits, not sixteen.
@@ -112,14 +152,43 @@ impl<R: Real> TwoBone<R> {
         let (along, side) = plane(way, pole, a < b);
         let about_z = |angle: R| Quat::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle);
         let frame = frame(along, side);
-        Ok(Self {
+        Self {
             upper: frame * about_z(-root_angle),
             lower: frame * about_z(bend - root_angle),
             bend,
             span,
             missed: (wanted - d).abs(),
-        })
+        }
     }
+}
+
+#[cold]
+#[inline(never)]
+fn check_each<R: Real>(
+    root: [R; 3],
+    lengths: [R; 2],
+    target: [R; 3],
+    pole: [R; 3],
+) -> Result<(), LimbError> {
+    for (bone, length) in lengths.into_iter().enumerate() {
+        if !(length >= R::ZERO && length.is_finite()) {
+            return Err(LimbError::Length { bone, value: length.into() });
+        }
+    }
+    let [a, b] = lengths;
+    // Twice: the sides of the triangle are added up.
+    if !(R::TWO * (a + b)).is_finite() {
+        return Err(LimbError::Length { bone: 1, value: b.into() });
+    }
+    let way = vector::sub(target, root);
+    for (what, point) in [("root", root), ("target", target), ("pole", pole), ("way", way)] {
+        for (index, value) in point.into_iter().enumerate() {
+            if !value.is_finite() {
+                return Err(LimbError::NotFinite { what, index, value: value.into() });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// 2 arctan √(ab/(cd)); rounding may have left a factor a little below zero.
