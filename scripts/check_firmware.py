@@ -2,14 +2,14 @@
 """Proofs about the machine code of the kernels for one target, and their sizes.
 
     python3 scripts/check_firmware.py TARGET libkernels.a IMAGE            # prints; exits 1 if a proof fails
-    python3 scripts/check_firmware.py TARGET libkernels.a IMAGE --update   # writes the sizes that are checked
+    python3 scripts/check_firmware.py TARGET libkernels.a IMAGE --update   # writes the sizes that are checked, and the guide's
     python3 scripts/check_firmware.py --stack IMAGE FUNCTION…              # how deep functions of any image go, and by which calls
 
 Needs ld.lld and the llvm tools (Debian packages lld and llvm). The library is tests/firmware/kernels. Its functions are
 linked in groups, without libc, allocator or panic handler: what links cannot panic and does not allocate. Of each group:
-bytes of code, which must not grow by more than GROWTH over tests/firmware/sizes.txt; the deepest stack, from the frames of
-the compiler and the calls in the machine code (a call that cannot be followed, or a circle, is a failure); calls of f64
-arithmetic, of which there must be none, also not in IMAGE, that of the board.
+bytes of code and the deepest stack, from the frames of the compiler and the calls in the machine code (a call that cannot be
+followed, or a circle, is a failure), which must not grow over tests/firmware/sizes.txt, and of which the guide says the same;
+calls of f64 arithmetic, of which there must be none, also not in IMAGE, that of the board.
 """
 
 import bisect
@@ -20,19 +20,26 @@ from pathlib import Path
 
 FIRMWARE = Path(__file__).resolve().parent.parent / "tests/firmware"
 SIZES, KERNELS = FIRMWARE / "sizes.txt", FIRMWARE / "kernels/src"
+GUIDE = FIRMWARE.parent.parent / "src/guide/firmware.md"
+# Half a per cent is what other versions of the compiler may differ by.
 GROWTH = 1.005
+# How the guide calls the targets, and the groups of its tables.
+CALLED = {"thumbv7em-none-eabihf": "Cortex-M4F", "aarch64-unknown-none": "aarch64", "riscv32imac-unknown-none-elf": "rv32imac",
+          "x86_64-unknown-linux-gnu": "x86-64"}
+TABLES = (("forward", "core", "all", "robot"), ("follow", "ik", "arm"))
 # Which functions, by the beginning of their names: see tests/firmware/kernels.
 GROUPS = {"forward": ("forward_",), "core": ("forward_", "core_"), "all": ("forward_", "core_", "more_"),
           "clip": ("clip_",), "robot": ("robot_",), "follow": ("ik_follow",), "ik": ("ik_solve",), "arm": ("arm_",)}
 # Looked at on this target alone.
 ONLY = {"clip": "thumbv7em-none-eabihf"}
+CLIP = (ONLY["clip"], "clip")
 EMULATION = {
     "thumbv7em-none-eabihf": "armelf",
     "aarch64-unknown-none": "aarch64elf",
     "riscv32imac-unknown-none-elf": "elf32lriscv",
     "x86_64-unknown-linux-gnu": "elf_x86_64",
 }
-# At most, by target and group: (bytes of code, bytes of stack).
+# At most, by target and group: (bytes of code, bytes of stack). These numbers only fall.
 LIMITS = {
     ("thumbv7em-none-eabihf", "forward"): (4096, 512),
     ("thumbv7em-none-eabihf", "core"): (4096, 512),
@@ -171,7 +178,21 @@ def examine(target, library, group):
 
 def committed():
     lines = (line.split() for line in SIZES.read_text().splitlines() if not line.startswith("#"))
-    return {(target, group): int(size) for target, group, size in lines}
+    return {(target, group): tuple(map(int, numbers)) for target, group, *numbers in lines}
+
+
+def guide_with(sizes):
+    """The guide with these sizes in its tables and its sentence on clips."""
+    text = GUIDE.read_text()
+    for target, name in CALLED.items():
+        for groups in TABLES:
+            known = [sizes[target, group] for group in groups if len(sizes.get((target, group), ())) == 2]
+            if len(known) == len(groups):
+                cells = [f" {code} ({stack}) |" for code, stack in known]
+                old = r"( \d+ \(\d+\) \|){%d}$" % len(groups)
+                text = re.sub(rf"^(\| {name}[^|]*\|){old}", rf"\g<1>{''.join(cells)}", text, flags=re.M)
+    code, stack = sizes[CLIP]
+    return re.sub(r"takes \d+ bytes, with \d+ bytes of stack", f"takes {code} bytes, with {stack} bytes of stack", text)
 
 
 def tell_stack(image, entries):
@@ -191,13 +212,15 @@ def main():
             continue
         found = examine(target, library, group)
         most_text, most_stack = LIMITS.get((target, group), (None, None))
-        before = sizes.get((target, group))
+        now, before = (found["text"], found["stack"]), sizes.get((target, group))
         if "--update" in sys.argv:
-            sizes[target, group] = found["text"]
+            sizes[target, group] = now
         elif before is None:
             failures.append(f"{group}: no size in {SIZES.name}; --update writes it")
-        elif found["text"] > before * GROWTH:
-            failures.append(f"{group}: {found['text']} bytes of code, {before} before")
+        else:
+            for what, is_now, was in zip(("code", "stack"), now, before, strict=True):
+                if is_now > was * GROWTH:
+                    failures.append(f"{group}: {is_now} bytes of {what}, {was} before")
         if most_text and found["text"] > most_text:
             failures.append(f"{group}: {found['text']} bytes of code, at most {most_text}")
         if most_stack and found["stack"] > most_stack:
@@ -211,8 +234,12 @@ def main():
     names = {name for names in unwanted(image).values() for name in names} - WIDEN
     failures += [f"{Path(image).name}: {name}" for name in sorted(names)]
     if "--update" in sys.argv:
-        head = "# Bytes of code: target, group, size. Written by scripts/check_firmware.py --update.\n"
-        SIZES.write_text(head + "".join(f"{t} {g} {size}\n" for (t, g), size in sorted(sizes.items())))
+        head = "# Target, group, bytes of code and of stack. Written by scripts/check_firmware.py --update.\n"
+        lines = (" ".join(map(str, (*key, *numbers))) + "\n" for key, numbers in sorted(sizes.items()))
+        SIZES.write_text(head + "".join(lines))
+        GUIDE.write_text(guide_with(sizes))
+    elif guide_with(sizes) != GUIDE.read_text():
+        failures.append(f"{GUIDE.name} has other sizes than {SIZES.name}; --update writes them")
     if failures:
         raise SystemExit("\n".join(f"{target}: {failure}" for failure in failures))
 
