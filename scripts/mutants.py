@@ -8,7 +8,10 @@ that call its function, first those that see most per second, until one fails.
 
   scripts/mutants.py build [--most N] FILE…      N changes per function (4), chosen by a fixed seed
   scripts/mutants.py run SECONDS [TEST…]         every change without a result; TEST: binaries of tests, without any: all
-  scripts/mutants.py report                      the survivors
+  scripts/mutants.py report                      the survivors, but for those that no test can see
+  scripts/mutants.py check                       whether the lines that scripts/mutants.toml quotes are still there
+
+scripts/mutants.toml lists the changes that no test can see (`[[equivalent]]`: file, function, line as it is, changed, reason).
 """
 
 import itertools
@@ -20,6 +23,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
 from switched import ROOT, SWITCH, copy, write
@@ -43,6 +47,7 @@ pub fn mutant_in(first: usize) -> usize {
 COPY = ROOT / "target" / "mutants"
 PACKAGES = ["-p", "dq8", "-p", "dq8-robot", "--features", "dq8-robot/urdf"]
 STATE = COPY / "state.json"
+EQUIVALENT = ROOT / "scripts/mutants.toml"
 # What is replaced, and by what.
 CHANGES = [
     (r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" / ", " * "), (r" \+= ", " -= "), (r" -= ", " += "),
@@ -229,14 +234,43 @@ def describe(change):
     return f"{change['id']} {change['file']}:{change['line']} {change['function']}: '{old}' to '{change['new']}' in: {change['text']}"
 
 
+def changed(change):
+    """The line with the change."""
+    (a, b), text = change["at"], (ROOT / change["file"]).read_text()
+    return (text[text.rfind("\n", 0, a) + 1:a] + change["new"] + text[b:].partition("\n")[0]).strip()
+
+
+def equivalent():
+    """The changes that no test can see. Each has a reason, and quotes a line that its function has."""
+    listed, errors = set(), []
+    for entry in tomllib.loads(EQUIVALENT.read_text())["equivalent"]:
+        file, function, line, new, reason = (entry[key].strip() for key in ("file", "function", "line", "changed", "reason"))
+        text = (ROOT / file).read_text() if (ROOT / file).is_file() else ""
+        # A function within another belongs to the outer one.
+        own = [text[begin:end] for name, begin, end in bodies(without_words(text)) if name == function]
+        if not any(line in (one.strip() for one in body.splitlines()) for body in own):
+            errors.append(f"{file}, {function}: this line is gone: {line}")
+        if not reason or new == line or (file, function, line, new) in listed:
+            errors.append(f"{file}, {function}: no reason, no change, or a change that is listed: {new}")
+        listed.add((file, function, line, new))
+    if errors:
+        raise SystemExit("\n".join(errors))
+    return listed
+
+
 def report():
+    listed = equivalent()
     tried = [change for change in json.loads(STATE.read_text()) if "result" in change]
-    for result in ("survived", "not called", "timeout"):
+    for change in tried:
+        key = change["file"], change["function"], change["text"], changed(change)
+        if change["result"] != "timeout" and key in listed:
+            change["result"] = "listed" if change["result"] in ("survived", "not called") else "seen, though listed"
+    for result in ("survived", "not called", "timeout", "seen, though listed"):
         for change in (change for change in tried if change["result"] == result):
             print(f"{result}: {describe(change)}")
     count = lambda result: sum(change["result"] == result for change in tried)
     print(f"{len(tried)} changes tried, {count('survived')} survived, {count('not called')} are called by no test, "
-          f"{count('timeout')} took too long to say")
+          f"{count('timeout')} took too long to say, {count('listed')} are equivalent by {EQUIVALENT.name}")
 
 
 if __name__ == "__main__":
@@ -249,5 +283,7 @@ if __name__ == "__main__":
             run(float(seconds), tests)
         case ["report"]:
             report()
+        case ["check"]:
+            equivalent()
         case _:
             raise SystemExit(__doc__)

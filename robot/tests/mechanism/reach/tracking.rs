@@ -127,9 +127,13 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
         start_weight: 0.7,
         ..Options::track()
     };
-    for (backend, values, _) in track_everywhere(&reach, &[at(2.0, 0.0, 0.0)], &[-1.0], &options) {
-        let least = (2.0 + 0.25 * 5.0 - 0.49) / (1.0 + 0.25 + 0.49);
-        assert!((values[0] - least).abs() < 1e-6, "{backend}: {values:?} {least}");
+    // From the target itself too, which it leaves for the posture.
+    for start in [-1.0, 2.0] {
+        let targets = [at(2.0, 0.0, 0.0)];
+        for (backend, values, _) in track_everywhere(&reach, &targets, &[start], &options) {
+            let least = (2.0 + 0.25 * 5.0 + 0.49 * start) / (1.0 + 0.25 + 0.49);
+            assert!((values[0] - least).abs() < 1e-6, "{backend}: {values:?} {least}");
+        }
     }
 }
 

@@ -121,6 +121,9 @@ fn limits_of_more_or_less_than_a_turn_are_used_to_their_ends() {
         ([-3.0, OPEN], -3.1, -3.0, TAU - 3.1),
         ([-OPEN, -20.0], 1.0, -19.0, 1.0 - 4.0 * TAU),
         ([-OPEN, -20.0], 0.0, -40.0, -6.0 * TAU),
+        // Farther from zero than `f32` is fine enough, but nowhere else.
+        ([-OPEN, -100.0], 0.0, -101.0, -16.0 * TAU),
+        ([100.0, OPEN], 0.0, 101.0, 16.0 * TAU),
         // A hundred turns are as many limits as none.
         ([0.0, 100.0 * TAU], 1.0, 45.0, 1.0 + 7.0 * TAU),
         // Less than a turn between the limits: the value is a turn away, or the way leads across the gap.
