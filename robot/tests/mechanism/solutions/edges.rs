@@ -3,7 +3,7 @@
 use super::{Poses, free, iiwa_held};
 use dq8::{Backend, DualQuat};
 use dq8_arms::{Axis, Plan, Random, X, Y, Z, puma, six_of_any_kind, turning, ur5};
-use dq8_robot::ik::{Family, Solutions};
+use dq8_robot::ik::{Family, Solution, Solutions};
 use std::f64::consts::{PI, TAU};
 
 /// Poses with one joint at a value, and what is found of them.
@@ -96,6 +96,13 @@ fn a_wrist_on_the_first_axis_leaves_that_the_angle_of_the_start() {
     for (values, found) in poses.values.iter().zip(&found) {
         assert!(found.iter().all(|one| one.singular.shoulder), "{found:?}");
         assert!(found.iter().any(|one| (one.values[0] - values[0]).abs() < 1e-14), "{found:?}");
+    }
+    // Links of one length, folded: then the second axis too, which the wrist is on.
+    let (poses, found) = with(&elbow, &[(2, PI / 2.0)]);
+    for (values, found) in poses.values.iter().zip(&found) {
+        assert!(found.iter().all(|one| one.singular.elbow), "{found:?}");
+        let keeps = |one: &Solution<f64>| (0..2).all(|i| (one.values[i] - values[i]).abs() < 1e-14);
+        assert!(found.iter().any(keeps), "{values:?}: {found:?}");
     }
 }
 
