@@ -45,7 +45,7 @@ pub fn mutant_in(first: usize) -> usize {
 }
 """
 COPY = ROOT / "target" / "mutants"
-PACKAGES = ["-p", "dq8", "-p", "dq8-robot", "--features", "dq8-robot/urdf"]
+PACKAGES = ["-p", "dq8", "-p", "dq8-robot", "--features", "dq8-robot/urdf,dq8-robot/rayon"]
 STATE = COPY / "state.json"
 EQUIVALENT = ROOT / "scripts/mutants.toml"
 # What is replaced, and by what.
