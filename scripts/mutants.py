@@ -193,7 +193,10 @@ def fails(test, variables, seconds):
 
 
 def run(seconds, names):
-    changes = json.loads(STATE.read_text())
+    changes, listed = json.loads(STATE.read_text()), equivalent()
+    for change in changes:
+        if key(change) in listed:
+            change["result"] = "listed"
     tests = [(name, program, case) for name, program in binaries(names).items() for case in tests_of(program)]
     seen, deadline = {}, time.time() + seconds
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -234,10 +237,11 @@ def describe(change):
     return f"{change['id']} {change['file']}:{change['line']} {change['function']}: '{old}' to '{change['new']}' in: {change['text']}"
 
 
-def changed(change):
-    """The line with the change."""
+def key(change):
+    """As in the list: where, the line, and the line with the change."""
     (a, b), text = change["at"], (ROOT / change["file"]).read_text()
-    return (text[text.rfind("\n", 0, a) + 1:a] + change["new"] + text[b:].partition("\n")[0]).strip()
+    changed = text[text.rfind("\n", 0, a) + 1:a] + change["new"] + text[b:].partition("\n")[0]
+    return change["file"], change["function"], change["text"], changed.strip()
 
 
 def equivalent():
@@ -262,10 +266,9 @@ def report():
     listed = equivalent()
     tried = [change for change in json.loads(STATE.read_text()) if "result" in change]
     for change in tried:
-        key = change["file"], change["function"], change["text"], changed(change)
-        if change["result"] != "timeout" and key in listed:
-            change["result"] = "listed" if change["result"] in ("survived", "not called") else "seen, though listed"
-    for result in ("survived", "not called", "timeout", "seen, though listed"):
+        if key(change) in listed:
+            change["result"] = "listed"
+    for result in ("survived", "not called", "timeout"):
         for change in (change for change in tried if change["result"] == result):
             print(f"{result}: {describe(change)}")
     count = lambda result: sum(change["result"] == result for change in tried)
