@@ -144,6 +144,7 @@ fn the_turn_of_a_planar_joint_is_endless_too() {
     let plate = Joint::planar(None, DualQuat::IDENTITY, Z);
     let joints = [plate, Joint::fixed(Some(0), at(1.0, 0.0, 0.0))];
     leads(&joints, [0.2, -7.0, 3.25], [0.1, -6.9, 3.2], [0.2, -7.0, 3.25]);
+    leads(&joints, [20.0, 3.0, 0.2], [0.5, -9.0, 0.1], [20.0, 3.0, 0.2]);
     leads(&joints, [8.0, -7.0, 0.2], [7.5, -7.0, 13.0], [8.0, -7.0, 0.2 + 2.0 * TAU]);
 }
 
