@@ -154,13 +154,16 @@ fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
             words(&[0, n, 1, 0]); // all keys, each a frame
         }
         words(&vec![0x0001_0001; n as usize]); // both tracks of a joint move
+        // It is the table of clips that says so.
+        let head = 32 + 24 * n as usize;
         let refused = |what: &str, bytes: &[u8]| match PackedClips::from_bytes(bytes) {
-            Err(PackedError::Bytes { what: found, .. }) => assert!(found.contains(what), "{found}"),
+            Err(PackedError::Bytes { what: found, offset }) => {
+                assert!(found.contains(what) && offset == head, "{found} at {offset}");
+            }
             other => panic!("{n}: {other:?}"),
         };
         refused("than there are keys", &bytes);
         // One clip, whose joints share them: work that grows with the square.
-        let head = 32 + 24 * n as usize;
         let mut one = bytes[..head + 16].to_vec();
         one.extend(&bytes[head + 16 * n as usize..]);
         one[16..20].copy_from_slice(&1_u32.to_le_bytes());
