@@ -62,6 +62,7 @@ fn a_stretched_or_folded_arm_is_singular_at_the_elbow() {
             let singular = || found.iter().filter(|one| one.singular.elbow);
             let is_straight = |value: f64| (value.abs() - straight).abs() < 1e-6;
             assert!(singular().all(|one| is_straight(one.values[2])), "{found:?}");
+            assert!(singular().all(|one| one.singular.any()), "{found:?}");
             beyond += usize::from(singular().count() == 0);
         }
         // Poses that are rounded by more than a solution may be.
