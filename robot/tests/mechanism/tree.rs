@@ -81,13 +81,3 @@ pub(crate) fn mechanism<R: Real>(joints: &[Joint<f64>]) -> OwnedMechanism<R> {
     let joints: Vec<_> = joints.iter().map(Joint::cast).collect();
     OwnedMechanism::new(&joints).expect("a mechanism")
 }
-
-/// 2 · 0.4 + 0.1 is within the limits of the other finger, and 2 · 0.6 + 0.1 is not.
-#[test]
-fn a_value_is_within_limits_if_that_of_what_mimics_it_is_too() {
-    let finger = Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]);
-    let other = finger.with_limits([0.1, 1.1]).mimicking(0, 2.0, 0.1);
-    let hand = OwnedMechanism::new(&[finger.with_limits([0.0, 1.0]), other]).expect("a hand");
-    let within = [0.4, 0.6, -0.1].map(|value| hand.view().within_limits(&[value]));
-    assert_eq!(within, [Ok(true), Ok(false), Ok(false)]);
-}
