@@ -8,7 +8,10 @@ that call its function, first those that see most per second, until one fails.
 
   scripts/mutants.py build [--most N] FILE…      N changes per function (4), chosen by a fixed seed
   scripts/mutants.py run SECONDS [TEST…]         every change without a result; TEST: binaries of tests, without any: all
-  scripts/mutants.py report                      the survivors
+  scripts/mutants.py report                      the survivors, but for those that no test can see
+  scripts/mutants.py check                       whether the lines that scripts/mutants.toml quotes are still there
+
+scripts/mutants.toml lists the changes that no test can see (`[[equivalent]]`: file, function, line as it is, changed, reason).
 """
 
 import itertools
@@ -20,6 +23,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
 from switched import ROOT, SWITCH, copy, write
@@ -41,8 +45,9 @@ pub fn mutant_in(first: usize) -> usize {
 }
 """
 COPY = ROOT / "target" / "mutants"
-PACKAGES = ["-p", "dq8", "-p", "dq8-robot", "--features", "dq8-robot/urdf"]
+PACKAGES = ["-p", "dq8", "-p", "dq8-robot", "--features", "dq8-robot/urdf,dq8-robot/rayon"]
 STATE = COPY / "state.json"
+EQUIVALENT = ROOT / "scripts/mutants.toml"
 # What is replaced, and by what.
 CHANGES = [
     (r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" / ", " * "), (r" \+= ", " -= "), (r" -= ", " += "),
@@ -188,7 +193,10 @@ def fails(test, variables, seconds):
 
 
 def run(seconds, names):
-    changes = json.loads(STATE.read_text())
+    changes, listed = json.loads(STATE.read_text()), equivalent()
+    for change in changes:
+        if key(change) in listed:
+            change["result"] = "listed"
     tests = [(name, program, case) for name, program in binaries(names).items() for case in tests_of(program)]
     seen, deadline = {}, time.time() + seconds
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -229,14 +237,43 @@ def describe(change):
     return f"{change['id']} {change['file']}:{change['line']} {change['function']}: '{old}' to '{change['new']}' in: {change['text']}"
 
 
+def key(change):
+    """As in the list: where, the line, and the line with the change."""
+    (a, b), text = change["at"], (ROOT / change["file"]).read_text()
+    changed = text[text.rfind("\n", 0, a) + 1:a] + change["new"] + text[b:].partition("\n")[0]
+    return change["file"], change["function"], change["text"], changed.strip()
+
+
+def equivalent():
+    """The changes that no test can see. Each has a reason, and quotes a line that its function has."""
+    listed, errors = set(), []
+    for entry in tomllib.loads(EQUIVALENT.read_text())["equivalent"]:
+        file, function, line, new, reason = (entry[key].strip() for key in ("file", "function", "line", "changed", "reason"))
+        text = (ROOT / file).read_text() if (ROOT / file).is_file() else ""
+        # A function within another belongs to the outer one.
+        own = [text[begin:end] for name, begin, end in bodies(without_words(text)) if name == function]
+        if not any(line in (one.strip() for one in body.splitlines()) for body in own):
+            errors.append(f"{file}, {function}: this line is gone: {line}")
+        if not reason or new == line or (file, function, line, new) in listed:
+            errors.append(f"{file}, {function}: no reason, no change, or a change that is listed: {new}")
+        listed.add((file, function, line, new))
+    if errors:
+        raise SystemExit("\n".join(errors))
+    return listed
+
+
 def report():
+    listed = equivalent()
     tried = [change for change in json.loads(STATE.read_text()) if "result" in change]
+    for change in tried:
+        if key(change) in listed:
+            change["result"] = "listed"
     for result in ("survived", "not called", "timeout"):
         for change in (change for change in tried if change["result"] == result):
             print(f"{result}: {describe(change)}")
     count = lambda result: sum(change["result"] == result for change in tried)
     print(f"{len(tried)} changes tried, {count('survived')} survived, {count('not called')} are called by no test, "
-          f"{count('timeout')} took too long to say")
+          f"{count('timeout')} took too long to say, {count('listed')} are equivalent by {EQUIVALENT.name}")
 
 
 if __name__ == "__main__":
@@ -249,5 +286,7 @@ if __name__ == "__main__":
             run(float(seconds), tests)
         case ["report"]:
             report()
+        case ["check"]:
+            equivalent()
         case _:
             raise SystemExit(__doc__)

@@ -172,6 +172,17 @@ fn trajectories_have_the_bits_of_one_thread_on_all() {
     assert!(one == all && means[0] == means[1], "{means:?}");
 }
 
+/// Nothing divided among threads is nothing.
+#[test]
+fn a_hierarchy_of_no_joints_runs_on_all_cores() {
+    let hierarchy = Hierarchy::new(&[]).expect("no joints");
+    let (job, mut none) = (hierarchy.job().threads(usize::MAX), [DualQuat::<f32>::IDENTITY; 0]);
+    job.local_to_model_in_place(&mut none).expect("they fit");
+    job.model_to_local_in_place(&mut none).expect("they fit");
+    job.locals(Poses(&[DualQuat::<f32>::IDENTITY; 0]), &mut none).expect("they fit");
+    job.palette(Poses(&[]), &mut none, &[], &mut [[0.0_f32; 12]; 0]).expect("they fit");
+}
+
 #[test]
 fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");

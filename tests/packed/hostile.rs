@@ -167,13 +167,16 @@ fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
             words(&[1.0_f32.to_bits(), 0, 0]); // a frame a second
         }
         words(&vec![0x0001_0001; n as usize]); // both tracks of a joint move
+        // It is the table of clips that says so.
+        let head = 32 + 24 * n as usize;
         let refused = |what: &str, bytes: &[u8]| match PackedClips::from_bytes(bytes) {
-            Err(PackedError::Bytes { what: found, .. }) => assert!(found.contains(what), "{found}"),
+            Err(PackedError::Bytes { what: found, offset }) => {
+                assert!(found.contains(what) && offset == head, "{found} at {offset}");
+            }
             other => panic!("{n}: {other:?}"),
         };
         refused("than there are keys", &bytes);
         // One clip, whose joints share them: work that grows with the square.
-        let head = 32 + 24 * n as usize;
         let timings = head + 16 * n as usize;
         let mut one = bytes[..head + 16].to_vec();
         one.extend(&bytes[timings..timings + 12]);

@@ -69,6 +69,30 @@ fn what_is_taken_apart_is_the_matrix_together_again() {
     assert!(split.joint == 1 && (split.stretch - 1.0).abs() < ROUNDING, "{split:?}");
 }
 
+/// A product of maps mirrors if an odd number of its factors does; here those that scale one axis by less than nothing.
+#[test]
+fn what_mirrors_is_counted_however_it_lies() {
+    let mut random = Random(7);
+    let (mut matrices, mut mirroring) = (Vec::new(), 0);
+    for _ in 0..200 {
+        let mut map = Affine::from_motion(motion::<f64>(&mut random));
+        let mut sign = 1.0;
+        for _ in 0..2 {
+            let scale = core::array::from_fn(|_| 1.25 + random.signed());
+            let side = if random.signed() < 0.0 { -1.0 } else { 1.0 };
+            sign *= side;
+            map = map * Affine::scale(scale) * Affine::scale([1.0, side, 1.0]);
+            map = map * Affine::from_motion(motion(&mut random));
+        }
+        matrices.push(map.to_matrix3x4());
+        mirroring += usize::from(sign < 0.0);
+    }
+    let mut motions = vec![DualQuat::IDENTITY; matrices.len()];
+    let mut stretches = vec![[[0.0; 4]; 3]; matrices.len()];
+    let split = split_palette(&matrices, &mut motions, &mut stretches).unwrap();
+    assert_eq!((split.mirroring, split.squeezing), (mirroring, 0));
+}
+
 #[test]
 fn a_product_that_overflows_is_refused() {
     let mut large = DualQuat::<f32>::IDENTITY.to_matrix4();

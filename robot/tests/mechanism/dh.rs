@@ -11,6 +11,9 @@ fn shift(x: f64, z: f64) -> DualQuat<f64> {
     DualQuat::from_translation([x, 0.0, z])
 }
 
+/// Which of the rows below slide, as a reader of the table sees it.
+const SLIDES: [bool; 4] = [false, true, false, false];
+
 /// θ, d, a, α of hinges and slides.
 fn table() -> [Dh<f64>; 4] {
     [
@@ -28,8 +31,8 @@ fn both_conventions_are_the_products_of_their_books() {
     let tool = turn([0.6, 0.8, 0.0], 0.3) * shift(0.1, 0.2);
     for convention in [DhConvention::Standard, DhConvention::Modified] {
         let mut book = DualQuat::IDENTITY;
-        for (row, value) in table().into_iter().zip(values) {
-            let (turned, slid) = if row.slides { (0.0, value) } else { (value, 0.0) };
+        for ((row, slides), value) in table().into_iter().zip(SLIDES).zip(values) {
+            let (turned, slid) = if slides { (0.0, value) } else { (value, 0.0) };
             let along_z = turn(z, row.theta + turned) * shift(0.0, row.d + slid);
             let along_x = turn(x, row.alpha) * shift(row.a, 0.0);
             book = match convention {

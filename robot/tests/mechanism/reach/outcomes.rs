@@ -19,6 +19,19 @@ fn beyond_the_length_of_the_arm_is_out_of_reach_and_the_arm_points_there() {
     assert!(x.abs() < 0.1 && y > 1.99, "{x} {y}");
 }
 
+/// An arm that is as far from the base as it gets weighs a turn against the lengths of its links, and not against the way
+/// that is missing.
+#[test]
+fn how_far_beyond_reach_a_pose_is_does_not_change_what_comes_nearest() {
+    let arm = problem(&planar(&[1.0, 1.0, 0.5]), [Goal::pose(3)]);
+    let [values, farther] = [5.0, 500.0].map(|far| {
+        let (values, report) = solve(&arm, turned(Z, 0.3, [0.0, far, 0.0]), [0.9, 0.5, 0.4]);
+        assert_eq!(report.outcome, Outcome::OutOfReach);
+        values
+    });
+    assert!(near(&values, &farther, 1e-6), "{values:?} {farther:?}");
+}
+
 #[test]
 fn the_bound_of_the_reach_is_the_sum_of_the_offsets() {
     let problem = problem(&seven(), [Goal::pose(7)]);

@@ -197,6 +197,11 @@ fn options_that_are_none_and_distances_that_overflow_are_invalid_and_values_are_
         let (values, report) = solve(&base, DualQuat::from_translation(far), start);
         assert_eq!((report.outcome, values), (Outcome::Invalid, start), "{far:?}: {report:?}");
     }
+    // Two values whose sum is none.
+    let slide = |on| Joint::prismatic(on, DualQuat::IDENTITY, [1.0, 0.0, 0.0]);
+    let slides = problem(&[slide(None), slide(Some(0))], [Goal::position(1)]);
+    let (values, report) = solve(&slides, DualQuat::IDENTITY, [1.5e308; 2]);
+    assert_eq!((report.outcome, values), (Outcome::Invalid, [1.5e308; 2]), "{report:?}");
 }
 
 #[test]

@@ -127,9 +127,13 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
         start_weight: 0.7,
         ..Options::track()
     };
-    for (backend, values, _) in track_everywhere(&reach, &[at(2.0, 0.0, 0.0)], &[-1.0], &options) {
-        let least = (2.0 + 0.25 * 5.0 - 0.49) / (1.0 + 0.25 + 0.49);
-        assert!((values[0] - least).abs() < 1e-6, "{backend}: {values:?} {least}");
+    // From the target itself too, which it leaves for the posture.
+    for start in [-1.0, 2.0] {
+        let targets = [at(2.0, 0.0, 0.0)];
+        for (backend, values, _) in track_everywhere(&reach, &targets, &[start], &options) {
+            let least = (2.0 + 0.25 * 5.0 + 0.49 * start) / (1.0 + 0.25 + 0.49);
+            assert!((values[0] - least).abs() < 1e-6, "{backend}: {values:?} {least}");
+        }
     }
 }
 
@@ -234,7 +238,13 @@ fn rates_are_the_damped_least_squares_of_the_velocities() {
     let machine = mechanism::<f64>(&body());
     let (mut random, damping) = (Random(49), 0.1);
     let count = 11;
-    for goals in [goals(), by_rows(&goals())] {
+    // About the second axis of its link each may turn as it likes.
+    let free = |goal: &Goal<f64>| {
+        let [x, _, z] = goal.angular;
+        goal.with_angular([x, 0.0, 0.7 * z])
+    };
+    let free: Vec<_> = goals().iter().map(free).collect();
+    for goals in [goals(), by_rows(&goals()), free] {
         let reach = problem(&body(), goals.clone());
         let view = reach.view();
         let values: Vec<f64> = (0..count).flat_map(|_| configuration(&mut random)).collect();
@@ -255,16 +265,24 @@ fn rates_are_the_damped_least_squares_of_the_velocities() {
                     let mut columns = vec![Twist::ZERO; size];
                     let pose =
                         machine.view().link_jacobian(WorldAligned, values, goal.link, &mut columns);
-                    let arm = pose.expect("a link").rotation().rotate(goal.point);
+                    let turn = pose.expect("a link").rotation();
+                    let arm = turn.rotate(goal.point);
+                    // Weights are along the axes of the link.
+                    let of_link = |of: [f64; 3]| turn.conjugate().rotate(of);
                     for of in &mut columns {
                         of.linear = of.velocity_at(arm);
                     }
                     let done = columns.iter().zip(rates).map(|(of, &rate)| of.scale(rate));
                     let left = done.fold(Twist::ZERO, |sum, of| sum + of) - *twist;
-                    let [angular, linear] = [goal.angular[0], goal.linear[0] / length];
+                    let weighed = |of: [f64; 3], weights: [f64; 3]| -> [f64; 3] {
+                        let of = of_link(of);
+                        core::array::from_fn(|i| weights[i] * weights[i] * of[i])
+                    };
+                    let turned = weighed(left.angular, goal.angular);
+                    let moved = weighed(left.linear, goal.linear.map(|weight| weight / length));
                     for (sum, of) in gradient.iter_mut().zip(&columns) {
-                        *sum += angular * angular * vector::dot(left.angular, of.angular)
-                            + linear * linear * vector::dot(left.linear, of.linear);
+                        *sum += vector::dot(turned, of_link(of.angular))
+                            + vector::dot(moved, of_link(of.linear));
                     }
                 }
                 for (rate, (sum, speed)) in gradient.iter().zip(rates).enumerate() {

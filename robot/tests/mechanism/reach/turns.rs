@@ -121,6 +121,9 @@ fn limits_of_more_or_less_than_a_turn_are_used_to_their_ends() {
         ([-3.0, OPEN], -3.1, -3.0, TAU - 3.1),
         ([-OPEN, -20.0], 1.0, -19.0, 1.0 - 4.0 * TAU),
         ([-OPEN, -20.0], 0.0, -40.0, -6.0 * TAU),
+        // Farther from zero than `f32` is fine enough, but nowhere else.
+        ([-OPEN, -100.0], 0.0, -101.0, -16.0 * TAU),
+        ([100.0, OPEN], 0.0, 101.0, 16.0 * TAU),
         // A hundred turns are as many limits as none.
         ([0.0, 100.0 * TAU], 1.0, 45.0, 1.0 + 7.0 * TAU),
         // Less than a turn between the limits: the value is a turn away, or the way leads across the gap.
@@ -141,6 +144,7 @@ fn the_turn_of_a_planar_joint_is_endless_too() {
     let plate = Joint::planar(None, DualQuat::IDENTITY, Z);
     let joints = [plate, Joint::fixed(Some(0), at(1.0, 0.0, 0.0))];
     leads(&joints, [0.2, -7.0, 3.25], [0.1, -6.9, 3.2], [0.2, -7.0, 3.25]);
+    leads(&joints, [20.0, 3.0, 0.2], [0.5, -9.0, 0.1], [20.0, 3.0, 0.2]);
     leads(&joints, [8.0, -7.0, 0.2], [7.5, -7.0, 13.0], [8.0, -7.0, 0.2 + 2.0 * TAU]);
 }
 

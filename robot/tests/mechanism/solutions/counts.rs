@@ -2,7 +2,7 @@
 
 use super::{Poses, families, free, irb6640};
 use dq8::{Backend, Scalar};
-use dq8_arms::{Plan, Random, exact, puma, rounded, ur5};
+use dq8_arms::{Axis, Plan, Random, exact, puma, rounded, ur5};
 use dq8_robot::ik::{Options, Solutions};
 use nalgebra::{Isometry3, Vector3};
 
@@ -176,6 +176,36 @@ fn families_are_recognised_and_every_solution_is_at_the_target_to_the_rounding_o
  {
     at_targets::<f64>(1e-14);
     at_targets::<f32>(4e-6);
+}
+
+/// Where an axis points the other way, its values are the negatives, and nothing else changes.
+#[test]
+fn an_axis_the_other_way_has_the_negated_values() {
+    for (name, plan, family) in families() {
+        let poses = Poses::<f64>::random(&plan, 20);
+        let all = poses.solve();
+        for turned in 0..6 {
+            let mut other = plan;
+            let Axis { direction, limits: [low, high], .. } = plan.axes[turned];
+            other.axes[turned].direction = direction.map(|c| -c);
+            other.axes[turned].limits = [-high, -low];
+            let negated = |mut values: [f64; 6]| {
+                values[turned] = -values[turned];
+                values
+            };
+            let starts = poses.values.iter().map(|&values| negated(values)).collect();
+            let others = Poses::<f64>::at(&other, starts);
+            assert_eq!(others.six().family(), family, "{name}");
+            for (found, others) in all.iter().zip(others.solve()) {
+                assert_eq!(found.len(), others.len(), "{name}, axis {turned}");
+                for one in found.iter() {
+                    let wanted = negated(one.values);
+                    let is_there = others.iter().any(|other| apart(&other.values, &wanted) < 1e-9);
+                    assert!(is_there, "{name}, axis {turned}: {wanted:?} of {others:?}");
+                }
+            }
+        }
+    }
 }
 
 /// On lanes of every kind, whatever is left over; and one by one.

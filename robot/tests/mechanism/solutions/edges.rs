@@ -3,7 +3,7 @@
 use super::{Poses, free, iiwa_held};
 use dq8::{Backend, DualQuat};
 use dq8_arms::{Axis, Plan, Random, X, Y, Z, puma, six_of_any_kind, turning, ur5};
-use dq8_robot::ik::{Family, Solutions};
+use dq8_robot::ik::{Family, Solution, Solutions};
 use std::f64::consts::{PI, TAU};
 
 /// Poses with one joint at a value, and what is found of them.
@@ -52,17 +52,22 @@ fn where_four_axes_are_parallel_the_last_has_the_angle_of_the_start() {
     assert!(ones > 160, "{ones}");
 }
 
+/// With an upper arm longer than the lower one, which folds back on it.
 #[test]
-fn a_stretched_arm_is_singular_at_the_elbow() {
-    let (_, found) = with(&ur5(), &[(2, 0.0)]);
-    let mut beyond = 0;
-    for found in &found {
-        let stretched = || found.iter().filter(|one| one.singular.elbow);
-        assert!(stretched().all(|one| one.values[2].abs() < 1e-6), "{found:?}");
-        beyond += usize::from(stretched().count() == 0);
+fn a_stretched_or_folded_arm_is_singular_at_the_elbow() {
+    for straight in [0.0, PI] {
+        let (_, found) = with(&ur5(), &[(2, straight)]);
+        let mut beyond = 0;
+        for found in &found {
+            let singular = || found.iter().filter(|one| one.singular.elbow);
+            let is_straight = |value: f64| (value.abs() - straight).abs() < 1e-6;
+            assert!(singular().all(|one| is_straight(one.values[2])), "{found:?}");
+            assert!(singular().all(|one| one.singular.any()), "{found:?}");
+            beyond += usize::from(singular().count() == 0);
+        }
+        // Poses that are rounded by more than a solution may be.
+        assert!(beyond < 4, "{straight}: {beyond}");
     }
-    // Poses that are rounded by more than a solution may be.
-    assert!(beyond < 4, "{beyond}");
 }
 
 #[test]
@@ -92,6 +97,13 @@ fn a_wrist_on_the_first_axis_leaves_that_the_angle_of_the_start() {
     for (values, found) in poses.values.iter().zip(&found) {
         assert!(found.iter().all(|one| one.singular.shoulder), "{found:?}");
         assert!(found.iter().any(|one| (one.values[0] - values[0]).abs() < 1e-14), "{found:?}");
+    }
+    // Links of one length, folded: then the second axis too, which the wrist is on.
+    let (poses, found) = with(&elbow, &[(2, PI / 2.0)]);
+    for (values, found) in poses.values.iter().zip(&found) {
+        assert!(found.iter().all(|one| one.singular.elbow), "{found:?}");
+        let keeps = |one: &Solution<f64>| (0..2).all(|i| (one.values[i] - values[i]).abs() < 1e-14);
+        assert!(found.iter().any(keeps), "{values:?}: {found:?}");
     }
 }
 
@@ -159,6 +171,29 @@ fn solutions_at_a_limit_are_within_it() {
     for (values, found) in poses.values.iter().zip(poses.solve()) {
         let first = found.first().expect("the values themselves");
         assert!(first.distance < 1e-9, "{values:?}, {found:?}");
+    }
+}
+
+/// Where only values beyond a limit reach a target, those at the limit are no solution.
+#[test]
+fn just_beyond_a_limit_nothing_stops_at_it() {
+    let (at, by, mut random) = (1.234_567, 5e-8, Random(6));
+    let beyond = (0..200).map(|index| {
+        let mut values: [f64; 6] = core::array::from_fn(|_| random.between(-at, at));
+        values[index % 6] = (at + by) * random.one_of(&[-1.0, 1.0]);
+        values
+    });
+    let beyond: Vec<_> = beyond.collect();
+    let solve = |end: f64| {
+        let plan = ur5().with_axes(|axis| Axis { limits: [-end, end], ..axis });
+        Poses::<f64>::at(&plan, beyond.clone()).solve()
+    };
+    for ((values, found), wider) in beyond.iter().zip(solve(at)).zip(solve(at + 2.0 * by)) {
+        for one in found.iter() {
+            let [turn, way] = ur5().apart(&one.values, values);
+            assert!(turn < 1e-12 && way < 1e-12, "{one:?} for {values:?}");
+        }
+        assert!(wider.len() > found.len(), "{values:?}: {wider:?} {found:?}");
     }
 }
 
