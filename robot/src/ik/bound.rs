@@ -132,8 +132,8 @@ impl<R: Real> Reach<'_, R> {
     }
 }
 
-/// The length of a vector: once in machine code.
-#[inline(never)]
+/// The length of a vector: in firmware once in machine code.
+#[cfg_attr(target_os = "none", inline(never))]
 fn norm<R: Real>(vector: [R; 3]) -> R {
     vector::norm(vector)
 }

@@ -26,7 +26,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             // Numbers that no other restart has. They depend on the restart alone, neither on the lane nor on how many
             // lanes there are, so that results do not either.
             self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
-            self.call_place(Of::Candidates);
+            self.place_or_call(Of::Candidates);
             let squares = self.compare(Some(lane)).square.to_array();
             let mut picked = None;
             for (index, &square) in squares.as_ref().iter().enumerate() {

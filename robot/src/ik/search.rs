@@ -73,7 +73,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             }
             self.keep_within();
             if AGAIN {
-                self.model.call_place(Of::Values);
+                self.model.place_or_call(Of::Values);
             } else {
                 self.model.place(Of::Values);
             }
