@@ -53,6 +53,16 @@ const FORMS: &[Row] = &[
         &[],
         "not proved: only makes motions of locals, as `from_rotation_translation` does",
     ),
+    (
+        "src/hierarchy/limb.rs Check",
+        &[],
+        "not proved: asks for faults, and computes no pose that is kept",
+    ),
+    (
+        "src/hierarchy/limb.rs Reach",
+        &[],
+        "not proved: a triangle's angles by roots; `tests/two_bone.rs` measures it",
+    ),
     ("src/hierarchy/locals.rs Poses", &["local_to_model"], ""),
     ("src/hierarchy/locals.rs InPlace", &["local_to_model_blocks"], ""),
     ("src/hierarchy/locals.rs Bones", &["bones", "bones_lanes", "bones_blocks"], ""),
