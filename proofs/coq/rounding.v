@@ -104,6 +104,10 @@ Proof.
   lra.
 Qed.
 
+(* An absolute value is off by no more than its operand. Gappa has no rule for it. *)
+Lemma absolute n m e : Rabs (n - m) <= e -> Rabs (Rabs n - Rabs m) <= e.
+Proof. intros H. apply Rle_trans with (2 := H). apply Rabs_triang_inv2. Qed.
+
 Lemma below a c : - c <= a <= c -> Rabs a <= c.
 Proof. intros. apply Rabs_le. assumption. Qed.
 

@@ -25,7 +25,7 @@ const TABLE = [
   ["src/hierarchy/crowd.rs", "new", "crowd", "block_size", none(WHOLE)],
   ["src/storage/packing.rs", "pack", "set", "pack", none(WHOLE)],
   ["src/hierarchy/crowd.rs", "copy_to_slice", "copyTo", "unpack", none(WHOLE)],
-  ["src/ik/two_bone.rs", "reach", "twoBone", none("limbs are not in the C interface yet"), none("limbs are not in Python yet")],
+  ["src/scalar/two_bone.rs", "reach", "twoBone", none("limbs are not in the C interface yet"), none("limbs are not in Python yet")],
   ["src/skinning/skin.rs", "new", "skin", "skin_make", none(NAMED)],
   ["src/skinning/job.rs", "pose", "pose", "skin_dual", "skin"],
   ["src/slices/product.rs", "mul", "mul", "mul", "mul"],
