@@ -22,7 +22,7 @@ impl<S, P: Plans> Job<'_, S, P> {
     /// `models` are what `locals` gave: of them the parent of the limb and its end are read. One
     /// target and one pole for each instance (block), in model space. Models of the limb and of
     /// what hangs from it are old afterwards: a job of those [`joints`](Self::joints) computes them
-    /// anew. Here that range says nothing.
+    /// anew. The range of this job itself has no effect here.
     ///
     /// # Errors
     /// If lengths do not fit, the joints are no limb, or a target cannot be reached for, because it

@@ -393,7 +393,7 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
 
 /// What lies between keys of rotations, normalized. Neighbours are less than 60° apart, so the squared length 1 − e is near
 /// that of 1, and (1 − e)^(−½) is a polynomial of e without root and division, with a relative error of 5.5·10⁻⁸
-/// (minimax of degree 3 on [−0.0005, 0.068]). NaN if `t` is: the weights of integers cannot say so.
+/// (minimax of degree 3 on [−0.0005, 0.068]). NaN if `t` is NaN, which weights that are integers would lose.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);
