@@ -83,17 +83,13 @@ pub(crate) fn best_rotation<R: Real>(
 /// − σ₂, so these are half of the sums of the largest with each of the others.
 pub(crate) fn singular_values<R: Real>(rows: [[R; 3]; 3]) -> [R; 3] {
     let largest = vector::largest(rows.map(vector::largest));
-    let Ok(Spectrum { mut values, .. }) = Spectrum::of(rows) else { return [largest; 3] };
+    let Ok(Spectrum { values: [a, b, c, d], .. }) = Spectrum::of(rows) else { return [largest; 3] };
     // Not by `sort`, which has code for orders that contradict themselves, and panics there.
-    for end in [3, 2, 1] {
-        for index in 0..end {
-            if values[index] < values[index + 1] {
-                values.swap(index, index + 1);
-            }
-        }
-    }
-    let [first, others @ ..] = values;
-    others.map(|other| (first + other) * R::HALF * largest)
+    let order = |a: R, b: R| if a < b { [b, a] } else { [a, b] };
+    let ([a, b], [c, d]) = (order(a, b), order(c, d));
+    let ([first, c], [b, fourth]) = (order(a, c), order(b, d));
+    let [second, third] = order(b, c);
+    [second, third, fourth].map(|other| (first + other) * R::HALF * largest)
 }
 
 /// The eigenvalues and eigenvectors of [`horn`], of A over its largest element.
