@@ -144,7 +144,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
             count += R::ONE;
             total += weight;
             sums = [0, 1].map(|side| vector::add(sums[side], vector::scale(away[side], weight)));
-            furthest = [0, 1].map(|side| furthest[side].max_or_nan(vector::norm(pair[side])));
+            furthest = [0, 1].map(|side| furthest[side].max_or_nan(vector::largest(pair[side])));
         }
         let means = sums.map(|sum| sum.map(|c| c / total));
         let (mut products, mut squares) = ([[R::ZERO; 3]; 3], [R::ZERO; 2]);
@@ -158,7 +158,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
             squares =
                 [squares[0] + vector::dot(x, heavy[0]), squares[1] + vector::dot(y, heavy[1])];
         }
-        // Coordinates are rounded by as much as a point is far from the origin, sums as often as
+        // Coordinates are rounded by as much as they are far from the origin, and sums as often as
         // there are pairs; the last term is for squares that are no normal numbers in `f32`.
         let lengths = squares.map(Real::sqrt);
         let of_points = furthest[0] * lengths[1] + furthest[1] * lengths[0];
