@@ -150,7 +150,7 @@ EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite",
                           "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
 # What operations are made of, for kernels of users or for C: not in the tables. Nor is anything of `vector.rs`, nor of
 # `shorthand.rs`, which are other ways to write operations that are.
-PIECES = {"best_rotation", "lie_bracket", "dib", "weighted_sum"}
+PIECES = {"lie_bracket", "dib", "weighted_sum"}
 
 
 def functions(*folders):
@@ -309,7 +309,7 @@ def main():
         "in the reference, or returns an error, ends in `_checked` there.",
         "",
         "Written by `scripts/operations_table.py` from the sources; `.ci/run` fails where the two differ. Jobs over memory "
-        "(hierarchies, mechanisms, skins, trajectories) are not operations, and not here; nor are the short ways to write some of "
+        "(hierarchies, mechanisms, skins, trajectories, fits) are not operations, and not here; nor are the short ways to write some of "
         "these in [shorthand.rs](../src/representation/shorthand.rs).",
         "",
         "**Error** says where the bound of the rounding error comes from, in units of the roundoff and of the lengths of the "

@@ -34,6 +34,7 @@
 //! | [`representation`] | Euler angles, rotation and translation, polar decomposition, affine maps |
 //! | [`Line`], [`Plane`], [`geometry`] | what motions act on and are described by: screws, dual vectors |
 //! | [`incidence`] | lines, planes and points together, with typed errors where they are parallel or one |
+//! | [`fit`] | the motion that brings points to points with least squares: any, about one axis, or with a scale |
 //! | [`Twist`], [`geometry::Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
@@ -98,6 +99,7 @@ mod errors;
 mod everyday;
 #[cfg(dq8_record)]
 pub mod everyday;
+pub mod fit;
 pub mod geometry;
 // Pages, and no code: nothing that a build needs.
 #[cfg(any(doc, doctest))]

@@ -5,6 +5,5 @@ pub use crate::batch::even::{exponential_integrals, half_cotangent};
 pub use crate::brief::brief;
 pub use crate::errors::errors;
 pub use crate::everyday::{Number, Quick};
-pub use crate::representation::polar::best_rotation;
 pub use crate::scalar::blend::weighted_sum;
 pub use crate::scalar::mean::dib;

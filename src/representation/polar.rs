@@ -69,11 +69,27 @@ impl<R: Real> Polar<R> {
 /// # Errors
 /// If an element is not finite, or many rotations are as good: A squeezes space into a line or a
 /// point within rounding, or mirrors and has its two smaller singular values in common.
-pub fn best_rotation<R: Real>(rows: [[R; 3]; 3]) -> Result<(Quat<R>, [R; 2]), OrthonormalError> {
+pub(crate) fn best_rotation<R: Real>(
+    rows: [[R; 3]; 3],
+) -> Result<(Quat<R>, [R; 2]), OrthonormalError> {
     let Spectrum { largest, values, vectors } = Spectrum::of(rows)?;
     let best = place_of_the_largest(values);
     let (rotation, gap) = rotation(values, vectors, best)?;
     Ok((rotation, [R::ONE, gap].map(|share| share * values[best] * largest)))
+}
+
+/// The singular values σ₁ ≥ σ₂ ≥ σ₃, the last one negated where A mirrors; NaN or infinite if an
+/// element is. The eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ − σ₁ − σ₃ and σ₃ − σ₁
+/// − σ₂, so these are half of the sums of the largest with each of the others.
+pub(crate) fn singular_values<R: Real>(rows: [[R; 3]; 3]) -> [R; 3] {
+    let largest = vector::largest(rows.map(vector::largest));
+    let Ok(Spectrum { values: [a, b, c, d], .. }) = Spectrum::of(rows) else { return [largest; 3] };
+    // Not by `sort`, which has code for orders that contradict themselves, and panics there.
+    let order = |a: R, b: R| if a < b { [b, a] } else { [a, b] };
+    let ([a, b], [c, d]) = (order(a, b), order(c, d));
+    let ([first, c], [b, fourth]) = (order(a, c), order(b, d));
+    let [second, third] = order(b, c);
+    [second, third, fourth].map(|other| (first + other) * R::HALF * largest)
 }
 
 /// The eigenvalues and eigenvectors of [`horn`], of A over its largest element.

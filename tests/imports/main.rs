@@ -25,6 +25,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("scalar", &["errors", "plain", "number", "geometry", "contract", "everyday"]),
     ("incidence", &["errors", "number", "geometry", "scalar"]),
     ("representation", &["errors", "number", "geometry", "plain", "scalar"]),
+    ("fit", &["errors", "number", "scalar", "representation"]),
     ("operators", &["errors", "conversions", "number", "geometry", "scalar", "representation"]),
     ("guide", &[]),
     ("interop", &["conversions", "number", "geometry", "scalar", "representation"]),
@@ -77,7 +78,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("seams", &["brief", "errors", "batch", "scalar", "everyday", "representation", "backend"]),
+    ("seams", &["brief", "errors", "batch", "scalar", "everyday", "backend"]),
     (
         "hierarchy",
         &[
