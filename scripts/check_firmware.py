@@ -181,6 +181,13 @@ def committed():
     return {(target, group): tuple(map(int, numbers)) for target, group, *numbers in lines}
 
 
+def replaced(pattern, by, text):
+    text, count = re.subn(pattern, by, text, flags=re.M)
+    if count != 1:
+        raise SystemExit(f"{GUIDE.name} has {count} places with {pattern}, not one")
+    return text
+
+
 def guide_with(sizes):
     """The guide with these sizes in its tables and its sentence on clips."""
     text = GUIDE.read_text()
@@ -190,9 +197,9 @@ def guide_with(sizes):
             if len(known) == len(groups):
                 cells = [f" {code} ({stack}) |" for code, stack in known]
                 old = r"( \d+ \(\d+\) \|){%d}$" % len(groups)
-                text = re.sub(rf"^(\| {name}[^|]*\|){old}", rf"\g<1>{''.join(cells)}", text, flags=re.M)
+                text = replaced(rf"^(\| {name}[^|]*\|){old}", rf"\g<1>{''.join(cells)}", text)
     code, stack = sizes[CLIP]
-    return re.sub(r"takes \d+ bytes, with \d+ bytes of stack", f"takes {code} bytes, with {stack} bytes of stack", text)
+    return replaced(r"takes \d+ bytes, with \d+ bytes of stack", f"takes {code} bytes, with {stack} bytes of stack", text)
 
 
 def tell_stack(image, entries):

@@ -28,7 +28,7 @@ def packed(joints, clips, keys, rows):
     """Packed clips of `clips` (first key, frames, stride, row) and `rows` of entries."""
     head = b"dq8clips" + struct.pack("<6I", 3, joints, len(clips), keys, len(rows), 0)
     body = [struct.pack("<4h", 0, 0, 0, 32767) * keys, struct.pack("<4f", 0, 0, 0, 0) * joints]
-    body += [struct.pack("<4I", *clip) for clip in clips] + [struct.pack("<2fI", 1, 0, 0)] * len(clips)
+    body += [struct.pack("<4I", *clip) for clip in clips] + [struct.pack("<2f2H", 1, 0, 0, 1)] * len(clips)
     return head + b"".join(body + [struct.pack(f"<{len(row)}H", *row) for row in rows])
 
 

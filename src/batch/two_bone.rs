@@ -176,9 +176,13 @@ pub(crate) fn locals<L: Lanes>(
 ) -> [DualQuat<L>; 3] {
     let found = TwoBone::reach(root, lengths, target, pole);
     let (thigh, shin) = (knee.translation(), foot.translation());
-    let of_thigh = frame_of_bone(thigh, knee.real().rotate(hinge));
+    // What of the hinge lies along the shin counts for neither bone: turned with the old knee it would roll the thigh.
+    let (x, hinge) = axes_of_bone(shin, hinge);
+    let of_shin = frame_of(x, hinge);
+    let (x, hinge) = axes_of_bone(thigh, knee.real().rotate(hinge));
+    let of_thigh = frame_of(x, hinge);
     let upper = (found.upper * of_thigh.conjugate()).normalize();
-    let lower = (found.lower * frame_of_bone(shin, hinge).conjugate()).normalize();
+    let lower = (found.lower * of_shin.conjugate()).normalize();
     let of_hip = match parent {
         Some(parent) => parent.real().conjugate() * upper,
         None => upper,
@@ -190,10 +194,9 @@ pub(crate) fn locals<L: Lanes>(
     ]
 }
 
-/// Some multiple of the rotation that takes x to a bone, and z to what of the hinge is across it:
-/// some axis if nothing is.
+/// The direction of a bone, and what of the hinge is across it, of length 1: some axis if nothing is.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn frame_of_bone<L: Lanes>(bone: [L; 3], hinge: [L; 3]) -> Quat<L> {
+fn axes_of_bone<L: Lanes>(bone: [L; 3], hinge: [L; 3]) -> ([L; 3], [L; 3]) {
     let (zero, one) = (bone[0].constant(0.0), bone[0].constant(1.0));
     let length = Length::of(bone, one);
     let x = select(zero.lt(length.value()), length.divide_all(bone), [one, zero, zero]);
@@ -206,5 +209,5 @@ fn frame_of_bone<L: Lanes>(bone: [L; 3], hinge: [L; 3]) -> Quat<L> {
     if !clear.all() {
         z = select(clear, z, any_across(x));
     }
-    frame_of(x, z)
+    (x, z)
 }

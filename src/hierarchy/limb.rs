@@ -1,9 +1,9 @@
 //! Limbs of skeletons that are bent: from models and targets back to locals.
 
-use super::Job;
 use super::plan::Plans;
 use super::root::Roots;
 use super::run::{Run, grain};
+use super::{Hierarchy, Job};
 use crate::backend::Kernel;
 use crate::batch;
 use crate::ik::{Asked, Limb, LimbsError, fault};
@@ -27,6 +27,7 @@ impl<S, P: Plans> Job<'_, S, P> {
     /// # Errors
     /// If lengths do not fit, the joints are no limb, or a target cannot be reached for, because it
     /// or what the limb stands on is not finite: the first such instance. `locals` are untouched.
+    /// (What is not finite in the model of the end goes to its own local alone.)
     ///
     /// ```
     /// use dq8::ik::Limb;
@@ -62,7 +63,9 @@ impl<S, P: Plans> Job<'_, S, P> {
     {
         self.check::<E>("models", models.len())?;
         let run = self.run::<E>();
-        limb.check(|joint| run.parents.get(joint).map(|&parent| parent as usize))?;
+        let parent =
+            |joint: usize| run.parents.get(joint).filter(|&&parent| parent != Hierarchy::ROOT);
+        limb.check(|joint| parent(joint).map(|&parent| parent as usize))?;
         // There are three at least, which the compiler does not know: division by zero would be a
         // path to a panic.
         let joints = run.parents.len().max(1);

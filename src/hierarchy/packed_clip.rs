@@ -120,7 +120,7 @@ impl PackedClip {
             }
             let pieces = pieces(number, keys, joints)?;
             finer.push(finer_frames(keys, joints, pieces));
-            timings.extend(packed_timing(rate * f64::from(pieces), loops));
+            timings.extend(packed_timing(rate, loops, pieces));
         }
         let rests: Vec<_> =
             (0..joints).map(|j| rest(&given, joints, j, tolerance)).collect::<Result<_, _>>()?;
@@ -206,7 +206,7 @@ impl PackedClip {
     }
 
     /// What became of the frames of a clip: of the points `distance` from each joint along its three axes, in model space,
-    /// in every frame.
+    /// in every frame of the clip; nothing is measured between them.
     ///
     /// # Errors
     /// If there is no such clip, or it was packed of another number of frames, or the hierarchy has other joints.
@@ -218,10 +218,9 @@ impl PackedClip {
         distance: f64,
     ) -> Result<Deviation, ShapeError> {
         let (clips, frames) = (self.clips(), K::plain(frames).unwrap_or_default());
-        let packed = clips.frames(clip).unwrap_or(0);
-        let (count, pieces) = given_frames(packed, frames.len() / clips.joints().max(1));
+        let (count, pieces) = (clips.frames(clip).unwrap_or(0), clips.pieces(clip).unwrap_or(1));
         same_length("frames", frames.len(), count * clips.joints())?;
-        let timing = Timing { frames: packed, rate: 1.0, loops: false };
+        let timing = Timing { frames: (count.max(1) - 1) * pieces + 1, rate: 1.0, loops: false };
         let at = (0..count).filter_map(|frame| {
             let (frame, t) = timing.place((frame * pieces) as f64);
             Some((clips.tracks.place(clip, frame)?, t))
@@ -253,11 +252,11 @@ impl PackedClip {
     }
 }
 
-/// Bytes that [`PackedClips`] reads as these frames a second, and whether the clip loops.
-fn packed_timing(rate: f64, loops: bool) -> PackedTiming {
+/// Bytes that [`PackedClips`] reads as these frames a second, whether the clip loops, and how many pieces its steps have.
+fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     let single = <f32 as Real>::from_f64(rate);
     let rest = <f32 as Real>::from_f64(rate - f64::from(single));
-    let words = [single.to_bits(), rest.to_bits(), u32::from(loops)];
+    let words = [single.to_bits(), rest.to_bits(), u32::from(loops) | u32::from(pieces) << 16];
     bytemuck::must_cast(words.map(u32::to_le_bytes))
 }
 
@@ -265,10 +264,10 @@ fn packed_timing(rate: f64, loops: bool) -> PackedTiming {
 /// 59.8° one piece is, up to 119.6° two are, up to 154.6° three, and four always. The longest of n pieces is in the middle,
 /// for normalized means go fastest there: 2 atan(tan(φ/2)/n) of a way of φ between quaternions if n is odd, and
 /// atan(2 tan(φ/2)/n) if it is even.
-const PIECES: [(u32, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
+const PIECES: [(u16, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
 
-/// How many pieces of the way from one frame to the next turn by less than 60° each, for all joints.
-fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u32, PackedError> {
+/// How many pieces the way from one frame to the next is cut into, so that each turns by less than 60°, for all joints.
+fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError> {
     let mut most = 1;
     for joint in 0..joints {
         let mut before = None;
@@ -289,7 +288,7 @@ fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u32, PackedError
 }
 
 /// The same frames with so many pieces from one to the next, by the law that plays them.
-fn finer_frames(frames: &[Key], joints: usize, pieces: u32) -> Cow<'_, [Key]> {
+fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     if pieces == 1 {
         return frames.into();
     }
@@ -303,15 +302,6 @@ fn finer_frames(frames: &[Key], joints: usize, pieces: u32) -> Cow<'_, [Key]> {
         })
     });
     finer.chain(last.iter().copied()).collect()
-}
-
-/// Of how many frames a packed clip was made, if so many are given for it, and how many pieces each step has.
-fn given_frames(packed: usize, given: usize) -> (usize, usize) {
-    let (Some(steps), Some(finer)) = (given.checked_sub(1), packed.checked_sub(1)) else {
-        return (packed, 1);
-    };
-    let pieces = finer.checked_div(steps).unwrap_or(1);
-    if steps * pieces == finer && pieces <= 4 { (given, pieces) } else { (packed, 1) }
 }
 
 /// Where a joint rests, and 2⁻¹⁴ of a step of its translations.

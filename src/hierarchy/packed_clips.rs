@@ -22,7 +22,7 @@ const NEAREST: i64 = 929_830_942;
 /// of them moves it. As four numbers, the lower byte first.
 pub(super) type Rest = [u8; 16];
 
-/// Of each clip the frames a second, the number of `f32` and what is left of that of `f64`, and 1 if it loops.
+/// Of each clip the frames a second, as the sum of two `f32`; 1 if it loops; and how many frames here are a frame of the clip.
 pub(super) type PackedTiming = [u8; 12];
 
 /// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and checked once. Each has
@@ -43,7 +43,7 @@ pub(super) type PackedTiming = [u8; 12];
 /// | K · 4 · `i16` | keys: a rotation x, y, z, w, 32767 for 1; a translation x, y, z, 0, in steps from the rest |
 /// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
 /// | N · 4 · `u32` | the first key, how many frames, how many keys from one to the next, and the row |
-/// | N · (`f32`, `f32`, `u32`) | frames a second, 1 if times are frames, as the sum of a number and what it lacks; 1 if the clip loops, otherwise 0 |
+/// | N · (`f32`, `f32`, `u16`, `u16`) | the clip's frames a second, 1 if times are frames, as the sum of two `f32`: the rounded rate, and its rounding error; 1 if the clip loops, otherwise 0; how many frames here are a frame of the clip, 1 to 4 |
 /// | R · 2J · `u16` | twice how far the first key is from the clip's, and 1 more if there is one for each frame: J rotations, J translations |
 ///
 /// Clips in which the same tracks move have one row.
@@ -140,7 +140,7 @@ impl<'a> PackedClips<'a> {
     fn check_counts(&self, ranges: &[Range<usize>; 5], keys: usize) -> Result<(), PackedError> {
         let mut left = keys;
         for clip in 0..self.clips() {
-            let frames = self.frames(clip).unwrap_or(1);
+            let frames = self.own_frames(clip).unwrap_or(1);
             let moves = |&joint: &usize| self.tracks.moves(clip, joint) == Some(true);
             let moving = (0..self.joints()).filter(moves).count();
             let own = frames.saturating_mul(moving).saturating_add(self.joints() - moving);
@@ -161,17 +161,21 @@ impl<'a> PackedClips<'a> {
                 what: "a rest is not finite",
             });
         }
-        if let Some(clip) = self.timings.iter().position(|timing| !is_timing(timing)) {
+        let frames = |clip| self.tracks.frames(clip).unwrap_or(1);
+        let mut timings_of_clips = self.timings.iter().enumerate();
+        if let Some(clip) =
+            timings_of_clips.position(|(clip, timing)| !is_timing(timing, frames(clip)))
+        {
             return Err(PackedError::Bytes {
                 offset: timings.start + 12 * clip,
-                what: "the frames a second of a clip are no positive number, or it neither loops nor ends",
+                what: "the rate of a clip is not positive, it neither loops nor ends, or it has no whole number of frames",
             });
         }
         for (clip, joint) in
             (0..self.clips()).flat_map(|clip| (0..self.joints()).map(move |joint| (clip, joint)))
         {
             let moves = self.tracks.moves(clip, joint) == Some(true);
-            let last = if moves { self.frames(clip).unwrap_or(1) - 1 } else { 0 };
+            let last = if moves { self.own_frames(clip).unwrap_or(1) - 1 } else { 0 };
             let key = |frame| self.tracks.key(clip, joint, frame as u32).unwrap_or_default();
             let far = |&frame: &usize| !neighbours(key(frame).1, key((frame + 1).min(last)).1);
             if let Some(frame) = (0..=last).find(far) {
@@ -195,17 +199,28 @@ impl<'a> PackedClips<'a> {
         self.tracks.clips()
     }
 
-    /// How many frames a clip has. `None` if there is no such clip.
+    /// How many frames a clip has, without those that [`PackedClip::new`](super::PackedClip::new) has put between them. `None`
+    /// if there is no such clip.
     #[must_use]
     pub fn frames(&self, clip: usize) -> Option<usize> {
+        Some((self.own_frames(clip)? - 1) / self.pieces(clip)? + 1)
+    }
+
+    /// How many frames there are here.
+    fn own_frames(&self, clip: usize) -> Option<usize> {
         self.tracks.frames(clip).map(|frames| frames as usize)
+    }
+
+    /// How many frames here are a frame of the clip.
+    pub(super) fn pieces(&self, clip: usize) -> Option<usize> {
+        pieces(self.timings.get(clip)?).map(usize::from)
     }
 
     /// How many tracks of a clip, rotations and translations of its joints, have a key for each frame; the others have one.
     /// `None` if there is no such clip.
     #[must_use]
     pub fn moving(&self, clip: usize) -> Option<usize> {
-        self.frames(clip)?;
+        self.own_frames(clip)?;
         Some(
             (0..self.tracks.columns())
                 .filter(|&c| self.tracks.moves(clip, c) == Some(true))
@@ -216,7 +231,8 @@ impl<'a> PackedClips<'a> {
     /// The frames a second of a clip, or 1 if its times are frames. `None` if there is no such clip.
     #[must_use]
     pub fn rate(&self, clip: usize) -> Option<f64> {
-        Some(self.timing::<f64>(clip)?.rate)
+        let [rate, rest] = rate(self.timings.get(clip)?).map(f64::from);
+        Some(rate + rest)
     }
 
     /// `true` if a clip begins again where it ends. `None` if there is no such clip.
@@ -234,18 +250,21 @@ impl<'a> PackedClips<'a> {
 
     /// The frame of a clip before the time `at`, and how far it is to the next one, from 0 to 1: as
     /// [`Clip::place`](super::Clip::place), in seconds if the clip has a rate, and in the round that `at` lies in if it
-    /// loops. NaN stays NaN. `None` if there is no such clip.
+    /// loops, computed in numbers of `R` alone: after an hour of `f32` that is half a hundredth of a frame. NaN stays NaN.
+    /// `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
         let (frame, t) = self.timing::<R>(clip)?.place(at);
         Some((self.tracks.place(clip, frame)?, t))
     }
 
+    /// The timing of the frames here.
     pub(super) fn timing<T: Scalar>(&self, clip: usize) -> Option<Timing<T>> {
         let timing = self.timings.get(clip)?;
-        let rate = rate(timing).map(T::from);
-        let loops = word(timing, 2)? == 1;
-        Some(Timing { frames: self.frames(clip)?, rate: rate[0] + rate[1], loops })
+        let [rate, rest] = rate(timing).map(T::from);
+        let pieces = T::from_i32(pieces(timing)?.into());
+        let loops = half(timing, 4)? == 1;
+        Some(Timing { frames: self.own_frames(clip)?, rate: (rate + rest) * pieces, loops })
     }
 }
 
@@ -265,10 +284,22 @@ pub(super) fn beyond(
     PackedError::Bytes { offset, what }
 }
 
-fn is_timing(timing: &PackedTiming) -> bool {
+/// One of the numbers of 16 bits.
+fn half(timing: &PackedTiming, index: usize) -> Option<u16> {
+    timing.as_chunks().0.get(index).map(|&half| u16::from_le_bytes(half))
+}
+
+/// How many frames here are a frame of the clip.
+fn pieces(timing: &PackedTiming) -> Option<u16> {
+    half(timing, 5).filter(|pieces| (1..=4).contains(pieces))
+}
+
+/// Of a clip with so many frames here.
+fn is_timing(timing: &PackedTiming, frames: u32) -> bool {
     let [rate, rest] = rate(timing);
-    // What a number lacks is less than it holds.
-    is_rate(rate) && rate + rest == rate && word(timing, 2).is_some_and(|loops| loops < 2)
+    let whole = pieces(timing).is_some_and(|pieces| (frames - 1).is_multiple_of(pieces.into()));
+    // A rounding error is less than what is rounded holds.
+    is_rate(rate) && rate + rest == rate && half(timing, 4).is_some_and(|loops| loops < 2) && whole
 }
 
 /// Whether so many frames a second can be played.

@@ -20,7 +20,7 @@ errors! {
             => "joint {joint} in frame {frame} of clip {clip} has a rotation of length {length}, not 1";
         /// A clip whose frames a second are no positive number.
         Rate { clip: usize = "The clip.", rate: f64 = "Its frames a second." }
-            => "clip {clip} has {rate} frames a second, which must be a positive number";
+            => "clip {clip} has {rate} frames a second, which must be a positive number that `f32` holds";
         /// A translation whose numbers are not finite, or differ from those of other frames by more than `f32` holds.
         Beyond {
             clip: usize = "The clip.",

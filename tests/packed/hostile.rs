@@ -122,13 +122,19 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
     assert_eq!(wrong(other), (rows + 10, "a track has keys that are not there"));
     // Frames a second that are none, and a clip that neither loops nor ends.
     let timings = rows - 12 * Book::new(bytes).clips;
-    let wrong_rates = [f32::NAN, 0.0, -30.0, f32::INFINITY].map(|rate| (rate, 0.0_f32, 0));
-    for (rate, rest, loops) in wrong_rates.into_iter().chain([(30.0, 0.0, 2), (30.0, 1.0, 0)]) {
+    let wrong_rates = [f32::NAN, 0.0, -30.0, f32::INFINITY].map(|rate| (rate, 0.0_f32, 1 << 16));
+    for (rate, rest, loops) in wrong_rates.into_iter().chain([
+        (30.0, 0.0, 2),
+        (30.0, 1.0, 1 << 16),
+        (30.0, 0.0, 3 << 16),
+        (30.0, 0.0, 0),
+        (30.0, 0.0, 5 << 16),
+    ]) {
         let mut other = bytes.to_vec();
         let words = [rate.to_bits(), rest.to_bits(), loops].map(u32::to_le_bytes);
         other[timings + 12..][..12].copy_from_slice(words.as_flattened());
         let (offset, what) = wrong(other);
-        assert!(offset == timings + 12 && what.contains("frames a second"), "{what}");
+        assert!(offset == timings + 12 && what.contains("the rate of a clip"), "{what}");
     }
     // Frames that are none, keys beyond the last, rows beyond the last.
     for (word, number) in [(1, 0), (0, 0xff), (3, 3)] {
@@ -164,7 +170,7 @@ fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
             words(&[0, n, 1, 0]); // all keys, each a frame
         }
         for _ in 0..n {
-            words(&[1.0_f32.to_bits(), 0, 0]); // a frame a second
+            words(&[1.0_f32.to_bits(), 0, 1 << 16]); // a frame a second
         }
         words(&vec![0x0001_0001; n as usize]); // both tracks of a joint move
         // It is the table of clips that says so.

@@ -233,7 +233,7 @@ fn bytes_are_those_of_the_documentation_on_every_target() {
     );
     assert_eq!(bytes[96..112], words(&[0, 2, 1, 0]));
     let rest = (29.97 - f64::from(29.97_f32)) as f32;
-    assert_eq!(bytes[112..124], words(&[29.97_f32.to_bits(), rest.to_bits(), 1]));
+    assert_eq!(bytes[112..124], words(&[29.97_f32.to_bits(), rest.to_bits(), 1 + (1 << 16)]));
     assert_eq!(bytes[124..], [0, 2, 2 * 2 + 1, 0].map(u16::to_le_bytes).concat());
     assert_eq!(PackedClip::from_bytes(bytes.into()).unwrap().as_bytes(), bytes);
 }

@@ -131,8 +131,13 @@ fn turns_of_60_degrees_and_more_are_packed_with_frames_between() {
         let clip = Clip::new(2, &keys).unwrap().with_rate(30.0).looping();
         let packed = PackedClip::new(clip, Tolerance::default()).unwrap();
         let view = packed.clips();
-        assert_eq!(view.frames(0), Some(7 * pieces + 1), "{degrees}°");
-        assert_eq!(view.rate(0), Some(30.0 * pieces as f64));
+        let (frames, rate) = (clip.frames(), clip.rate());
+        assert_eq!((view.frames(0), view.rate(0)), (Some(frames), Some(rate)), "{degrees}°");
+        // As many as the documentation says: a key of the other joint, and of both tracks of the first for each frame.
+        let size = 32 + 2 * 16 + 16 + 12 + 2 * 4 + 8 * (1 + 2 * (7 * pieces + 1));
+        assert_eq!(packed.as_bytes().len(), size, "{degrees}°");
+        let short = packed.deviation(&leg, 0, &keys[..2 * 2], 1.0);
+        assert!(short.is_err(), "{degrees}°");
         assert!((view.duration(0).unwrap() - clip.duration()).abs() < 1e-12);
         let deviation = packed.deviation(&leg, 0, &keys, 1.0).unwrap();
         assert!(deviation.worst < 1e-4, "{degrees}°: {deviation:?}");

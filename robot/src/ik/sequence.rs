@@ -10,6 +10,7 @@ use dq8::seams::Outputs;
 use dq8::storage::same_length;
 use dq8::{Scalar, ShapeError};
 #[cfg(feature = "alloc")]
+#[cfg(feature = "rayon")]
 use dq8_simd::MAX_LANES;
 
 impl<R: Scalar> ReachJob<'_, R> {
@@ -60,13 +61,19 @@ impl<R: Scalar> ReachJob<'_, R> {
         Work { targets, values, reports, options, clips: Some(clips) }.check(&self.reach)?;
         let backend = self.choice.instructions();
         let goals = self.reach.goals.len();
-        backend.share(MAX_LANES, Clips { clips, values, reports }, &|first, part| {
+        let run = |first, part: Clips<'_, R>| {
             let before: usize = clips.iter().take(first).sum();
             let targets = targets.get(before * goals..).unwrap_or_default();
             let Clips { clips, values, reports } = part;
             let work = Work { targets, values, reports, options, clips: Some(clips) };
             self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
-        });
+        };
+        let all = Clips { clips, values, reports };
+        // Not the feature of dq8: another crate may ask that for threads.
+        #[cfg(feature = "rayon")]
+        backend.share(MAX_LANES, all, &run);
+        #[cfg(not(feature = "rayon"))]
+        run(0, all);
         Ok(())
     }
 

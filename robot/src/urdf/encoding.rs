@@ -47,10 +47,11 @@ fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
     Some(Decoded { text, encoding: encoding.name(), failed, is_known: known.is_some() })
 }
 
-/// None in an encoding that is neither UTF-8 nor UTF-16, if it matters in which.
+/// None in an encoding that is neither UTF-8 nor UTF-16, if it matters in which: text of others is hardly ever UTF-8 by chance.
 #[cfg(not(feature = "urdf-encodings"))]
 fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
     // As above, by its byte order mark alone.
+    let declared = declared.trim_ascii();
     let unicode = ["utf-8", "utf8", "utf-16", "utf-16le", "utf-16be"].map(str::as_bytes);
     match bytes {
         [0xff, 0xfe, rest @ ..] => Some(utf16("UTF-16LE", rest, u16::from_le_bytes)),
@@ -58,7 +59,9 @@ fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
         [0xef, 0xbb, 0xbf, rest @ ..] => Some(utf8(rest)),
         _ if bytes.is_ascii() => Some(utf8(bytes)),
         _ if unicode.iter().any(|name| declared.eq_ignore_ascii_case(name)) => Some(utf8(bytes)),
-        _ => None,
+        _ => Some(utf8(bytes))
+            .filter(|read| !read.failed)
+            .map(|read| Decoded { is_known: false, ..read }),
     }
 }
 

@@ -143,6 +143,16 @@ fn text_is_in_the_encoding_that_is_declared() {
     );
 }
 
+/// With the feature for encodings and without.
+#[test]
+fn utf_8_by_another_name_is_read() {
+    for (name, is_known) in [(" UTF-8 ", true), ("utf_8", false), ("ANSI_8", false)] {
+        let file = format!("<?xml version='1.0' encoding='{name}'?><!-- \u{f6} -->{}", body());
+        let robot = Robot::from_bytes(file.as_bytes()).unwrap();
+        assert_eq!(robot.warnings().is_empty(), is_known, "{name}: {:?}", robot.warnings());
+    }
+}
+
 #[cfg(not(feature = "urdf-encodings"))]
 #[test]
 fn other_encodings_ask_for_their_feature() {
