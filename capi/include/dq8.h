@@ -1052,8 +1052,8 @@ dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
 
 /**
  * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
- * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
- * if the clips have another number of joints, or a place is one of other clips.
+ * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances`
+ * in all. DQ8_STATUS_LENGTH if the clips have another number of joints, or a place is one of other clips.
  */
 dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   size_t joint_count,
@@ -1077,8 +1077,8 @@ dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
 
 /**
  * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
- * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
- * if the clips have another number of joints, or a place is one of other clips.
+ * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances`
+ * in all. DQ8_STATUS_LENGTH if the clips have another number of joints, or a place is one of other clips.
  */
 dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   size_t joint_count,

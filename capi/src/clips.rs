@@ -189,8 +189,8 @@ macro_rules! functions {
         }
         export_one! { $R
             /// As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
-            /// cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
-            /// if the clips have another number of joints, or a place is one of other clips.
+            /// cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances`
+            /// in all. DQ8_STATUS_LENGTH if the clips have another number of joints, or a place is one of other clips.
             clips::to_model(
                 parents: *const i32, joint_count: usize, root: *const $R, clips: *const Clips,
                 places: *const Place, t: *const $R, instances: usize, models: *mut $R,

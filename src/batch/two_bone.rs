@@ -98,7 +98,7 @@ fn share<L: Lanes>(d: L, side: L, other: L, sum: L, straight: L::Mask) -> L {
 }
 
 /// Some multiple of the rotation that takes x to the unit vector `along`, and −y to the side of the
-/// pole; where the target is at the root, nobody knows `along`.
+/// pole. Where the target is at the root there is no `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Mask) -> Quat<L> {
     let (zero, one) = (along[0].constant(0.0), along[0].constant(1.0));

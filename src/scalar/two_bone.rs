@@ -78,9 +78,9 @@ impl<R: Real> TwoBone<R> {
     /// tan(β/2) = √((a + b + D)(a + b − D) / ((D + a − b)(D − a + b))),  β the bend
     /// ```
     ///
-    /// Floats come to the same rotations by roots alone, as lanes do
-    /// ([`batch::TwoBone::reach`](crate::batch::TwoBone::reach)): without fused products with the
-    /// same bits.
+    /// For floats the same rotations are computed with square roots only, as on lanes
+    /// ([`batch::TwoBone::reach`](crate::batch::TwoBone::reach)), and with the same bits where
+    /// lanes fuse nothing.
     ///
     /// A limb without a plane takes one: where the pole is zero or along the way to the target, the knee
     /// goes toward the axis (x, y or z) that is most across it; where the target is at the root, the

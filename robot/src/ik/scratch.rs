@@ -151,8 +151,8 @@ impl<R: Copy> Reach<'_, R> {
         ))
     }
 
-    /// The same for a chain of hinges, slides and threads of which so many have a value and none mimics another, before there
-    /// is a mechanism: the length of an array in memory of a fixed size. Fixed joints take nothing.
+    /// The bound for a chain of `values` joints with one value each, none of which mimics another, as a constant: for an array
+    /// whose length is needed before there is a mechanism. Fixed joints take nothing.
     ///
     /// ```
     /// use dq8_robot::ik::Reach;
