@@ -297,7 +297,11 @@ fn a_map_a_million_metres_away_costs_single_floats_nothing() {
         Frames::new([Edge::moving("left", "map", &left), Edge::moving("right", "map", &right)])
             .unwrap();
     let mut poses = [DualQuat::<f32>::IDENTITY; 3];
-    frames.job().clock(0.0, 1e-9).lookup("left", "right", &[0_u32, 1, 333_333_333], &mut poses).unwrap();
+    frames
+        .job()
+        .clock(0.0, 1e-9)
+        .lookup("left", "right", &[0_u32, 1, 333_333_333], &mut poses)
+        .unwrap();
     for pose in poses {
         let [x, y, z] = pose.translation();
         assert!(x.abs() < 1e-8 && (y + 3.0).abs() < 1e-6 && z == 0.0, "{pose:?}");
@@ -371,10 +375,7 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let cases = [
         (job.lookup("map", "car", &times, &mut poses), Err(E::Unknown { frame: name("car") })),
         (job.lookup("", "map", &times, &mut poses), Err(E::Unknown { frame: name("") })),
-        (
-            job.lookup("other", "map", &times, &mut poses),
-            Err(E::NotConnected { target, source }),
-        ),
+        (job.lookup("other", "map", &times, &mut poses), Err(E::NotConnected { target, source })),
         (
             job.lookup("map", "short", &times, &mut poses[..2]),
             Err(E::Job(TrajectoryError::Shape(length))),

@@ -13,11 +13,11 @@
 
 use super::curve::Spline;
 use super::job::{RECORD, ways};
-use crate::{Outside, TrajectoryError};
 use crate::along::Work;
 use crate::clock::Time;
 use crate::job::{GRAIN, Job};
 use crate::screw::horner;
+use crate::{Outside, TrajectoryError};
 use dq8::batch::{self, Dual, vector};
 use dq8::seams::{Rows, exponential_integrals, half_cotangent};
 use dq8::storage::{Element, Register, Tile, same_length};
