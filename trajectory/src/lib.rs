@@ -1,5 +1,6 @@
 //! Trajectories: poses with stamps, sampled at many times, and compared; points that are each moved
-//! by the pose at their own time; and smooth curves by control poses.
+//! by the pose at their own time; smooth curves by control poses; and trees of frames that move in
+//! each other.
 //!
 //! | item | what it is |
 //! |---|---|
