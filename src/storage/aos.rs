@@ -106,6 +106,7 @@ casts! {
     DualQuat<R>: 8 of R, any R;
     [[R; 4]; 3]: 12 of R, any R;
     [[R; 4]; 4]: 16 of R, any R;
+    [[R; 6]; 6]: 36 of R, any R;
 }
 
 impl sealed::Sealed for f32 {}

@@ -11,7 +11,8 @@ use dq8_simd::{Float, Level};
 crate::plain::plain! {
     /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many controllers; `[R; 6]`,
     /// [`Twist`] and a [`Block`](super::Block) of six rows have the angular part first. It may be any element of six
-    /// numbers: a column of a Jacobian, a velocity, an acceleration.
+    /// numbers: a column of a Jacobian, a velocity, an acceleration. Six of them are a matrix whose rows and columns
+    /// have that order: a covariance.
     ///
     /// ```
     /// use dq8::{Twist, storage::LinearFirst};
@@ -61,6 +62,47 @@ impl<R: Scalar> Element<6> for LinearFirst<R> {
     fn set(slice: &mut [Self], index: usize, thing: [R; 6]) {
         if let Some(slot) = slice.get_mut(index) {
             *slot = Self(other(thing));
+        }
+    }
+}
+
+/// The numbers of a 6×6 matrix, the halves of rows and columns changed.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn others<T: Copy>(matrix: [T; 36]) -> [T; 36] {
+    let mut changed = matrix;
+    for row in 0..6 {
+        for column in 0..6 {
+            changed[6 * ((row + 3) % 6) + (column + 3) % 6] = matrix[6 * row + column];
+        }
+    }
+    changed
+}
+
+impl<R: Scalar> Element<36> for [LinearFirst<R>; 6] {
+    type Layout = Aos<R>;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load<V: Level>(
+        level: V,
+        from: &[Self],
+        tile: Tile,
+        padding: &[R; 36],
+    ) -> Option<[Register<Self, V, 36>; 36]> {
+        let padding = &others(*padding);
+        Some(others(aos::load(level, bytemuck::must_cast_slice(from), tile, padding)?))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn store<V: Level>(components: [<R as Float>::Lanes<V>; 36], to: &mut [Self], tile: Tile) {
+        aos::store(others(components), bytemuck::must_cast_slice_mut(to), tile);
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn get(slice: &[Self], index: usize) -> Option<[R; 36]> {
+        slice.get(index).map(|matrix| others(bytemuck::must_cast(*matrix)))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn set(slice: &mut [Self], index: usize, thing: [R; 36]) {
+        if let Some(slot) = slice.get_mut(index) {
+            *slot = bytemuck::must_cast(others(thing));
         }
     }
 }

@@ -19,6 +19,8 @@
 //! | 8 | a motion, `[px, py, pz, pw, qx, qy, qz, qw]` | [`DualQuat<R>`](crate::DualQuat) |
 //! | 12 | a 3×4 matrix | `[[R; 4]; 3]` |
 //! | 16 | a 4×4 matrix | `[[R; 4]; 4]` |
+//! | 36 | a 6×6 matrix of twists, a covariance, angular first | `[[R; 6]; 6]` |
+//! | 36 | the same, linear first | `[`[`LinearFirst<R>`](LinearFirst)`; 6]` |
 //!
 //! `[R; C]` is a record of any number of components, and [`Block<R, N, C>`](Block) holds `N` of them. [`Element<C>`](Element) is the one bound that
 //! generic code needs: it says what a slice is made of, and reads and writes it by [`Tile`]s, a register

@@ -139,6 +139,8 @@ const TRAJECTORY_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("along", &["dq8", "clock", "screw", "segments"]),
     ("job", &["dq8", "along", "clock", "error", "path", "segments", "stretches"]),
     ("spline", &["dq8", "along", "clock", "error", "job", "screw", "segments"]),
+    ("frames", &["dq8", "along", "clock", "error", "job", "path", "segments"]),
+    ("covariance", &["dq8"]),
     ("files", &["dq8", "error", "path"]),
     ("compare", &["dq8", "path"]),
 ];

@@ -37,6 +37,8 @@ pub(crate) trait Work<Y: Layout, const C: usize> {
 pub(crate) struct Along<'a, Y: Layout, T, W, const C: usize> {
     pub(crate) segments: &'a Segments<Y::Real, C>,
     pub(crate) clock: Clock,
+    /// What [`Segments::place`] takes.
+    pub(crate) stands: bool,
     pub(crate) times: &'a [T],
     /// The length of the output.
     pub(crate) elements: usize,
@@ -61,7 +63,7 @@ impl<Y: Layout, T: Time, W: Work<Y, C>, const C: usize> Along<'_, Y, T, W, C> {
         let mut found = Found { records: [0; CHUNK], since: [Y::Real::default(); CHUNK] };
         let mut near = 0;
         for times in self.times.chunks(CHUNK) {
-            let one = self.segments.place(self.clock, times, near, &mut found);
+            let one = self.segments.place(self.clock, times, near, self.stands, &mut found);
             let registers = found.since.chunks_exact(lanes).zip(found.records.chunks_exact(lanes));
             if let Some(record) = one {
                 near = record;

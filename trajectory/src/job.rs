@@ -10,9 +10,9 @@ use dq8::seams::{Choice, Rows, options};
 use dq8::storage::{Element, Layout, same_length};
 use dq8::{DualQuat, Scalar, ShapeError, Twist};
 
-/// A run over many times, as many at once as there are lanes, of a [`Trajectory`] or of a
-/// [`Spline`](crate::Trajectory). Times may be in any order; rising
-/// ones are quickest.
+/// A run over many times, as many at once as there are lanes, of a [`Trajectory`], of a
+/// [`Spline`](crate::Spline) or of [`Frames`](crate::Frames). Times may be in any order; rising ones
+/// are quickest.
 ///
 /// Without options times are seconds on the clock of the stamps, poses and points come out in the
 /// world, and the body stands before the first stamp and after the last one. Slices are plain or
@@ -21,7 +21,7 @@ use dq8::{DualQuat, Scalar, ShapeError, Twist};
 #[must_use]
 pub struct Job<P> {
     pub(crate) path: P,
-    clock: Clock,
+    pub(crate) clock: Clock,
     pub(crate) frame: Frame,
     pub(crate) outside: Outside,
     pub(crate) choice: Choice,
@@ -113,7 +113,8 @@ impl<P: Copy> Job<P> {
         let from = first * Y::THINGS;
         let to = (from + elements * Y::THINGS).min(times.len());
         let (clock, times) = (self.clock, times.get(from..to).unwrap_or_default());
-        self.choice.instructions().run(Along { segments, clock, times, elements, work });
+        let stands = self.outside != Outside::Continue;
+        self.choice.instructions().run(Along { segments, clock, stands, times, elements, work });
     }
 }
 
@@ -247,12 +248,7 @@ impl<'a> Job<Trajectory<'a>> {
         twists: &mut [W],
     ) -> Result<(), TrajectoryError> {
         let Self { path, frame, outside, .. } = self;
-        let segments = segments(path, frame, outside, |pose, twist| {
-            let mut record = [0.0; SAMPLES];
-            record[..8].copy_from_slice(&pose.to_array());
-            record[8..14].copy_from_slice(&twist.to_array());
-            record
-        })?;
+        let segments = samples(path, frame, outside)?;
         let work = |first, ((poses, _), (twists, _)): (Rows<'_, M>, Rows<'_, W>)| {
             let elements = poses.len();
             self.along::<M::Layout, _, _, _>(
@@ -312,7 +308,21 @@ fn segments<R: Scalar, const C: usize>(
     let into = frame.pose([first, last], outside, at)?.conjugate();
     let records = stretches.iter().map(|stretch| record(into * stretch.pose, stretch.velocity));
     let starts = stretches.iter().map(|stretch| stretch.start);
-    Ok(Segments::new(starts, records, [first, last], outside != Outside::Continue))
+    Ok(Segments::new(starts, records, [first, last]))
+}
+
+/// The records that [`Poses`] takes.
+pub(crate) fn samples<R: Scalar>(
+    path: Trajectory<'_>,
+    frame: Frame,
+    outside: Outside,
+) -> Result<Segments<R, SAMPLES>, TrajectoryError> {
+    segments(path, frame, outside, |pose, twist| {
+        let mut record = [0.0; SAMPLES];
+        record[..8].copy_from_slice(&pose.to_array());
+        record[8..14].copy_from_slice(&twist.to_array());
+        record
+    })
 }
 
 /// A scan of rows and columns, whose points share the times of their columns: [`Job::columns`].

@@ -1,5 +1,6 @@
 //! Trajectories: poses with stamps, sampled at many times, and compared; points that are each moved
-//! by the pose at their own time; and smooth curves by control poses.
+//! by the pose at their own time; smooth curves by control poses; and trees of frames that move in
+//! each other.
 //!
 //! | item | what it is |
 //! |---|---|
@@ -10,6 +11,8 @@
 //! | [`Frame`] | the frame that poses and points come out in |
 //! | [`Outside`] | what happens before the first stamp and after the last |
 //! | [`Time`] | the numbers that times of points may be |
+//! | [`Frames`] | a tree of frames, a trajectory or a fixed pose on each edge: where one is in another, at many times |
+//! | [`covariance`] | covariances of poses in another frame, of inverses and of products |
 //! | [`compare`] | an estimate against a reference: pairs, alignment, absolute and relative errors |
 //! | `files` | trajectories in text files: TUM, EuRoC, KITTI (feature `std`) |
 //!
@@ -49,9 +52,11 @@ extern crate std;
 mod along;
 mod clock;
 pub mod compare;
+pub mod covariance;
 mod error;
 #[cfg(feature = "std")]
 pub mod files;
+mod frames;
 mod job;
 mod path;
 mod screw;
@@ -61,6 +66,7 @@ mod stretches;
 
 pub use clock::Time;
 pub use error::TrajectoryError;
+pub use frames::{Edge, Frames, FramesError};
 pub use job::{Columns, Job};
 pub use path::{OwnedTrajectory, Trajectory};
 pub use segments::{Frame, Outside};

@@ -65,8 +65,8 @@ struct Span {
     to: f64,
     /// The time at which the body is at the pose of the record.
     start: f64,
-    /// True if it stays there, for however long.
-    stands: bool,
+    /// True before the range and after it.
+    is_outside: bool,
 }
 
 impl Span {
@@ -75,11 +75,12 @@ impl Span {
         (self.from <= stamp) & (stamp < self.to)
     }
 
-    /// The seconds since the start.
+    /// The seconds since the start; none outside the range, if the body `stands` there, for however
+    /// long.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn since<R: Real>(self, clock: Clock, time: impl Time) -> R {
+    fn since<R: Real>(self, clock: Clock, time: impl Time, stands: bool) -> R {
         let since = clock.since(self.start, time);
-        if self.stands && !since.is_nan() { R::ZERO } else { R::from_f64(since) }
+        if self.is_outside && stands && !since.is_nan() { R::ZERO } else { R::from_f64(since) }
     }
 }
 
@@ -114,12 +115,11 @@ pub(crate) struct Found<R> {
 
 impl<R: Scalar, const C: usize> Segments<R, C> {
     /// Records that begin at `starts`, the first for the time before and the last for the time
-    /// after the `range`, where the body `stands` or moves.
+    /// after the `range`.
     pub(crate) fn new(
         starts: impl IntoIterator<Item = f64>,
         records: impl IntoIterator<Item = [f64; C]>,
         [first, last]: [f64; 2],
-        stands: bool,
     ) -> Self {
         let starts: Vec<_> = starts.into_iter().collect();
         let round = |numbers: [f64; C]| numbers.map(<R as Real>::from_f64);
@@ -131,7 +131,7 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
             from: if k == 0 { f64::NEG_INFINITY } else { starts[k] },
             to: starts.get(k + 1).copied().unwrap_or(f64::INFINITY),
             start: starts[k],
-            stands: (k == 0 || k == end) && stands,
+            is_outside: k == 0 || k == end,
         };
         let spans: Vec<_> = (0..=end).map(span).collect();
 
@@ -186,13 +186,14 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
     }
 
     /// Finds the records of at most [`CHUNK`] times. Gives back the record that all are in, if it
-    /// is one; `near` is a guess.
+    /// is one; `near` is a guess. Outside the range the body `stands`, or goes on.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn place<T: Time>(
         &self,
         clock: Clock,
         times: &[T],
         near: usize,
+        stands: bool,
         found: &mut Found<R>,
     ) -> Option<usize> {
         let span = *self.spans.get(near)?;
@@ -203,9 +204,9 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         }
         if all {
             // Decided once: the compiler would not do more than one time at once.
-            if span.stands {
+            if span.is_outside && stands {
                 for (slot, &time) in found.since.iter_mut().zip(times) {
-                    *slot = span.since(clock, time);
+                    *slot = span.since(clock, time, stands);
                 }
             } else {
                 for (slot, &time) in found.since.iter_mut().zip(times) {
@@ -225,7 +226,7 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
                     record = self.find(self.bucket(first, stamp), stamp);
                     span = *self.spans.get(record)?;
                 }
-                *slot = span.since(clock, time);
+                *slot = span.since(clock, time, stands);
                 *number = index(record);
             }
         } else {
@@ -236,7 +237,7 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
             }
             for (((slot, number), &time), bucket) in slots.zip(buckets) {
                 let record = self.find(bucket, clock.stamp(time));
-                *slot = self.spans.get(record)?.since(clock, time);
+                *slot = self.spans.get(record)?.since(clock, time, stands);
                 *number = index(record);
             }
         }

@@ -13,11 +13,11 @@
 
 use super::curve::Spline;
 use super::job::{RECORD, ways};
-use crate::TrajectoryError;
 use crate::along::Work;
 use crate::clock::Time;
 use crate::job::{GRAIN, Job};
 use crate::screw::horner;
+use crate::{Outside, TrajectoryError};
 use dq8::batch::{self, Dual, vector};
 use dq8::seams::{Rows, exponential_integrals, half_cotangent};
 use dq8::storage::{Element, Register, Tile, same_length};
@@ -62,10 +62,12 @@ impl Job<&Spline> {
         let numbers = matrices.as_flattened_mut().as_flattened_mut().as_flattened_mut();
         let (numbers, _) = numbers.as_chunks_mut::<NUMBERS>();
         let (shares, rate) = (self.path.basis.shares(), 1.0 / self.path.every);
+        // The first and the last segment have no end: a time outside the knots goes on in them.
+        let job = self.outside(Outside::Continue);
         let work = |first, (numbers, _): Rows<'_, [R; NUMBERS]>| {
             let elements = numbers.len();
             let work = Answers { numbers, shares, rate };
-            self.along::<_, _, _, _>(&segments, times, first, elements, work);
+            job.along::<_, _, _, _>(&segments, times, first, elements, work);
         };
         // A time takes as long as some dozens of poses.
         self.choice.instructions().share(GRAIN / 32, (numbers, 1), &work);

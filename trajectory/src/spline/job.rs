@@ -147,7 +147,7 @@ impl Job<&Spline> {
         let records = [ends[0]].into_iter().chain(spline.records(into)).chain([ends[1]]);
         // The last knot is of the segment before.
         let starts = [first].into_iter().chain(spline.starts()).chain([last.next_up()]);
-        Ok(Segments::new(starts, records, [first, last], outside != Outside::Continue))
+        Ok(Segments::new(starts, records, [first, last]))
     }
 }
 
@@ -169,7 +169,7 @@ impl Spline {
         let starts = [range[0]].into_iter().chain(self.starts());
         let records = self.records(DualQuat::IDENTITY);
         let before = self.records(DualQuat::IDENTITY).take(1);
-        Segments::new(starts, before.chain(records), range, false)
+        Segments::new(starts, before.chain(records), range)
     }
 }
 
