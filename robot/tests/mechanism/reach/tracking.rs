@@ -1,8 +1,8 @@
 //! Following targets that move: many goals in the shape of the tree, weights that always act, ends, clips, velocities.
 
 use super::{
-    Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve, solve_with,
-    turned,
+    SETTLED, Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve,
+    solve_with, turned,
 };
 use dq8::scalar::vector;
 use dq8::{Backend, DualQuat, Twist};
@@ -137,6 +137,46 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
     }
 }
 
+/// A posture without a weight takes what the goals leave free, also of what tracks. Its own tip is the target here, so that
+/// the posture itself is the only answer that is right.
+#[test]
+fn a_posture_without_a_weight_takes_what_is_free_while_tracking() {
+    let posture = [0.3, 0.5, -0.4, 0.8];
+    let reach = problem(&planar(&[0.5; 4]), [Goal::position(4)]);
+    let reach = reach.with_posture(posture).expect("a posture");
+    let (target, options) = (pose(&reach, &posture, 4), Options::track());
+    let mut values = [0.6, 0.1, -0.2, 0.9];
+    for _ in 0..50 {
+        let mut scratch = vec![f64::NAN; reach.view().scratch_len()];
+        reach.view().track(&[target], &mut values, &mut scratch, &options).expect("lengths fit");
+    }
+    assert!(near(&values, &posture, SETTLED), "{values:?}");
+}
+
+/// The options cannot make it begin again, which would leave the values where the last frame had them. A clip of one frame
+/// takes restarts out by itself, so that it has the right answer; many of these searches get stuck.
+#[test]
+fn tracking_never_begins_again_whatever_the_options_say() {
+    let reach = problem(&seven(), [Goal::pose(7)]);
+    let (mut random, mut converged) = (Random(74), 0);
+    let mut scratch = vec![f64::NAN; reach.view().scratch_len()];
+    for _ in 0..60 {
+        let [there, start] = [(); 2].map(|()| draw(&mut random, &seven()));
+        let target = [pose(&reach, &there, 7)];
+        let options = Options { max_iterations: 60, restarts: true, ..Options::track() };
+        let mut values = start.clone();
+        let report = reach.view().track(&target, &mut values, &mut scratch, &options);
+        let report = report.expect("lengths fit");
+        for (backend, expected, wanted) in track_everywhere(&reach, &target, &start, &options) {
+            assert!(near(&values, &expected, 1e-6), "{backend}: {values:?} {expected:?}");
+            let [found, wanted] = [report, wanted[0]].map(|of| (of.outcome, of.iterations));
+            assert_eq!(found, wanted, "{backend}");
+        }
+        converged += usize::from(report.is_converged());
+    }
+    assert!((10..60).contains(&converged), "{converged}");
+}
+
 #[test]
 fn a_step_that_gains_too_little_is_the_last() {
     let here = DualQuat::IDENTITY;
@@ -227,6 +267,17 @@ fn a_clip_is_its_frames_one_after_the_other() {
             }
         }
         assert_eq!(reports[5].outcome, Outcome::Invalid);
+        // Each task has whole clips, with their frames.
+        #[cfg(feature = "rayon")]
+        {
+            let (mut parted, mut said) = (start.clone(), vec![Report::default(); frames]);
+            let many = job.threads(usize::MAX);
+            many.sequence(&clips, &all, &mut parted, &mut said, &options).expect("lengths fit");
+            assert_eq!(parted, values, "{backend}");
+            let [said, alone] =
+                [&said, &reports].map(|all| all.iter().map(|of| of.outcome).collect::<Vec<_>>());
+            assert_eq!(said, alone, "{backend}");
+        }
         let wrong = job.sequence(&[frames + 1], &all, &mut values, &mut reports, &options);
         assert!(wrong.is_err());
     }
