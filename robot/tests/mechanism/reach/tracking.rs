@@ -229,19 +229,21 @@ fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
 /// A point of a link is what a fixed link there would be.
 #[test]
 fn a_goal_at_a_point_is_that_of_a_link_fixed_there() {
-    let mut joints = seven();
-    joints.push(Joint::fixed(Some(7), at(0.1, -0.2, 0.3)));
-    let mut random = Random(45);
-    let [at_point, at_link] =
-        [Goal::pose(7).at([0.1, -0.2, 0.3]), Goal::pose(8)].map(|goal| problem(&joints, [goal]));
-    for _ in 0..20 {
-        let [there, start] = [(); 2].map(|()| draw(&mut random, &joints));
-        let target = pose(&at_link, &there, 8);
-        let start: [f64; 7] = start.try_into().expect("seven");
-        let (point, report) = solve(&at_point, target, start);
-        let (link, _) = solve(&at_link, target, start);
-        assert!(report.is_converged() && near(&point, &link, 1e-9), "{point:?} {link:?}");
-        assert!(apart(pose(&at_point, &point, 8), target)[1] < super::REACHED);
+    for point in [[0.1, -0.2, 0.3], [1.0; 3]] {
+        let mut joints = seven();
+        joints.push(Joint::fixed(Some(7), DualQuat::from_translation(point)));
+        let mut random = Random(45);
+        let [at_point, at_link] =
+            [Goal::pose(7).at(point), Goal::pose(8)].map(|goal| problem(&joints, [goal]));
+        for _ in 0..20 {
+            let [there, start] = [(); 2].map(|()| draw(&mut random, &joints));
+            let target = pose(&at_link, &there, 8);
+            let start: [f64; 7] = start.try_into().expect("seven");
+            let (own, report) = solve(&at_point, target, start);
+            let (link, _) = solve(&at_link, target, start);
+            assert!(report.is_converged() && near(&own, &link, 1e-9), "{own:?} {link:?}");
+            assert!(apart(pose(&at_point, &own, 8), target)[1] < super::REACHED);
+        }
     }
 }
 
