@@ -311,6 +311,8 @@ fn parents_of_every_type_mean_the_same_and_what_is_no_tree_is_refused() {
     assert!(cast.contains("4294967293 (-3 as a signed number)"), "{cast}");
     assert_eq!(Skeleton::sorted(&[0]).unwrap_err(), HierarchyError::Cycle { joint: 0 });
     assert_eq!(Skeleton::sorted(&[1, 2, 3, 1]).unwrap_err(), HierarchyError::Cycle { joint: 1 });
+    // Behind a root, which is in no circle.
+    assert_eq!(Skeleton::sorted(&[-1, 0, 2]).unwrap_err(), HierarchyError::Cycle { joint: 2 });
     assert!(HierarchyError::Cycle { joint: 1 }.to_string().contains("its own ancestor"));
     let deep: Vec<i64> =
         (0..100_000).map(|joint| if joint == 99_999 { -1 } else { joint + 1 }).collect();

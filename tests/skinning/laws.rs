@@ -79,6 +79,31 @@ fn negating_any_entry_of_a_palette_changes_no_bit() {
     }
 }
 
+/// Turns about z, whose halves are added: the third is on the side of the first of the two with the greatest weight, and not
+/// on that of the second.
+#[test]
+fn of_equal_weights_the_first_says_on_which_side_the_others_are() {
+    let turns = [0.0_f64, 170.0, -100.0].map(f64::to_radians);
+    let about_z = |angle| DualQuat::from_rotation(Quat::from_axis_angle([0.0, 0.0, 1.0], angle));
+    let motions = turns.map(about_z);
+    for (joints, weights) in [
+        (&[0_u16, 1, 2][..], &[0.4, 0.4, 0.2][..]),
+        (&[0, 1, 2, 2], &[0.375, 0.375, 0.125, 0.125]),
+        (&[0, 1, 2, 1, 0], &[0.3, 0.3, 0.2, 0.1, 0.1]),
+    ] {
+        let sum = |part: fn(f64) -> f64| -> f64 {
+            let parts = joints.iter().zip(weights);
+            parts.map(|(&joint, weight)| weight * part(0.5 * turns[joint as usize])).sum()
+        };
+        let (sin, cos) = (2.0 * sum(f64::sin).atan2(sum(f64::cos))).sin_cos();
+        let skin = Skin::new(motions.len(), joints.len(), joints, weights).unwrap();
+        for backend in Backend::available() {
+            let posed = posed(backend, &skin, DualBlend::new(&motions), &[[1.0, 0.0, 0.0]]);
+            assert!(distance(posed[0], [cos, sin, 0.0]) < 1e-14, "{backend}: {posed:?}");
+        }
+    }
+}
+
 /// Kavan et al. 2008, §4: of two motions DLB turns at most 8.15° off ScLERP, and slides at most 15.1 % of the
 /// slide between the two off.
 #[test]

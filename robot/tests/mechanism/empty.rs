@@ -36,5 +36,10 @@ fn nothing_is_computed_of_nothing() {
         let mut poses = [DualQuat::IDENTITY; 5];
         post.job().backend(backend).poses(no_values, &mut poses).unwrap();
         assert_eq!(poses, [up; 5], "{backend}");
+        // No column of values either.
+        let no_columns: &[&[f64]] = &[];
+        let mut poses = [DualQuat::IDENTITY; 5];
+        post.job().backend(backend).poses(no_columns, &mut poses).unwrap();
+        assert_eq!(poses, [up; 5], "{backend}");
     }
 }

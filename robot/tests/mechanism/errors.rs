@@ -32,9 +32,14 @@ fn axes_and_placements_are_unit_and_finite() {
     assert!(matches!(error(&[nan]), MechanismError::Axis { joint: 0, length } if length.is_nan()));
     let large = Joint::fixed(None, DualQuat::IDENTITY.scale(1.5));
     assert_eq!(error(&[large]), MechanismError::Placement { joint: 0, norm: 1.5 });
-    let skewed = DualQuat::from_array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 5.0]);
-    let error_of = error(&[Joint::fixed(None, skewed)]);
-    assert_eq!(error_of, MechanismError::DualPart { joint: 0, along: 5.0 });
+    for along in [5.0, -5.0] {
+        let skewed = DualQuat::from_array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, along]);
+        let error_of = error(&[Joint::fixed(None, skewed)]);
+        assert_eq!(error_of, MechanismError::DualPart { joint: 0, along });
+    }
+    // Rounding beside nothing is as good as rounding beside a metre.
+    let rounded = DualQuat::from_array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e-12]);
+    assert!(OwnedMechanism::new(&[Joint::fixed(None, rounded)]).is_ok());
     let far = Joint::fixed(None, DualQuat::from_translation([0.0, f64::INFINITY, 0.0]));
     assert!(matches!(
         error(&[far]),

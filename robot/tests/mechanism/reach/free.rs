@@ -1,7 +1,7 @@
 //! Goals that leave something free, several goals, and weights.
 
 use super::{
-    REACHED, Y, Z, apart, at, draw, pose, problem, seven, solve, solve_with, solved, turned,
+    REACHED, X, Y, Z, apart, at, draw, pose, problem, seven, solve, solve_with, solved, turned,
 };
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
@@ -57,11 +57,21 @@ fn what_a_goal_does_not_ask_for_is_free() {
         let [x, y, z] = left.rotation().rotate(Z);
         assert!(apart(left, none)[1] < REACHED && norm(x, y, z - 1.0) < REACHED, "{left}");
     }
+    let roll = |random: &mut Random| turned(X, 3.1 * random.signed(), [0.0; 3]);
+    for left in left(Goal::pose(7).with_angular([0.0, 1.0, 1.0]), roll) {
+        let [x, y, z] = left.rotation().rotate(X);
+        assert!(apart(left, none)[1] < REACHED && norm(x - 1.0, y, z) < REACHED, "{left}");
+    }
     // A cup on a table: anywhere along the x axis of the target.
     let slide = |random: &mut Random| at(4.0 * random.signed(), 0.0, 0.0);
     for left in left(Goal::pose(7).with_linear([0.0, 1.0, 1.0]), slide) {
         let [_, y, z] = left.translation();
         assert!(apart(left, none)[0] < REACHED && y.hypot(z) < REACHED, "{left}");
+    }
+    let rise = |random: &mut Random| at(0.0, 0.0, 4.0 * random.signed());
+    for left in left(Goal::pose(7).with_linear([1.0, 1.0, 0.0]), rise) {
+        let [x, y, _] = left.translation();
+        assert!(apart(left, none)[0] < REACHED && x.hypot(y) < REACHED, "{left}");
     }
 }
 

@@ -1,7 +1,8 @@
 //! What a posture does with the freedom that goals leave.
 
 use super::{
-    REACHED, SETTLED, THERE, Z, apart, at, draw, near, planar, pose, problem, seven, solved,
+    REACHED, SETTLED, THERE, Z, apart, at, draw, near, planar, pose, problem, seven, solve_with,
+    solved,
 };
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
@@ -97,6 +98,24 @@ fn a_planar_arm_goes_as_near_to_the_posture_as_its_point_allows() {
         // Half a turn from the posture of an endless hinge there are two ways to it.
         assert!(nearest >= 48, "{backend}: {nearest} of 50");
     }
+}
+
+/// The way to a posture that no values at the target have ends with the first step of less than 10⁻⁴ rad.
+#[test]
+fn a_search_for_a_posture_ends_where_next_to_nothing_moves() {
+    let reach = problem(&planar(&[0.5; 3]), [Goal::position(3)]);
+    let reach = reach.with_posture([0.9, -0.8, 1.6]).expect("a posture");
+    let search = |max_iterations| {
+        let options = Options { max_iterations, restarts: false, ..Options::default() };
+        solve_with(&reach, &[at(1.0, 0.2, 0.0)], [0.3, 0.5, -0.4], &options)
+    };
+    let (last, report) = search(100);
+    let [one, two] = [1, 2].map(|fewer| search(report.iterations - fewer).0);
+    let way = |a: [f64; 3], b: [f64; 3]| {
+        a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+    };
+    assert!(report.is_converged() && report.iterations < 100, "{report:?}");
+    assert!(way(last, one) < 1e-4 && way(one, two) > 1e-4, "{last:?} {one:?} {two:?}");
 }
 
 /// Whole turns of a hinge that turns endlessly are the same posture, and the way there is the shorter one.

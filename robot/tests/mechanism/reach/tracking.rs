@@ -1,8 +1,8 @@
 //! Following targets that move: many goals in the shape of the tree, weights that always act, ends, clips, velocities.
 
 use super::{
-    Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve, solve_with,
-    turned,
+    SETTLED, Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve,
+    solve_with, turned,
 };
 use dq8::scalar::vector;
 use dq8::{Backend, DualQuat, Twist};
@@ -119,22 +119,69 @@ fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
 fn posture_and_start_always_weigh_what_they_are_said_to() {
     let slide = Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]);
     let reach = problem(&[slide], [Goal::position(0)]).with_posture([5.0]).expect("a posture");
-    let options = Options {
-        max_iterations: 60,
-        damping: 0.0,
-        least_gain: 0.0,
-        posture_weight: 0.5,
-        start_weight: 0.7,
-        ..Options::track()
-    };
-    // From the target itself too, which it leaves for the posture.
-    for start in [-1.0, 2.0] {
-        let targets = [at(2.0, 0.0, 0.0)];
-        for (backend, values, _) in track_everywhere(&reach, &targets, &[start], &options) {
-            let least = (2.0 + 0.25 * 5.0 + 0.49 * start) / (1.0 + 0.25 + 0.49);
-            assert!((values[0] - least).abs() < 1e-6, "{backend}: {values:?} {least}");
+    // The less they weigh, the flatter it is where steps gain too little.
+    for [posture_weight, start_weight, bound] in
+        [[0.5, 0.7, 1e-6], [0.5, 0.0, 1e-4], [0.0, 0.7, 1e-3]]
+    {
+        let options = Options {
+            max_iterations: 60,
+            damping: 0.0,
+            least_gain: 0.0,
+            posture_weight,
+            start_weight,
+            ..Options::track()
+        };
+        let [to_posture, to_start] = [posture_weight, start_weight].map(|weight| weight * weight);
+        // From the target itself too, which it leaves for the posture.
+        for start in [-1.0, 2.0] {
+            let targets = [at(2.0, 0.0, 0.0)];
+            for (backend, values, _) in track_everywhere(&reach, &targets, &[start], &options) {
+                let wishes = to_posture * 5.0 + to_start * start;
+                let least = (2.0 + wishes) / (1.0 + to_posture + to_start);
+                assert!((values[0] - least).abs() < bound, "{backend}: {values:?} {least}");
+            }
         }
     }
+}
+
+/// A posture without a weight takes what the goals leave free, also of what tracks. Its own tip is the target here, so that
+/// the posture itself is the only answer that is right.
+#[test]
+fn a_posture_without_a_weight_takes_what_is_free_while_tracking() {
+    let posture = [0.3, 0.5, -0.4, 0.8];
+    let reach = problem(&planar(&[0.5; 4]), [Goal::position(4)]);
+    let reach = reach.with_posture(posture).expect("a posture");
+    let (target, options) = (pose(&reach, &posture, 4), Options::track());
+    let mut values = [0.6, 0.1, -0.2, 0.9];
+    for _ in 0..50 {
+        let mut scratch = vec![f64::NAN; reach.view().scratch_len()];
+        reach.view().track(&[target], &mut values, &mut scratch, &options).expect("lengths fit");
+    }
+    assert!(near(&values, &posture, SETTLED), "{values:?}");
+}
+
+/// The options cannot make it begin again, which would leave the values where the last frame had them. A clip of one frame
+/// takes restarts out by itself, so that it has the right answer; many of these searches get stuck.
+#[test]
+fn tracking_never_begins_again_whatever_the_options_say() {
+    let reach = problem(&seven(), [Goal::pose(7)]);
+    let (mut random, mut converged) = (Random(74), 0);
+    let mut scratch = vec![f64::NAN; reach.view().scratch_len()];
+    for _ in 0..60 {
+        let [there, start] = [(); 2].map(|()| draw(&mut random, &seven()));
+        let target = [pose(&reach, &there, 7)];
+        let options = Options { max_iterations: 60, restarts: true, ..Options::track() };
+        let mut values = start.clone();
+        let report = reach.view().track(&target, &mut values, &mut scratch, &options);
+        let report = report.expect("lengths fit");
+        for (backend, expected, wanted) in track_everywhere(&reach, &target, &start, &options) {
+            assert!(near(&values, &expected, 1e-6), "{backend}: {values:?} {expected:?}");
+            let [found, wanted] = [report, wanted[0]].map(|of| (of.outcome, of.iterations));
+            assert_eq!(found, wanted, "{backend}");
+        }
+        converged += usize::from(report.is_converged());
+    }
+    assert!((10..60).contains(&converged), "{converged}");
 }
 
 #[test]
@@ -182,19 +229,21 @@ fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
 /// A point of a link is what a fixed link there would be.
 #[test]
 fn a_goal_at_a_point_is_that_of_a_link_fixed_there() {
-    let mut joints = seven();
-    joints.push(Joint::fixed(Some(7), at(0.1, -0.2, 0.3)));
-    let mut random = Random(45);
-    let [at_point, at_link] =
-        [Goal::pose(7).at([0.1, -0.2, 0.3]), Goal::pose(8)].map(|goal| problem(&joints, [goal]));
-    for _ in 0..20 {
-        let [there, start] = [(); 2].map(|()| draw(&mut random, &joints));
-        let target = pose(&at_link, &there, 8);
-        let start: [f64; 7] = start.try_into().expect("seven");
-        let (point, report) = solve(&at_point, target, start);
-        let (link, _) = solve(&at_link, target, start);
-        assert!(report.is_converged() && near(&point, &link, 1e-9), "{point:?} {link:?}");
-        assert!(apart(pose(&at_point, &point, 8), target)[1] < super::REACHED);
+    for point in [[0.1, -0.2, 0.3], [1.0; 3]] {
+        let mut joints = seven();
+        joints.push(Joint::fixed(Some(7), DualQuat::from_translation(point)));
+        let mut random = Random(45);
+        let [at_point, at_link] =
+            [Goal::pose(7).at(point), Goal::pose(8)].map(|goal| problem(&joints, [goal]));
+        for _ in 0..20 {
+            let [there, start] = [(); 2].map(|()| draw(&mut random, &joints));
+            let target = pose(&at_link, &there, 8);
+            let start: [f64; 7] = start.try_into().expect("seven");
+            let (own, report) = solve(&at_point, target, start);
+            let (link, _) = solve(&at_link, target, start);
+            assert!(report.is_converged() && near(&own, &link, 1e-9), "{own:?} {link:?}");
+            assert!(apart(pose(&at_point, &own, 8), target)[1] < super::REACHED);
+        }
     }
 }
 
@@ -227,6 +276,17 @@ fn a_clip_is_its_frames_one_after_the_other() {
             }
         }
         assert_eq!(reports[5].outcome, Outcome::Invalid);
+        // Each task has whole clips, with their frames.
+        #[cfg(feature = "rayon")]
+        {
+            let (mut parted, mut said) = (start.clone(), vec![Report::default(); frames]);
+            let many = job.threads(usize::MAX);
+            many.sequence(&clips, &all, &mut parted, &mut said, &options).expect("lengths fit");
+            assert_eq!(parted, values, "{backend}");
+            let [said, alone] =
+                [&said, &reports].map(|all| all.iter().map(|of| of.outcome).collect::<Vec<_>>());
+            assert_eq!(said, alone, "{backend}");
+        }
         let wrong = job.sequence(&[frames + 1], &all, &mut values, &mut reports, &options);
         assert!(wrong.is_err());
     }

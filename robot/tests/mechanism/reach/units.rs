@@ -105,3 +105,44 @@ fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
         }
     }
 }
+
+/// Where something slides without end, a radian weighs as much as an eighth of the way that it has to go: how far an arm of
+/// length 1 turns to be half a metre to the side, without being asked to turn, tells which length that is.
+#[test]
+fn what_slides_without_end_weighs_lengths_by_the_way_that_it_has_to_go() {
+    let (here, aside) = (DualQuat::IDENTITY, 0.5);
+    let options = Options { restarts: false, ..Options::default() };
+    let square = (40.0_f64 / 8.0).powi(2);
+    // θ² + (sin θ − d)²/L² of an arm, and of two goals of a body 2θ² + ((d − sin θ)² + (1 − cos θ)²)/(2L²), have no slope.
+    let check =
+        |joints: &[Joint<f64>], goals: &[Goal<f64>], start: &[f64], turn: &dyn Fn(_) -> f64| {
+            let reach = problem(joints, goals.to_vec());
+            let targets = match goals {
+                [_] => vec![at(0.0, aside, 0.0)],
+                _ => vec![here, at(1.0, aside, 0.0)],
+            };
+            for (backend, values, _) in solved(&reach, &targets, start, &options) {
+                let (sin, cos) = f64::sin_cos(turn(values));
+                let angle = sin.atan2(cos);
+                let slope = match goals {
+                    [_] => angle + (sin - aside) * cos / square,
+                    _ => angle + ((sin - aside) * cos + (1.0 - cos) * sin) / (4.0 * square),
+                };
+                assert!(slope.abs() < 1e-3, "{backend}: {angle} {slope}");
+            }
+        };
+    let arm = |base| {
+        let hinge = Joint::revolute(Some(0), here, [0.0, 0.0, 1.0]);
+        [base, hinge, Joint::fixed(Some(1), at(1.0, 0.0, 0.0))]
+    };
+    let goal = [Goal::pose(2)];
+    check(&arm(Joint::prismatic(None, here, [1.0, 0.0, 0.0])), &goal, &[40.0, 0.3], &|v: Vec<
+        f64,
+    >| v[1]);
+    let plate = arm(Joint::planar(None, here, [0.0, 1.0, 0.0]));
+    check(&plate, &goal, &[40.0, 0.0, 0.0, 0.3], &|v: Vec<f64>| v[3]);
+    check(&plate, &goal, &[0.0, 40.0, 0.0, 0.3], &|v: Vec<f64>| v[3]);
+    let body = [Joint::floating(None, here), Joint::fixed(Some(0), at(1.0, 0.0, 0.0))];
+    let start = [0.0, 0.0, 0.0, 1.0, 0.0, 40.0, 0.0];
+    check(&body, &[Goal::pose(0), Goal::pose(1)], &start, &|v: Vec<f64>| 2.0 * v[2].atan2(v[3]));
+}

@@ -2,8 +2,8 @@
 
 use super::{Poses, families, free, irb6640};
 use dq8::{Backend, Scalar};
-use dq8_arms::{Axis, Plan, Random, exact, puma, rounded, ur5};
-use dq8_robot::ik::{Options, Solutions};
+use dq8_arms::{Axis, Plan, Random, X, Y, exact, puma, rounded, turning, ur5};
+use dq8_robot::ik::{Family, Options, Solutions};
 use nalgebra::{Isometry3, Vector3};
 
 /// How many solutions there are without limits, by the geometry of the arm in space; and how far the nearest place is where
@@ -176,6 +176,38 @@ fn families_are_recognised_and_every_solution_is_at_the_target_to_the_rounding_o
  {
     at_targets::<f64>(1e-14);
     at_targets::<f32>(4e-6);
+}
+
+/// Arms of each kind of which no two axes that follow each other are square or parallel, but for those that must be.
+fn oblique() -> [(&'static str, Plan<6>, Family); 3] {
+    let (home, wrist) = ((X, 0.4, [1.0, 0.3, 0.9]), [0.7, 0.2, 0.9]);
+    let [a, b, c] = [[0.0, 0.6, 0.8], [0.6, 0.8, 0.0], [0.8, 0.0, 0.6]];
+    let arm = [(a, [0.0; 3]), (Y, [0.2, 0.1, 0.3]), (Y, [0.1, 0.0, 0.9])];
+    let bent = [(a, [0.0; 3]), (b, [0.0; 3]), (c, [0.1, 0.2, 0.5])];
+    let hand = [(b, wrist), (c, wrist), (a, wrist)];
+    let plane = [(Y, [0.6, 0.0, 0.8]), (c, wrist), (a, wrist)];
+    let plan = |[a, b, c]: [_; 3], [d, e, f]: [_; 3]| turning([a, b, c, d, e, f], home);
+    [
+        ("bending", plan(arm, hand), Family::SphericalWrist),
+        ("crossing", plan(bent, hand), Family::SphericalWrist),
+        ("parallel", plan(arm, plane), Family::ThreeParallel),
+    ]
+}
+
+/// The values that a pose is made of, which is all that is known of it.
+#[test]
+fn oblique_arms_have_the_values_of_every_pose_among_their_solutions() {
+    for (name, plan, family) in oblique() {
+        let poses = Poses::<f64>::random(&plan, 300);
+        assert_eq!(poses.six().family(), family, "{name}");
+        let mut count = 0;
+        for (values, found) in poses.values.iter().zip(poses.solve()) {
+            let is_there = found.iter().any(|one| apart(&one.values, values) < 1e-7);
+            assert!(is_there && found.is_complete, "{name}: {values:?} of {found:?}");
+            count += found.len();
+        }
+        assert!(count > 700, "{name}: {count}");
+    }
 }
 
 /// Where an axis points the other way, its values are the negatives, and nothing else changes.
