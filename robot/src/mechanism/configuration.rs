@@ -159,7 +159,8 @@ impl<'p, R> Found<'p, R> {
         }
         let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
         let mut end = self.next;
-        if !is_of(self.points.get(end)) || end > 0 && is_of(self.points.get(end - 1)) {
+        // Where the points of the link before end, those of another begin: never amid its own.
+        if !is_of(self.points.get(end)) {
             end = self.points.partition_point(|(of, _)| *of < link);
         }
         let start = end;
