@@ -213,7 +213,9 @@ impl<'a> PackedClips<'a> {
 
     /// How many frames here are a frame of the clip.
     pub(super) fn pieces(&self, clip: usize) -> Option<usize> {
-        pieces(self.timings.get(clip)?).map(usize::from)
+        let [_, pieces] = loops_and_pieces(self.timings.get(clip)?);
+        // Checked, which the compiler does not know.
+        Some(pieces.max(1) as usize)
     }
 
     /// How many tracks of a clip, rotations and translations of its joints, have a key for each frame; the others have one.
@@ -262,9 +264,9 @@ impl<'a> PackedClips<'a> {
     pub(super) fn timing<T: Scalar>(&self, clip: usize) -> Option<Timing<T>> {
         let timing = self.timings.get(clip)?;
         let [rate, rest] = rate(timing).map(T::from);
-        let pieces = T::from_i32(pieces(timing)?.into());
-        let loops = half(timing, 4)? == 1;
-        Some(Timing { frames: self.own_frames(clip)?, rate: (rate + rest) * pieces, loops })
+        let [loops, pieces] = loops_and_pieces(timing);
+        let rate = (rate + rest) * T::from_i32(pieces.cast_signed());
+        Some(Timing { frames: self.own_frames(clip)?, rate, loops: loops == 1 })
     }
 }
 
@@ -284,22 +286,18 @@ pub(super) fn beyond(
     PackedError::Bytes { offset, what }
 }
 
-/// One of the numbers of 16 bits.
-fn half(timing: &PackedTiming, index: usize) -> Option<u16> {
-    timing.as_chunks().0.get(index).map(|&half| u16::from_le_bytes(half))
-}
-
-/// How many frames here are a frame of the clip.
-fn pieces(timing: &PackedTiming) -> Option<u16> {
-    half(timing, 5).filter(|pieces| (1..=4).contains(pieces))
+/// Whether the clip loops, as a number, and how many frames here are a frame of the clip.
+fn loops_and_pieces(timing: &PackedTiming) -> [u32; 2] {
+    let both = word(timing, 2).unwrap_or_default();
+    [both & 0xffff, both >> 16]
 }
 
 /// Of a clip with so many frames here.
 fn is_timing(timing: &PackedTiming, frames: u32) -> bool {
-    let [rate, rest] = rate(timing);
-    let whole = pieces(timing).is_some_and(|pieces| (frames - 1).is_multiple_of(pieces.into()));
+    let ([rate, rest], [loops, pieces]) = (rate(timing), loops_and_pieces(timing));
+    let whole = matches!(pieces, 1..=4) && frames.wrapping_sub(1).is_multiple_of(pieces);
     // A rounding error is less than what is rounded holds.
-    is_rate(rate) && rate + rest == rate && half(timing, 4).is_some_and(|loops| loops < 2) && whole
+    is_rate(rate) && rate + rest == rate && loops < 2 && whole
 }
 
 /// Whether so many frames a second can be played.
