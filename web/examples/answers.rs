@@ -172,7 +172,8 @@ fn library() -> Result<PackedClip, Box<dyn Error>> {
         (0..FRAMES * JOINTS).map(|at| key(clip, at / JOINTS, at % JOINTS)).collect()
     });
     let [a, b] = &frames;
-    let clips = [Clip::new(JOINTS, a)?.with_rate(2.0), Clip::new(JOINTS, b)?.with_rate(0.5).looping()];
+    let clips =
+        [Clip::new(JOINTS, a)?.with_rate(2.0), Clip::new(JOINTS, b)?.with_rate(0.5).looping()];
     Ok(PackedClip::library(&clips, Tolerance::default())?)
 }
 

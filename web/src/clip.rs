@@ -3,7 +3,9 @@
 use crate::Motion;
 use crate::memory::{exports, frees, made, slice};
 use dq8::ShapeError;
-use dq8::hierarchy::{Either, Frames, Layered, OwnedClip, PackedClip, Playback, Sampled, TrackPlace};
+use dq8::hierarchy::{
+    Either, Frames, Layered, OwnedClip, PackedClip, Playback, Sampled, TrackPlace,
+};
 use dq8::law::NlerpLerp;
 
 type Key = [f32; 7];
