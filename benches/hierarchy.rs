@@ -1,9 +1,9 @@
 //! Hierarchy concatenation: throughput in joints, dq8 and its peers on the same data.
 //!
 //! One skeleton of 64 joints, crowds of 1 to 8192 instances, out of place and in place, in every
-//! layout and with every set of instructions that the CPU has. The groups `one-instance` have
-//! plans too. The group `locals` writes down the locals of two clips, on skeletons small and large, beside their
-//! models, which are more work.
+//! layout and with every set of instructions that the CPU has. The groups `one-instance` have plans
+//! too. The group `locals` writes down the locals of two clips, on skeletons small and large,
+//! beside their models, which are more work.
 //!
 //! ```text
 //! cargo bench --bench hierarchy -- crowd/1024/in-place

@@ -21,7 +21,7 @@ const LEGS: [Limb<f32>; 2] = [
 /// From a joint of the foot to its sole.
 const ANKLE: f32 = 0.1;
 
-/// Where a joint is in its parent, in metres.
+/// The place of a joint in its parent, in metres.
 fn offset(joint: usize) -> [f32; 3] {
     match joint {
         0 => [0.0, 0.9, 0.0],
@@ -49,7 +49,7 @@ fn ground(x: f32, z: f32) -> f32 {
     0.1 * (0.9 * x).sin() * (0.7 * z).cos()
 }
 
-/// How far the foot that is deepest is in the ground.
+/// The depth of the lowest foot in the ground, in metres.
 fn deepest(models: &[DualQuat<f32>], roots: &[DualQuat<f32>]) -> f32 {
     let people = models.chunks(JOINTS).zip(roots);
     let feet = people.flat_map(|(joints, root)| LEGS.map(|leg| *root * joints[leg.joints[2]]));

@@ -1,4 +1,5 @@
-//! What dq8-robot, dq8-trajectory and dq8-capi have of dq8 that is not for others: it may change in any version.
+//! What dq8-robot, dq8-trajectory and dq8-capi have of dq8 that is not for others: it may change in
+//! any version.
 
 pub use crate::backend::{Choice, Outputs, Rows, options};
 pub use crate::batch::even::{exponential_integrals, half_cotangent};

@@ -419,7 +419,7 @@ fn what_holds_many_numbers_is_printed_on_a_line() {
     }
 }
 
-/// As a loader gives it, without a step by way of what it lends.
+/// An owned clip answers by itself.
 #[test]
 fn clips_with_memory_of_their_own_are_asked_as_borrowed_ones() {
     use dq8::{hierarchy::OwnedClip, law::Nlerp};

@@ -1032,17 +1032,16 @@ dq8_status dq8_clips_make(const uint8_t *bytes,
                           size_t *bad_offset);
 
 /**
- * The time from the first frame of a clip to the last: in seconds if the clip has a rate, otherwise in frames.
- * DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * The time from the first frame of a clip to the last: in seconds if the clip has a rate,
+ * otherwise in frames. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
-dq8_status dq8_clips_duration(const struct dq8_clips *clips,
-                              size_t clip,
-                              double *duration);
+dq8_status dq8_clips_duration(const struct dq8_clips *clips, size_t clip, double *duration);
 
 /**
- * The frame of a clip before the time `at`, and how far it is from that frame to the next, from 0 to 1. Times
- * are seconds if the clip has a rate, and frames if it has none. Before its first frame and after its last one
- * a clip stays there, or is in another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * The frame of a clip before the time `at`, and how far it is from that frame to the
+ * next, from 0 to 1. Times are seconds if the clip has a rate, and frames if it has
+ * none. Before its first frame and after its last one a clip stays there, or is in
+ * another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                size_t clip,
@@ -1051,9 +1050,10 @@ dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                float *t);
 
 /**
- * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
- * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances`
- * in all. DQ8_STATUS_LENGTH if the clips have another number of joints, or a place is one of other clips.
+ * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]`
+ * to the next one: t is cut to [0, 1], and NaN makes models of NaN. `models` are
+ * `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH if
+ * the clips have another number of joints, or a place is one of other clips.
  */
 dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   size_t joint_count,
@@ -1065,9 +1065,10 @@ dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   float *models);
 
 /**
- * The frame of a clip before the time `at`, and how far it is from that frame to the next, from 0 to 1. Times
- * are seconds if the clip has a rate, and frames if it has none. Before its first frame and after its last one
- * a clip stays there, or is in another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * The frame of a clip before the time `at`, and how far it is from that frame to the
+ * next, from 0 to 1. Times are seconds if the clip has a rate, and frames if it has
+ * none. Before its first frame and after its last one a clip stays there, or is in
+ * another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                size_t clip,
@@ -1076,9 +1077,10 @@ dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                double *t);
 
 /**
- * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
- * cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances`
- * in all. DQ8_STATUS_LENGTH if the clips have another number of joints, or a place is one of other clips.
+ * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]`
+ * to the next one: t is cut to [0, 1], and NaN makes models of NaN. `models` are
+ * `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH if
+ * the clips have another number of joints, or a place is one of other clips.
  */
 dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   size_t joint_count,

@@ -97,8 +97,8 @@ unsafe fn known(clips: *const Clips) -> Result<(Known, Span), Status> {
     }
 }
 
-/// The time from the first frame of a clip to the last: in seconds if the clip has a rate, otherwise in frames.
-/// DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+/// The time from the first frame of a clip to the last: in seconds if the clip has a rate,
+/// otherwise in frames. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
 ///
 /// # Safety
 /// Arrays have the lengths named.
@@ -180,17 +180,19 @@ unsafe fn to_model<R: Scalar>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// The frame of a clip before the time `at`, and how far it is from that frame to the next, from 0 to 1. Times
-            /// are seconds if the clip has a rate, and frames if it has none. Before its first frame and after its last one
-            /// a clip stays there, or is in another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+            /// The frame of a clip before the time `at`, and how far it is from that frame to the
+            /// next, from 0 to 1. Times are seconds if the clip has a rate, and frames if it has
+            /// none. Before its first frame and after its last one a clip stays there, or is in
+            /// another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
             clips::place(
                 clips: *const Clips, clip: usize, at: $R, place: *mut Place, t: *mut $R,
             ) = super::place(clips, clip, at, place, t)
         }
         export_one! { $R
-            /// As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
-            /// cut to [0, 1], and NaN makes models of NaN. `models` are `[instance][joint]`, `joint_count` times `instances`
-            /// in all. DQ8_STATUS_LENGTH if the clips have another number of joints, or a place is one of other clips.
+            /// As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]`
+            /// to the next one: t is cut to [0, 1], and NaN makes models of NaN. `models` are
+            /// `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH if
+            /// the clips have another number of joints, or a place is one of other clips.
             clips::to_model(
                 parents: *const i32, joint_count: usize, root: *const $R, clips: *const Clips,
                 places: *const Place, t: *const $R, instances: usize, models: *mut $R,

@@ -219,7 +219,8 @@ impl Steps<'_> {
             return None;
         }
         if matches!(op, Op::Abs(_)) {
-            // Gappa has no rule that an absolute value is off by no more than its operand: `absolute` in `rounding.v`.
+            // Gappa has no rule that an absolute value is off by no more than its operand:
+            // `absolute` in `rounding.v`.
             return Some(result);
         }
 

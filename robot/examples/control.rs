@@ -11,7 +11,7 @@ use dq8_robot::{Joint, Mechanism, Step};
 /// Six hinges and a tool.
 const AXES: usize = 6;
 const TOOL: usize = AXES;
-/// What one goal for the tool is computed in.
+/// Memory for one goal of the tool.
 const SCRATCH: usize = Reach::<f32>::chain_scratch_bound(AXES, 1);
 
 /// Makes the angles follow a target, one tick after the other. How far off it was at worst, in metres.

@@ -3,7 +3,8 @@
 //! Motions are dual quaternions of [`dq8`], one configuration at a time in any [`Real`](dq8::Real) number, or many on
 //! the lanes of the CPU.
 //!
-//! The `guide` (feature `urdf`) goes from a file to inverse kinematics, and says which array is indexed by what.
+//! The `guide` (feature `urdf`) goes from a file to inverse kinematics, and says which array is
+//! indexed by what.
 //!
 //! | item | what it is |
 //! |---|---|
@@ -65,8 +66,8 @@
 //!
 //! # Features
 //!
-//! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files, and `urdf-encodings` those
-//! that are in neither UTF-8 nor UTF-16; `defmt` formats errors and reports.
+//! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files, and
+//! `urdf-encodings` those that are in neither UTF-8 nor UTF-16; `defmt` formats errors and reports.
 #![cfg_attr(not(feature = "urdf"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

@@ -146,7 +146,7 @@ fn values_are_within_limits_or_not_and_so_is_what_mimics() {
     let free =
         OwnedMechanism::new(&[Joint::revolute(None, DualQuat::<f64>::IDENTITY, [0.0, 0.0, 1.0])]);
     assert_eq!(free.expect("a hinge").view().within_limits(&[f64::NAN]), Ok(false));
-    // What has no value has no limits, and hides those of no other joint.
+    // A fixed joint has no limits, and hides those of no other joint.
     let tool = Joint::fixed(Some(0), DualQuat::IDENTITY);
     let held = OwnedMechanism::new(&[hinge, tool]).expect("a hinge with a tool");
     for (value, within) in [(2.0, true), (2.1, false)] {

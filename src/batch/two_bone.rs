@@ -13,7 +13,7 @@ pub struct TwoBone<L> {
     pub lower: Quat<L>,
     /// The angle of the hinge, 0 for a stretched limb and π for a folded one.
     pub bend: L,
-    /// How much farther the target is than the end reaches: zero where it is within, negative where
+    /// The distance that the end misses the target by: zero where it is within, negative where
     /// it is too near.
     pub beyond: L,
 }
@@ -112,7 +112,8 @@ fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Ma
         along = select(at_root, scale(knee, L::select(shorter, -one, one)), along);
     }
     let normal = cross(pole, along);
-    // What is left of a pole along the way is rounding; of one nearly so, it is not quite across.
+    // The rest of a pole along the way is rounding; that of one nearly along it is not quite
+    // across.
     let normal = scale_onto(along, -dot(along, normal), normal);
     let size = Length::of(normal, one);
     let clear = one.constant(16.0 * epsilon::<L>()).lt(size.value()) & !at_root;
@@ -145,7 +146,7 @@ fn about_z<L: Lanes>(frame: Quat<L>, z: L, w: L) -> Quat<L> {
     .normalize()
 }
 
-/// Where the root of a limb is, and the lengths of its bones, by the local poses of its joints.
+/// The place of a limb's root and the lengths of its bones, from the local poses of its joints.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn root_and_lengths<L: Lanes>(
     parent: Option<DualQuat<L>>,
@@ -176,7 +177,8 @@ pub(crate) fn locals<L: Lanes>(
 ) -> [DualQuat<L>; 3] {
     let found = TwoBone::reach(root, lengths, target, pole);
     let (thigh, shin) = (knee.translation(), foot.translation());
-    // What of the hinge lies along the shin counts for neither bone: turned with the old knee it would roll the thigh.
+    // The part of the hinge along the shin counts for neither bone: turned with the old knee it
+    // would roll the thigh.
     let (x, hinge) = axes_of_bone(shin, hinge);
     let of_shin = frame_of(x, hinge);
     let (x, hinge) = axes_of_bone(thigh, knee.real().rotate(hinge));
@@ -194,7 +196,8 @@ pub(crate) fn locals<L: Lanes>(
     ]
 }
 
-/// The direction of a bone, and what of the hinge is across it, of length 1: some axis if nothing is.
+/// The direction of a bone, and what of the hinge is across it, of length 1: some axis if nothing
+/// is.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn axes_of_bone<L: Lanes>(bone: [L; 3], hinge: [L; 3]) -> ([L; 3], [L; 3]) {
     let (zero, one) = (bone[0].constant(0.0), bone[0].constant(1.0));

@@ -51,7 +51,8 @@ pub(super) fn limb<F: Number>(
     Some((turns, [first(limb.bend), first(limb.beyond)]))
 }
 
-/// Lanes of which one is asked: where there are many cases, that is quicker than to take one of them.
+/// Lanes of which one is asked: where there are many cases, that is quicker than to take one of
+/// them.
 type Together<F> = <F as Float>::Lanes<Unfused<Portable>>;
 
 #[inline(always)]

@@ -36,7 +36,7 @@ pub struct PointPairs<'a, R> {
     products: [[R; 3]; 3],
     /// Σ w|x|², from the mean.
     squares: R,
-    /// What rounding can add to a sum of elements of `products`.
+    /// The most that rounding adds to a sum of elements of `products`.
     rounding: R,
 }
 
@@ -56,8 +56,8 @@ pub struct Fit<R> {
 }
 
 impl<R: Real> Fit<R> {
-    /// Where the map brings a point: s·r (p − c) r* + d. Far from the origin it keeps digits that
-    /// [`motion`](Self::motion) rounds away, whose translation may be long.
+    /// The place that the map brings a point to: s·r (p − c) r* + d. Far from the origin it keeps
+    /// digits that [`motion`](Self::motion) rounds away, whose translation may be long.
     #[must_use]
     pub fn transform_point(&self, point: [R; 3]) -> [R; 3] {
         vector::add(self.to, self.turned(point))
@@ -70,14 +70,14 @@ impl<R: Real> Fit<R> {
     }
 }
 
-/// How well a map fits, and how well the pairs tell a rotation.
+/// The quality of a map's fit, and how well the pairs tell a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Quality<R> {
     /// √(Σ w|y − f(x)|² / Σ w) of the map f, a length.
     pub rms: R,
-    /// How many singular values of Σ w y xᵀ, from the means, are more than rounding: 3 for points in
-    /// space, 2 in a plane, 1 on a line, 0 in a point.
+    /// The number of singular values of Σ w y xᵀ, from the means, are more than rounding: 3 for
+    /// points in space, 2 in a plane, 1 on a line, 0 in a point.
     pub rank: usize,
     /// (σ₁ + σ₂)/(σ₂ ± σ₃) of these singular values, minus where the determinant is negative: how
     /// many times more stiffly the pairs hold against the turn that they hold against most than
@@ -260,7 +260,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
     }
 
     fn best_of_all(&self, scaled: bool) -> Result<Fit<R>, FitError> {
-        // Of Σ w|y − s·r x r*|² only the mixed term depends on the rotation: the sum of the
+        // Only the mixed term of Σ w|y − s·r x r*|² depends on the rotation: the sum of the
         // products of its elements and these, which is to be largest.
         let (rotation, [sum, gap]) = best_rotation(self.products).map_err(|_| self.ambiguous())?;
         self.fit(rotation, gap, if scaled { sum / self.squares } else { R::ONE })
@@ -287,7 +287,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
     }
 }
 
-/// What was given.
+/// The pairs and weights that were given.
 #[derive(Clone, Copy, Debug)]
 struct Weighted<'a, R> {
     points: &'a [[R; 3]],

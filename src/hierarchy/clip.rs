@@ -97,9 +97,9 @@ impl<'c, K> Clip<'c, K> {
     }
 }
 
-/// How many frames a clip has, how many of them are played in a second, and whether the clip begins again where it ends.
-/// Times are computed in numbers of `T`: of a [`Clip`] in `f64`, of packed clips in those of the caller, for firmware has no
-/// quick `f64`.
+/// The number of a clip's frames, the frames a second, and `loops` if the clip begins again where
+/// it ends. Times are computed in numbers of `T`: of a [`Clip`] in `f64`, of packed clips in those
+/// of the caller, for firmware has no quick `f64`.
 #[derive(Clone, Copy)]
 pub(super) struct Timing<T> {
     pub(super) frames: usize,
@@ -161,7 +161,8 @@ impl<T: Scalar> Timing<T> {
         (frame, if t < R::ZERO { R::ZERO } else { t })
     }
 
-    /// The motion of a joint from one time to another, of its `pose` a part of the way from a frame to the next one.
+    /// The motion of a joint from one time to another, of its `pose` a part of the way from a frame
+    /// to the next one.
     pub(super) fn between<R: Scalar>(
         self,
         from: R,
@@ -180,7 +181,8 @@ impl<T: Scalar> Timing<T> {
     }
 }
 
-/// The integer toward zero: without std there is no `trunc`. From 2²³, in `f64` from 2⁵² on, all numbers are integers.
+/// The integer toward zero: without std there is no `trunc`. From 2²³, in `f64` from 2⁵² on, all
+/// numbers are integers.
 #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "in range")]
 fn truncate<R: Scalar>(number: R) -> R {
     if R::SINGLE {

@@ -87,7 +87,7 @@ impl<S, P: Plans> Job<'_, S, P> {
     }
 }
 
-/// Of one length. Limbs that are looked at before they are bent.
+/// The limbs of a job, before they are bent: slices of lengths that have been checked.
 struct Limbs<'s, E: Element<8>, T> {
     run: &'s Run<'s, E>,
     limb: &'s Limb<Number<E, 8>>,

@@ -83,13 +83,14 @@ pub struct Deviation {
 
 impl PackedClip {
     /// One clip of rotations and translations,
-    /// [`RotationTranslation`](crate::representation::RotationTranslation) or `[x, y, z, w, tx, ty, tz]`, with its rate, and
-    /// looping if it loops. A clip in which a joint turns by 60° or more from one frame to the next gets so many frames
-    /// between its own that none does, at most three between two: as [`NlerpLerp`] plays it.
+    /// [`RotationTranslation`](crate::representation::RotationTranslation) or `[x, y, z, w, tx, ty,
+    /// tz]`, with its rate, and looping if it loops. A clip in which a joint turns by 60° or more
+    /// from one frame to the next gets so many frames between its own that none does, at most three
+    /// between two: as [`NlerpLerp`] plays it.
     ///
     /// # Errors
-    /// If rotations are not unit, or translations not finite: which joint in which frame. If its frames a second are no
-    /// positive number.
+    /// If rotations are not unit, or translations not finite: which joint in which frame. If its
+    /// frames a second are no positive number.
     pub fn new<K: Element<7, Layout = Aos<f32>>>(
         clip: Clip<'_, K>,
         tolerance: Tolerance,
@@ -101,8 +102,8 @@ impl PackedClip {
     /// box that it moves in is a step. A root that walks far is better kept apart, and given as the root of a job.
     ///
     /// # Errors
-    /// As for [`new`](Self::new), or if there is no clip, one has other joints than the first, or there are more keys or
-    /// joints than the form counts.
+    /// As for [`new`](Self::new), or if there is no clip, one has other joints than the first, or
+    /// there are more keys or joints than the form counts.
     pub fn library<K: Element<7, Layout = Aos<f32>>>(
         clips: &[Clip<'_, K>],
         tolerance: Tolerance,
@@ -209,7 +210,8 @@ impl PackedClip {
     /// in every frame of the clip; nothing is measured between them.
     ///
     /// # Errors
-    /// If there is no such clip, or it was packed of another number of frames, or the hierarchy has other joints.
+    /// If there is no such clip, or it was packed of another number of frames, or the hierarchy has
+    /// other joints.
     pub fn deviation<K: Element<7, Layout = Aos<f32>>>(
         &self,
         hierarchy: &Hierarchy<'_>,
@@ -252,7 +254,8 @@ impl PackedClip {
     }
 }
 
-/// Bytes that [`PackedClips`] reads as these frames a second, whether the clip loops, and how many pieces its steps have.
+/// Bytes that [`PackedClips`] reads as these frames a second, whether the clip loops, and how many
+/// pieces its steps have.
 fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     let single = <f32 as Real>::from_f64(rate);
     let rest = <f32 as Real>::from_f64(rate - f64::from(single));
@@ -260,13 +263,15 @@ fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     bytemuck::must_cast(words.map(u32::to_le_bytes))
 }
 
-/// Where the pieces of a way between two rotations end that are each less than 60°, by the cosine of half their angle: up to
-/// 59.8° one piece is, up to 119.6° two are, up to 154.6° three, and four always. The longest of n pieces is in the middle,
-/// for normalized means go fastest there: 2 atan(tan(φ/2)/n) of a way of φ between quaternions if n is odd, and
-/// atan(2 tan(φ/2)/n) if it is even.
+/// The number of pieces that a turn is cut into, and the least cosine of half its angle: one piece
+/// up to 59.8°, two up to 119.6°, three up to 154.6°, otherwise four, so that each piece is less
+/// than 60°. The longest of n pieces is in the middle, for normalized means go fastest there: 2
+/// atan(tan(φ/2)/n) of a way of φ between quaternions if n is odd, and atan(2 tan(φ/2)/n) if it is
+/// even.
 const PIECES: [(u16, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
 
-/// How many pieces the way from one frame to the next is cut into, so that each turns by less than 60°, for all joints.
+/// The number of pieces that every step of a clip is cut into, so that no joint turns by 60° or
+/// more in one.
 fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError> {
     let mut most = 1;
     for joint in 0..joints {

@@ -22,7 +22,8 @@ const NEAREST: i64 = 929_830_942;
 /// of them moves it. As four numbers, the lower byte first.
 pub(super) type Rest = [u8; 16];
 
-/// Of each clip the frames a second, as the sum of two `f32`; 1 if it loops; and how many frames here are a frame of the clip.
+/// The timing of a clip: its frames a second, as the sum of two `f32`; 1 if it loops; and how many
+/// frames here are one of its own.
 pub(super) type PackedTiming = [u8; 12];
 
 /// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and checked once. Each has
@@ -60,7 +61,7 @@ pub(super) const MAGIC: &[u8; 8] = b"dq8clips";
 pub(super) const VERSION: u32 = 3;
 const HEAD: usize = 32;
 
-/// Where keys, rests, clips, timings and rows lie, of how many joints.
+/// The places of keys, rests, clips, timings and rows, and the number of joints.
 pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 5], usize), PackedError> {
     let wrong = |offset, what| PackedError::Bytes { offset, what };
     if bytes.first_chunk() != Some(MAGIC) {
@@ -151,7 +152,7 @@ impl<'a> PackedClips<'a> {
         Ok(())
     }
 
-    /// Whether rotations are unit and near their neighbours, rests finite, and rates positive.
+    /// Checks that rotations are unit and near their neighbours, rests finite, and rates positive.
     fn check(&self, [keys, rests, _, timings, _]: &[Range<usize>; 5]) -> Result<(), PackedError> {
         if let Some(joint) =
             self.rests.iter().position(|rest| floats(rest).iter().any(|c| !c.is_finite()))
@@ -199,19 +200,20 @@ impl<'a> PackedClips<'a> {
         self.tracks.clips()
     }
 
-    /// How many frames a clip has, without those that [`PackedClip::new`](super::PackedClip::new) has put between them. `None`
-    /// if there is no such clip.
+    /// The number of frames of a clip, without those that
+    /// [`PackedClip::new`](super::PackedClip::new) has put between them. `None` if there is no such
+    /// clip.
     #[must_use]
     pub fn frames(&self, clip: usize) -> Option<usize> {
         Some((self.own_frames(clip)? - 1) / self.pieces(clip)? + 1)
     }
 
-    /// How many frames there are here.
+    /// The number of frames here, with those between.
     fn own_frames(&self, clip: usize) -> Option<usize> {
         self.tracks.frames(clip).map(|frames| frames as usize)
     }
 
-    /// How many frames here are a frame of the clip.
+    /// The number of frames here for each step of the clip.
     pub(super) fn pieces(&self, clip: usize) -> Option<usize> {
         let [_, pieces] = loops_and_pieces(self.timings.get(clip)?);
         // Checked, which the compiler does not know.
@@ -230,7 +232,8 @@ impl<'a> PackedClips<'a> {
         )
     }
 
-    /// The frames a second of a clip, or 1 if its times are frames. `None` if there is no such clip.
+    /// The frames a second of a clip, or 1 if its times are frames. `None` if there is no such
+    /// clip.
     #[must_use]
     pub fn rate(&self, clip: usize) -> Option<f64> {
         let [rate, rest] = rate(self.timings.get(clip)?).map(f64::from);
@@ -243,17 +246,17 @@ impl<'a> PackedClips<'a> {
         Some(self.timing::<f32>(clip)?.loops)
     }
 
-    /// The time from the first frame of a clip to the last: [`Clip::duration`](super::Clip::duration). `None` if there is no
-    /// such clip.
+    /// The time from the first frame of a clip to the last:
+    /// [`Clip::duration`](super::Clip::duration). `None` if there is no such clip.
     #[must_use]
     pub fn duration(&self, clip: usize) -> Option<f64> {
         Some(self.timing::<f64>(clip)?.duration())
     }
 
     /// The frame of a clip before the time `at`, and how far it is to the next one, from 0 to 1: as
-    /// [`Clip::place`](super::Clip::place), in seconds if the clip has a rate, and in the round that `at` lies in if it
-    /// loops, computed in numbers of `R` alone: after an hour of `f32` that is half a hundredth of a frame. NaN stays NaN.
-    /// `None` if there is no such clip.
+    /// [`Clip::place`](super::Clip::place), in seconds if the clip has a rate, and in the round
+    /// that `at` lies in if it loops, computed in numbers of `R` alone: after an hour of `f32` that
+    /// is half a hundredth of a frame. NaN stays NaN. `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
         let (frame, t) = self.timing::<R>(clip)?.place(at);
@@ -286,13 +289,13 @@ pub(super) fn beyond(
     PackedError::Bytes { offset, what }
 }
 
-/// Whether the clip loops, as a number, and how many frames here are a frame of the clip.
+/// 1 if the clip loops, and the number of frames here for each step of the clip.
 fn loops_and_pieces(timing: &PackedTiming) -> [u32; 2] {
     let both = word(timing, 2).unwrap_or_default();
     [both & 0xffff, both >> 16]
 }
 
-/// Of a clip with so many frames here.
+/// `true` if these bytes can be the timing of a clip with so many frames here.
 fn is_timing(timing: &PackedTiming, frames: u32) -> bool {
     let ([rate, rest], [loops, pieces]) = (rate(timing), loops_and_pieces(timing));
     let whole = matches!(pieces, 1..=4) && frames.wrapping_sub(1).is_multiple_of(pieces);
@@ -300,7 +303,7 @@ fn is_timing(timing: &PackedTiming, frames: u32) -> bool {
     is_rate(rate) && rate + rest == rate && loops < 2 && whole
 }
 
-/// Whether so many frames a second can be played.
+/// `true` if so many frames a second can be played.
 pub(super) fn is_rate(rate: f32) -> bool {
     rate.is_finite() && rate > 0.0
 }
@@ -420,9 +423,10 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
     }
 }
 
-/// What lies between keys of rotations, normalized. Neighbours are less than 60° apart, so the squared length 1 − e is near
-/// that of 1, and (1 − e)^(−½) is a polynomial of e without root and division, with a relative error of 5.5·10⁻⁸
-/// (minimax of degree 3 on [−0.0005, 0.068]). NaN if `t` is NaN, which weights that are integers would lose.
+/// What lies between keys of rotations, normalized. Neighbours are less than 60° apart, so the
+/// squared length 1 − e is near that of 1, and (1 − e)^(−½) is a polynomial of e without root and
+/// division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005, 0.068]). NaN if
+/// `t` is NaN, which weights that are integers would lose.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);

@@ -1,4 +1,5 @@
-//! Single poses of a [`Clip`] and of [`PackedClips`], and how a joint moves from one time to another.
+//! Single poses of a [`Clip`] and of [`PackedClips`], and how a joint moves from one time to
+//! another.
 
 use super::keys::{Keys, PlacedKeys};
 use super::slot::JointSlot;
@@ -69,7 +70,7 @@ impl<K> Clip<'_, K> {
         W: Law<C>,
         K: Element<C, Layout = Aos<R>>,
     {
-        // Of one frame alone the next one is itself.
+        // A single frame is its own next one.
         let last = self.timing.frames.saturating_sub(1);
         let key = |frame: usize| {
             let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
@@ -82,15 +83,16 @@ impl<K> Clip<'_, K> {
 }
 
 impl PackedClips<'_> {
-    /// The local pose of a joint of a clip at the time `at`, as [`place`](Self::place) has it; `None` if there is no such
-    /// clip or joint. As [`Clip::pose`].
+    /// The local pose of a joint of a clip at the time `at`, as [`place`](Self::place) has it;
+    /// `None` if there is no such clip or joint. As [`Clip::pose`].
     #[must_use]
     pub fn pose<R: Scalar>(&self, clip: usize, joint: usize, at: R) -> Option<DualQuat<R>> {
         self.pose_at(clip, joint, self.timing::<R>(clip)?.place(at))
     }
 
-    /// The motion of a joint of a clip from one time to another, in its frame at the first: as [`Clip::between`], of a
-    /// character's root the root motion. `None` if there is no such clip or joint.
+    /// The motion of a joint of a clip from one time to another, in its frame at the first: as
+    /// [`Clip::between`], of a character's root the root motion. `None` if there is no such clip or
+    /// joint.
     ///
     /// ```
     /// use dq8::hierarchy::{Clip, PackedClip, Tolerance};

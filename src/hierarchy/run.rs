@@ -8,7 +8,8 @@ use crate::storage::{self, Element, Number, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// The fewest elements in a task of a thread: some microseconds of work, where starting a task takes a fraction of one.
+/// The fewest elements in a task of a thread: some microseconds of work, where starting a task
+/// takes a fraction of one.
 const GRAIN: usize = 2048;
 
 /// The instances of a task; there are joints.

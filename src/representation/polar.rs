@@ -111,7 +111,7 @@ impl<R: Real> Spectrum<R> {
     }
 }
 
-/// What is smaller, next to one, may be rounding.
+/// A number smaller than this, next to one, may be rounding.
 fn rounding<R: Real>() -> R {
     R::from(32.0) * R::EPSILON
 }

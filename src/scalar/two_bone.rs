@@ -5,7 +5,7 @@ use crate::everyday;
 use crate::number::Real;
 
 errors! {
-    /// What [`TwoBone`](crate::ik::TwoBone) cannot bend.
+    /// A limb that [`TwoBone`](crate::ik::TwoBone) cannot bend.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     LimbError {

@@ -128,7 +128,7 @@ impl Backend {
     }
 }
 
-/// How a motion lies between two others: by a law of clips, or by what none of them follows.
+/// A way from one motion to another: a law of clips, or [`SlerpLerp`], which no clip follows.
 trait Between: Copy + Sync {
     fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8];
 }

@@ -74,7 +74,7 @@ impl Backend {
     }
 }
 
-/// Of one length.
+/// The slices of a call, of one length.
 #[derive(Clone, Copy)]
 struct Limbs<'s, P, N> {
     roots: &'s [P],

@@ -9,10 +9,10 @@ use crate::number::Scalar;
 use dq8_simd::{Float, Level};
 
 crate::plain::plain! {
-    /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many controllers; `[R; 6]`,
-    /// [`Twist`] and a [`Block`](super::Block) of six rows have the angular part first. It may be any element of six
-    /// numbers: a column of a Jacobian, a velocity, an acceleration. Six of them are a matrix whose rows and columns
-    /// have that order: a covariance.
+    /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many
+    /// controllers; `[R; 6]`, [`Twist`] and a [`Block`](super::Block) of six rows have the angular
+    /// part first. It may be any element of six numbers: a column of a Jacobian, a velocity, an
+    /// acceleration. Six of them are a matrix whose rows and columns have that order: a covariance.
     ///
     /// ```
     /// use dq8::{Twist, storage::LinearFirst};

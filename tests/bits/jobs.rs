@@ -250,7 +250,7 @@ fn hierarchies(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b, c]: [&[M; N]; 
     say("clips, between", hash(&to));
 }
 
-/// Of all spans, and of a skeleton.
+/// Limbs of two bones, alone and in a skeleton.
 fn limbs(
     k: Backend,
     say: &mut dyn FnMut(&str, u64),

@@ -164,7 +164,7 @@ const JOINTS: usize = PARENTS.len();
 const LEG: [usize; 3] = [3, 4, 5];
 const ROOT: usize = Hierarchy::ROOT as usize;
 
-/// What becomes of the legs of a crowd: where their ends are, and that nothing else has changed.
+/// Bends the legs of a crowd, and checks where their ends are, and that nothing else has changed.
 fn bends<L: Memory>(instances: usize, joints: [usize; 3], roots: bool) {
     let mut random = Random(7);
     let single = |c: f64| round::<L::Real, 1>([c])[0].into();
@@ -238,8 +238,8 @@ fn bends<L: Memory>(instances: usize, joints: [usize; 3], roots: bool) {
                 let size = away(across, [0.0; 3]);
                 across.map(|c| c / size)
             };
-            // What of the hinge is across the shin, and of that what is across the thigh, as the old knee had it, is the
-            // normal of the limb's plane: one vector in model space.
+            // The part of the hinge across the shin, and the part of that across the thigh, as the
+            // old knee had it, are the normal of the limb's plane: one vector in model space.
             let across_shin = normal(of_shin, hinge);
             let of_old_knee = motion(&locals, i, joints[1]).rotation().rotate(across_shin);
             let of_hip = motion(&after, i, joints[0]).rotation();
@@ -268,7 +268,8 @@ fn legs_of_a_crowd_reach_their_targets_and_nothing_else_moves() {
     }
 }
 
-/// Bent to the same target once more, a limb stays as it is, however its hinge lies: what of it is along a bone does not count.
+/// Bent to the same target once more, a limb stays as it is, however its hinge lies: what of it is
+/// along a bone does not count.
 #[test]
 fn a_limb_that_is_bent_again_stays() {
     let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");

@@ -6,7 +6,7 @@ use dq8::law::NlerpLerp;
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat};
 use dq8_contract::random::Random;
 
-/// Of 9 seconds at a rate, of steps, one that loops, and a pose.
+/// A clip with a rate that loops, one that counts frames, a pose that loops, and one with a rate.
 fn clips(keys: &[Vec<[f32; 7]>]) -> Vec<Clip<'_, [f32; 7]>> {
     let clip = |number: usize| Clip::new(JOINTS, &keys[number]).unwrap();
     vec![clip(0).with_rate(29.97).looping(), clip(1), clip(2).looping(), clip(3).with_rate(2.5)]
@@ -112,8 +112,8 @@ fn turning(axis: [f64; 3], degrees: &[f64]) -> Vec<[f32; 7]> {
     keys
 }
 
-/// The packed clip has frames between those of the clip. At these it is where the clip is, and between them on the same arc:
-/// both slow down toward the frames, the clip by up to 2.6° more.
+/// The packed clip has frames between those of the clip. At these it is where the clip is, and
+/// between them on the same arc: both slow down toward the frames, the clip by up to 2.6° more.
 #[test]
 fn turns_of_60_degrees_and_more_are_packed_with_frames_between() {
     let mut random = Random(7);
@@ -133,7 +133,8 @@ fn turns_of_60_degrees_and_more_are_packed_with_frames_between() {
         let view = packed.clips();
         let (frames, rate) = (clip.frames(), clip.rate());
         assert_eq!((view.frames(0), view.rate(0)), (Some(frames), Some(rate)), "{degrees}°");
-        // As many as the documentation says: a key of the other joint, and of both tracks of the first for each frame.
+        // As many bytes as the documentation says: one key for the other joint, and two for the
+        // first in each frame.
         let size = 32 + 2 * 16 + 16 + 12 + 2 * 4 + 8 * (1 + 2 * (7 * pieces + 1));
         assert_eq!(packed.as_bytes().len(), size, "{degrees}°");
         let short = packed.deviation(&leg, 0, &keys[..2 * 2], 1.0);

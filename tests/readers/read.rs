@@ -1,4 +1,5 @@
-//! Reads a file as one of the formats, and says how that ended: `read FORMAT FILE`. What it takes is counted by `scripts/work.py`.
+//! Reads a file as one of the formats, and says how that ended: `read FORMAT FILE`. What it takes
+//! is counted by `scripts/work.py`.
 
 use dq8::DualQuat;
 use dq8::hierarchy::PackedClips;

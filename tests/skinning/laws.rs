@@ -79,8 +79,8 @@ fn negating_any_entry_of_a_palette_changes_no_bit() {
     }
 }
 
-/// Turns about z, whose halves are added: the third is on the side of the first of the two with the greatest weight, and not
-/// on that of the second.
+/// Turns about z, whose halves are added: the third is on the side of the first of the two with the
+/// greatest weight, and not on that of the second.
 #[test]
 fn of_equal_weights_the_first_says_on_which_side_the_others_are() {
     let turns = [0.0_f64, 170.0, -100.0].map(f64::to_radians);

@@ -69,7 +69,8 @@ fn what_is_taken_apart_is_the_matrix_together_again() {
     assert!(split.joint == 1 && (split.stretch - 1.0).abs() < ROUNDING, "{split:?}");
 }
 
-/// A product of maps mirrors if an odd number of its factors does; here those that scale one axis by less than nothing.
+/// A product of maps mirrors if an odd number of its factors does; here those that scale one axis
+/// by less than nothing.
 #[test]
 fn what_mirrors_is_counted_however_it_lies() {
     let mut random = Random(7);

@@ -37,7 +37,7 @@ pub(crate) trait Work<Y: Layout, const C: usize> {
 pub(crate) struct Along<'a, Y: Layout, T, W, const C: usize> {
     pub(crate) segments: &'a Segments<Y::Real, C>,
     pub(crate) clock: Clock,
-    /// What [`Segments::place`] takes.
+    /// The memory that [`Segments::place`] takes.
     pub(crate) stands: bool,
     pub(crate) times: &'a [T],
     /// The length of the output.

@@ -4,7 +4,8 @@
 //!
 //! The error of a pose σ̄ is a small twist ξ = (ω, v) *on the right*, σ = σ̄ exp(ξ): in the axes of
 //! the moving body, in radians and lengths, as [`DualQuat::from_twist`](dq8::DualQuat::from_twist)
-//! takes it. Its covariance P, the mean of ξξᵀ, is 6×6, by rows, *angular first*. GTSAM has the same.
+//! takes it. Its covariance P, the mean of ξξᵀ, is 6×6, by rows, *angular first*. GTSAM has the
+//! same.
 //!
 //! | memory | order |
 //! |---|---|
@@ -63,8 +64,8 @@ pub fn carry_covariances<M: Element<8>, P: Element<36, Layout = M::Layout>>(
 }
 
 /// `inverses[i]` = Ad P Adᵀ: the covariance of σ⁻¹, of the pose σ̄ = `poses[i]` with the covariance
-/// P = `covariances[i]`. For (σ̄ exp ξ)⁻¹ = exp(−ξ) σ̄⁻¹ = σ̄⁻¹ exp(−Ad ξ), it is Ad of the pose and
-/// not of its inverse.
+/// P = `covariances[i]`. For (σ̄ exp ξ)⁻¹ = exp(−ξ) σ̄⁻¹ = σ̄⁻¹ exp(−Ad ξ), it is Ad of the pose
+/// and not of its inverse.
 ///
 /// ```
 /// use dq8::{Backend, DualQuat};

@@ -11,8 +11,8 @@ use dq8::storage::{Element, Layout, same_length};
 use dq8::{DualQuat, Scalar, ShapeError, Twist};
 
 /// A run over many times, as many at once as there are lanes, of a [`Trajectory`], of a
-/// [`Spline`](crate::Spline) or of [`Frames`](crate::Frames). Times may be in any order; rising ones
-/// are quickest.
+/// [`Spline`](crate::Spline) or of [`Frames`](crate::Frames). Times may be in any order; rising
+/// ones are quickest.
 ///
 /// Without options times are seconds on the clock of the stamps, poses and points come out in the
 /// world, and the body stands before the first stamp and after the last one. Slices are plain or

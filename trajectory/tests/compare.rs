@@ -162,7 +162,7 @@ fn what_was_moved_is_laid_back_exactly() {
     }
 }
 
-/// Of noise nothing fits, and then no other rotation, shift or scale fits better. Where the noise
+/// Nothing fits noise, and then no other rotation, shift or scale fits better. Where the noise
 /// mirrors, as it does for half of the paths in a plane, the rotation is one all the same.
 #[test]
 fn no_other_alignment_is_better() {

@@ -1,4 +1,5 @@
-//! Covariances are those of plain 6×6 matrices, and of many random poses; in every order and layout.
+//! Covariances are those of plain 6×6 matrices, and of many random poses; in every order and
+//! layout.
 
 use dq8::simd::Block;
 use dq8::storage::{Element, LinearFirst, Number};
@@ -129,7 +130,8 @@ fn covariances_agree_with_plain_matrices_in_every_layout() {
     agree(8, Block([[0.0_f32; 8]; 8]), Block([[0.0; 8]; 36]), "blocks, f32");
 }
 
-/// What others hold in memory, number by number, against the same matrices with the blocks changed.
+/// The order that others hold in memory, number by number, against the same matrices with the
+/// blocks changed.
 #[test]
 fn linear_first_changes_rows_and_columns_alone() {
     let mut random = Random(22);

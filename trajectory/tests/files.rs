@@ -122,7 +122,7 @@ fn what_is_put_right_is_said_once() {
     }
 }
 
-/// Of a matrix with six digits, the nearest rotation is taken: that of the rows as they stand would
+/// The nearest rotation to a matrix with six digits is taken: that of the rows as they stand would
 /// be off by as much as they are.
 #[test]
 fn matrices_of_few_digits_give_the_nearest_rotation() {

@@ -1,5 +1,5 @@
-//! Where frames are in each other is what 4×4 matrices say, multiplied one edge and one time after
-//! the other.
+//! The poses of frames in each other are what 4×4 matrices say, multiplied one edge and one time
+//! after the other.
 
 use dq8::storage::{Block, Element, Number};
 use dq8::{Backend, DualQuat, Real, Scalar, ShapeError, Twist};
@@ -329,7 +329,7 @@ fn nan_stays_in_its_pose() {
                 assert_eq!(found, whole);
             }
         }
-        // What is fixed is so at any time.
+        // A fixed edge is so at any time.
         let mut fixed = [DualQuat::<f64>::IDENTITY; 2];
         job.lookup("car", "scanner", &[f64::NAN, f64::INFINITY], &mut fixed).unwrap();
         assert_eq!(fixed, [mounts[0]; 2]);

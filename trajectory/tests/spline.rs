@@ -503,7 +503,7 @@ fn jacobians_that_do_not_fit_are_refused() {
     assert_eq!((first, matrices), ([9; 2], [[[[7.0; 6]; 6]; 4]; 2]));
 }
 
-/// Which segment a time is in is decided by its knots, and not by a quotient that may be rounded.
+/// The segment of a time is decided by its knots, and not by a quotient that may be rounded.
 #[test]
 fn knots_begin_their_segments() {
     let mut random = Random(14);

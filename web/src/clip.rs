@@ -24,7 +24,8 @@ impl Clip {
         Ok(Self::Plain(if loops { clip.looping() } else { clip }))
     }
 
-    /// From the first frame to the last, of packed clips of that `number`; 0 if there is no such clip.
+    /// From the first frame to the last, of packed clips of that `number`; 0 if there is no such
+    /// clip.
     fn duration(&self, number: usize) -> f64 {
         match self {
             Self::Plain(clip) => clip.view().duration(),

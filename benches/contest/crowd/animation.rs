@@ -42,7 +42,7 @@ struct Crowd {
 }
 
 impl Crowd {
-    /// Of the first joints of the skeleton, so many or all.
+    /// The first joints of the skeleton, so many or all.
     fn new(instances: usize, joints: usize) -> Self {
         let mut scene = Scene::new(Shape::Crowd { instances: DIFFERENT });
         let all = scene.parents.len();
@@ -201,7 +201,8 @@ pub fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
     run(&contest);
 }
 
-/// Locals of packed clips that are written down, beside the models of the same, which are more work.
+/// Locals of packed clips that are written down, beside the models of the same, which are more
+/// work.
 pub fn with_locals_contest(instances: usize, joints: usize, run: &mut dyn FnMut(&Contest<'_>)) {
     let crowd = Crowd::new(instances, joints);
     let title = format!("{instances} characters of {joints} joints: two packed clips, blended");

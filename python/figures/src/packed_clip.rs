@@ -79,13 +79,13 @@ impl PackedClip {
         self.packed.clips().duration(0).unwrap_or(0.0)
     }
 
-    /// Whether the clip begins again where it ends.
+    /// True if the clip begins again where it ends.
     #[getter]
     fn loops(&self) -> bool {
         self.packed.clips().loops(0) == Some(true)
     }
 
-    /// How many frames there are a second, 1 if times are frames.
+    /// Frames a second; 1 if times are frames.
     #[getter]
     fn rate(&self) -> f64 {
         self.packed.clips().rate(0).unwrap_or(1.0)

@@ -7,7 +7,8 @@ use dq8_robot::urdf::Robot;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-/// The bytes of a file; or those that are given, or of the text that is given, if the first thing in it is `<`.
+/// The bytes of a file; or those that are given, or of the text that is given, if the first thing
+/// in it is `<`.
 fn bytes_of(source: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
     if let Ok(bytes) = source.cast::<PyBytes>() {
         return Ok(bytes.as_bytes().to_vec());

@@ -74,8 +74,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// The same for a search that needs both kinds of values. In line it holds the code twice, and takes a tenth less time
-    /// for one configuration: firmware calls it.
+    /// The same for a search that needs both kinds of values. In line it holds the code twice, and
+    /// takes a tenth less time for one configuration: firmware calls it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place_or_call(&mut self, of: Of) {
         if cfg!(target_os = "none") { self.call_place(of) } else { self.place(of) }

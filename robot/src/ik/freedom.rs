@@ -197,7 +197,8 @@ fn spacing(count: usize) -> u64 {
     x
 }
 
-/// The product of two numbers in 2⁻⁶⁴, but for three units: of 32 bits each, as controllers multiply. Once in machine code.
+/// The product of two numbers in 2⁻⁶⁴, but for three units: of 32 bits each, as controllers
+/// multiply. Once in machine code.
 #[inline(never)]
 fn times(a: u64, b: u64) -> u64 {
     let low = |number: u64| number & u64::from(u32::MAX);

@@ -136,8 +136,8 @@ impl<R: Real> Lane<R> {
         let is_best = if weighs {
             self.is_fresh || self.is_nearer(&seen)
         } else if track && !self.converged && seen.square.is_finite() {
-            // Of a target that moves the last step counts, if its pose is one: where only the best counted, an arm in
-            // front of a pose that it cannot hold would stand until a leap pays.
+            // Of a target that moves the last step counts, if its pose is one: where only the best
+            // counted, an arm in front of a pose that it cannot hold would stand until a leap pays.
             true
         } else {
             self.is_best(&seen, arrived)

@@ -97,7 +97,8 @@ impl<R> OwnedSixAxisArm<R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// See [`SixAxisArm::solutions`]; what searches compute in is allocated, where it takes searches.
+    /// See [`SixAxisArm::solutions`]; what searches compute in is allocated, where it takes
+    /// searches.
     ///
     /// # Errors
     /// As there.

@@ -153,8 +153,9 @@ impl<R> Report<R> {
     }
 }
 
-/// How a search ended. The joint values are the best that were found, or of a search that
-/// [tracks](super::Reach::track) the last, within the limits, but for [`Invalid`](Self::Invalid). C and Python have the same numbers.
+/// The end of a search. The joint values are the best that were found, or of a search that
+/// [tracks](super::Reach::track) the last, within the limits, but for [`Invalid`](Self::Invalid). C
+/// and Python have the same numbers.
 ///
 /// A search with [`restarts`](Options::restarts) that does not converge goes on until the iterations run out. Then
 /// [`AtLimits`](Self::AtLimits) and [`Stalled`](Self::Stalled) say what stopped its best try, and more

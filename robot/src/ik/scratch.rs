@@ -151,8 +151,9 @@ impl<R: Copy> Reach<'_, R> {
         ))
     }
 
-    /// The bound for a chain of `values` joints with one value each, none of which mimics another, as a constant: for an array
-    /// whose length is needed before there is a mechanism. Fixed joints take nothing.
+    /// The bound for a chain of `values` joints with one value each, none of which mimics another,
+    /// as a constant: for an array whose length is needed before there is a mechanism. Fixed joints
+    /// take nothing.
     ///
     /// ```
     /// use dq8_robot::ik::Reach;
@@ -196,7 +197,7 @@ impl Counts {
         }
     }
 
-    /// How many numbers a lane needs at most, of goals for whole poses.
+    /// The most numbers that a lane needs, for goals that are whole poses.
     const fn most(
         values: usize,
         freedoms: usize,

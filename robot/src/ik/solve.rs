@@ -61,13 +61,14 @@ where
         self.search::<false, false>(targets, values, scratch, &options)
     }
 
-    /// [`follow`](Self::follow) for many goals: steps are of first order, and of more than a pose by normal equations that
-    /// have the shape of the tree, in a fifth of the time or less; and where a length per radian is not
-    /// [given](Options::length_per_radian), weights stay what they are however far something that floats has gone.
-    /// Steps are damped by half of the squared error (λ² = ½|e|², Sugihara 2011; of many goals, of its
-    /// mean), unless a posture or the start weighs, and the last one is what is returned: in front of a
-    /// target that it cannot reach, an arm goes on with the target in every frame.
-    /// [`Options::track`] is made for it, [`ReachJob::sequence`](super::ReachJob::sequence) does it for clips on lanes.
+    /// [`follow`](Self::follow) for many goals: steps are of first order, and of more than a pose
+    /// by normal equations that have the shape of the tree, in a fifth of the time or less; and
+    /// where a length per radian is not [given](Options::length_per_radian), weights stay what they
+    /// are however far something that floats has gone. Steps are damped by half of the squared
+    /// error (λ² = ½|e|², Sugihara 2011; of many goals, of its mean), unless a posture or the start
+    /// weighs, and the last one is what is returned: in front of a target that it cannot reach, an
+    /// arm goes on with the target in every frame. [`Options::track`] is made for it,
+    /// [`ReachJob::sequence`](super::ReachJob::sequence) does it for clips on lanes.
     ///
     /// # Errors
     /// As [`solve`](Self::solve).

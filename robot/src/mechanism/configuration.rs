@@ -159,7 +159,8 @@ impl<'p, R> Found<'p, R> {
         }
         let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
         let mut end = self.next;
-        // Where the points of the link before end, those of another begin: never amid its own.
+        // `next` is where the points of the last link ended, so never in the middle of a link's
+        // own.
         if !is_of(self.points.get(end)) {
             end = self.points.partition_point(|(of, _)| *of < link);
         }

@@ -4,11 +4,13 @@ use dq8::geometry::Twist;
 use dq8::{Real, ShapeError};
 
 impl<R: Real> Mechanism<'_, R> {
-    /// How far a link is from where it cannot move in every direction: w = √det(J Jᵀ), the volume of the twists that rates of
-    /// length one give it, but for a constant factor (Yoshikawa, *Manipulability of Robotic Mechanisms*, 1985, eq. 9), from the
-    /// whole Jacobian of six rows; radians, and lengths cubed. It is the same in every [frame](super::JacobianFrame). Zero where
-    /// the link is singular, but for rounding, and always where there are fewer than six rates; NaN if its pose is. It is computed
-    /// in the memory of `columns`, which may hold anything.
+    /// The distance of a link from where it cannot move in every direction: w = √det(J Jᵀ), the
+    /// volume of the twists that rates of length one give it, but for a constant factor (Yoshikawa,
+    /// *Manipulability of Robotic Mechanisms*, 1985, eq. 9), from the whole Jacobian of six rows;
+    /// radians, and lengths cubed. It is the same in every [frame](super::JacobianFrame). Zero
+    /// where the link is singular, but for rounding, and always where there are fewer than six
+    /// rates; NaN if its pose is. It is computed in the memory of `columns`, which may hold
+    /// anything.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -34,7 +36,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many values and columns as the mechanism has, or there is no such link; `columns` is untouched.
+    /// If there are not as many values and columns as the mechanism has, or there is no such link;
+    /// `columns` is untouched.
     pub fn manipulability(
         &self,
         values: &[R],
@@ -46,10 +49,11 @@ impl<R: Real> Mechanism<'_, R> {
     }
 }
 
-/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six rows, each without what lies along
-/// those before it (Gram–Schmidt). Near singularities the product J Jᵀ would have lost half of the digits.
+/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six rows,
+/// each without what lies along those before it (Gram–Schmidt). Near singularities the product J Jᵀ
+/// would have lost half of the digits.
 fn volume<R: Real>(columns: &mut [Twist<R>]) -> R {
-    // Of fewer columns no six rows are independent.
+    // Six rows of fewer columns are never independent.
     let mut volume = if columns.len() < 6 { R::ZERO } else { R::ONE };
     for first in 0..6 {
         let dot = |columns: &[Twist<R>], row: usize| {

@@ -11,11 +11,13 @@ use dq8::{Real, ShapeError};
 /// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
 /// each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
 ///
-/// Link j is what joint j carries, so joints and links have one number; poses, twists and accelerations are indexed by it, and
-/// so are goals. Values are one array for each configuration: those of joint 0, then those of joint 1, and so on; joints that
-/// are fixed or mimic have none, so that value j is not of joint j ([`values_of`](Self::values_of) says which are). Limits and
-/// postures are indexed by value. Rates are numbered in the same way, apart from values, as a floating joint has seven of those
-/// and six rates ([`rates_of`](Self::rates_of)); columns of a Jacobian are indexed by rate.
+/// Link j is what joint j carries, so joints and links have one number; poses, twists and
+/// accelerations are indexed by it, and so are goals. Values are one array for each configuration:
+/// those of joint 0, then those of joint 1, and so on; joints that are fixed or mimic have none, so
+/// that value j is not of joint j ([`values_of`](Self::values_of) says which are). Limits and
+/// postures are indexed by value. Rates are numbered in the same way, apart from values, as a
+/// floating joint has seven of those and six rates ([`rates_of`](Self::rates_of)); columns of a
+/// Jacobian are indexed by rate.
 ///
 /// ```
 /// use dq8_robot::{Joint, Mechanism, Step};
@@ -167,8 +169,8 @@ impl<R: Copy> Mechanism<'_, R> {
         self.rates
     }
 
-    /// How many degrees of freedom a configuration has: as many as [`rates`](Self::rates). Floating joints have more
-    /// [`values`](Self::values) than that.
+    /// The degrees of freedom of a configuration: as many as [`rates`](Self::rates). Floating
+    /// joints have more [`values`](Self::values) than that.
     #[must_use]
     pub fn dof(&self) -> usize {
         self.rates
@@ -182,7 +184,8 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
     }
 
-    /// Where the rates of a joint are among all, and its columns in a Jacobian; of a joint that mimics, the rate that moves it.
+    /// The place of a joint's rates among all, and of its columns in a Jacobian; of a joint that
+    /// mimics, the rate that moves it.
     #[must_use]
     pub fn rates_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
         let step = self.step(joint)?;
@@ -215,8 +218,8 @@ pub(crate) fn room<R>(
     steps.ok_or(MechanismError::Steps { steps: count, joints })
 }
 
-/// Writes the step of joint number `index`, but for what it mimics, with the next of the values and rates that have been
-/// counted. Steps are large: none is copied on the stack.
+/// Writes the step of joint number `index`, but for what it mimics, with the next of the values and
+/// rates that have been counted. Steps are large: none is copied on the stack.
 pub(crate) fn numbered<R: Real>(
     joint: &Joint<R>,
     index: usize,

@@ -4,14 +4,14 @@ use super::error::UrdfError;
 use super::warning::UrdfWarning;
 use std::borrow::Cow;
 
-/// What bytes are as text.
+/// Bytes as text.
 struct Decoded<'b> {
     text: Cow<'b, str>,
     /// The name of the encoding.
     encoding: &'static str,
-    /// Whether some bytes are not in it.
+    /// `true` if some bytes are not in it.
     failed: bool,
-    /// Whether what is declared is an encoding at all.
+    /// `true` if the name that is declared is that of an encoding.
     is_known: bool,
 }
 
@@ -47,10 +47,11 @@ fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
     Some(Decoded { text, encoding: encoding.name(), failed, is_known: known.is_some() })
 }
 
-/// None in an encoding that is neither UTF-8 nor UTF-16, if it matters in which: text of others is hardly ever UTF-8 by chance.
+/// None in an encoding that is neither UTF-8 nor UTF-16, if it matters in which: text of others is
+/// hardly ever UTF-8 by chance.
 #[cfg(not(feature = "urdf-encodings"))]
 fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
-    // As above, by its byte order mark alone.
+    // A byte order mark counts more than the declaration, as with the feature.
     let declared = declared.trim_ascii();
     let unicode = ["utf-8", "utf8", "utf-16", "utf-16le", "utf-16be"].map(str::as_bytes);
     match bytes {

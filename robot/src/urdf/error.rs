@@ -8,7 +8,8 @@ errors! {
     UrdfError {
         /// The file cannot be read.
         Read { path: String = "Its name.", source: std::io::Error = "Why." } from source => "cannot read {path}: {source}";
-        /// The text is in an encoding other than UTF-8 and UTF-16, which only the feature `urdf-encodings` reads.
+        /// The text is in an encoding other than UTF-8 and UTF-16, which only the feature
+        /// `urdf-encodings` reads.
         Encoding { encoding: String = "What the file declares." }
             => "the file is in the encoding {encoding:?}, which dq8-robot reads with its feature urdf-encodings; save it as UTF-8, or \
                 switch that on";

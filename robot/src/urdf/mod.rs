@@ -71,11 +71,12 @@
 //! joints in links, and numbers as text in `<origin>`, `<axis>`, `<limit>` or `<mimic>`.
 //!
 //! # Text
-//! A file is read in the encoding that it declares ([`Robot::from_bytes`]): UTF-8 and UTF-16, and with the feature
-//! `urdf-encodings` all that browsers know, such as Latin-1. Its XML declaration may come late or twice,
-//! comments may hold any dashes, prefixes need no declaration, and a document type is skipped. Entities other than those
-//! of XML itself are an error, and so are elements more than 500 deep in each other, more than 1,000 attributes of an
-//! element, and names with more than 1,000 prefixes.
+//! A file is read in the encoding that it declares ([`Robot::from_bytes`]): UTF-8 and UTF-16, and
+//! with the feature `urdf-encodings` all that browsers know, such as Latin-1. Its XML declaration
+//! may come late or twice, comments may hold any dashes, prefixes need no declaration, and a
+//! document type is skipped. Entities other than those of XML itself are an error, and so are
+//! elements more than 500 deep in each other, more than 1,000 attributes of an element, and names
+//! with more than 1,000 prefixes.
 
 mod changed;
 mod drive;

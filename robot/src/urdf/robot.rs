@@ -52,11 +52,12 @@ impl Robot {
         Self::from_bytes(&bytes)
     }
 
-    /// From the bytes of a file, in the encoding that it declares: UTF-8, UTF-16 with a byte order mark, or, with the feature
-    /// `urdf-encodings`, any other.
+    /// From the bytes of a file, in the encoding that it declares: UTF-8, UTF-16 with a byte order
+    /// mark, or, with the feature `urdf-encodings`, any other.
     ///
     /// # Errors
-    /// As for [`from_urdf`](Self::from_urdf), or if the encoding is another one and some byte is not ASCII.
+    /// As for [`from_urdf`](Self::from_urdf), or, without the feature, if the text is
+    /// neither ASCII nor UTF-8 and declares another encoding.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, UrdfError> {
         let (text, warning) = encoding::text(bytes)?;
         let mut robot = Self::from_urdf(&text)?;
@@ -182,8 +183,9 @@ impl Robot {
         self.drives_of(JointKind::values).collect()
     }
 
-    /// The greatest speed of each rate, as many as [`Mechanism::rates`]: that of its joint, radians or lengths in a second,
-    /// infinite where the file has none. As Python has it, and pinocchio's `velocityLimit`.
+    /// The greatest speed of each rate, as many as [`Mechanism::rates`]: that of its joint, radians
+    /// or lengths in a second, infinite where the file has none. As Python has it, and pinocchio's
+    /// `velocityLimit`.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;

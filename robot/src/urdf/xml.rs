@@ -74,7 +74,8 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
     out.push_str(rest);
     let unknown: Vec<_> = used.difference(&declared).collect();
     let root = root.unwrap_or_default();
-    // They become attributes of the root, and the strict reader looks through all of them for each name.
+    // They become attributes of the root, and the strict reader looks through all of them for each
+    // name.
     if unknown.len() > ATTRIBUTES {
         let (line, element) = (newlines(&out[..root]).count() as u32 + 1, "<robot>".into());
         let what = format!("its names have more than {ATTRIBUTES} prefixes");

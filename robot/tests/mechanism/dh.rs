@@ -11,7 +11,7 @@ fn shift(x: f64, z: f64) -> DualQuat<f64> {
     DualQuat::from_translation([x, 0.0, z])
 }
 
-/// Which of the rows below slide, as a reader of the table sees it.
+/// The rows below that slide, as a reader of the table sees it.
 const SLIDES: [bool; 4] = [false, true, false, false];
 
 /// θ, d, a, α of hinges and slides.

@@ -6,7 +6,8 @@ use dq8_fixtures::random::Random;
 use dq8_robot::{Body, Joint, OwnedMechanism, World, WorldAligned};
 use nalgebra::{Matrix6, Vector6};
 
-/// Of the volume, to what an entry of the Jacobian to the sixth is: the determinant of matrices loses half of the digits.
+/// The tolerance of the volume, relative to the sixth power of an entry: the determinant of
+/// matrices loses half of the digits.
 const OF_MATRICES: f64 = 1e-7;
 const ROUNDING: f64 = 1e-13;
 
@@ -104,7 +105,7 @@ fn what_is_not_a_number_has_no_manipulability() {
     assert_eq!(columns, [Twist::ZERO; 6]);
 }
 
-/// As whoever climbs to where the arm moves best wants it.
+/// The gradient, as somebody wants it who climbs to where the arm moves best.
 #[test]
 fn dual_numbers_differentiate_manipulability() {
     let joints = crate::reach::seven();

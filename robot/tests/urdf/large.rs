@@ -62,7 +62,8 @@ fn errors_at_the_end_come_as_soon() {
     assert!(error.to_string().starts_with("line 3: more than one <link> is a root"));
 }
 
-/// A strict reader of XML compares each attribute with all others, and each prefix with all that are declared.
+/// A strict reader of XML compares each attribute with all others, and each prefix with all that
+/// are declared.
 #[test]
 fn more_attributes_or_prefixes_than_a_reader_compares_in_time_are_refused_with_their_line() {
     let element = |count: usize| {

@@ -93,7 +93,7 @@ fn unicode_is_read_by_its_byte_order_mark_or_as_it_is_declared() {
         let robot = stands(&file, "tip");
         assert_eq!((robot.name(), robot.warnings()), ("B\u{fc}ro", &[][..]));
     }
-    // Of ASCII alone it does not matter.
+    // The encoding of ASCII does not matter.
     let ascii = format!("<?xml version='1.0' encoding='latin1'?>{}", body());
     assert_eq!(stands(ascii.as_bytes(), "tip").warnings(), []);
 }

@@ -5,7 +5,7 @@ use dq8::representation::RotationTranslation;
 use dq8::scalar::vector;
 use dq8::{DualQuat, fit::PointPairs};
 
-/// How an estimate is laid over its reference before they are compared.
+/// The way in which an estimate is laid over its reference before they are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Align {
     /// Not at all: both are in one frame.

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use dq8::scalar::vector;
 use dq8::{Quat, Real};
 
-/// How far poses or motions of two trajectories are apart, in order of time.
+/// The differences between poses or motions of two trajectories, in order of time.
 #[derive(Clone, Debug)]
 pub struct Errors {
     pub(super) stamps: Vec<f64>,
@@ -44,7 +44,7 @@ impl Errors {
     }
 }
 
-/// What is usually said of errors e₁ … eₙ, under the names of evo. All have the unit of the errors,
+/// The usual figures of errors e₁ … eₙ, under the names of evo. All have the unit of the errors,
 /// but for `sse`, which has its square.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -66,7 +66,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Of at least one error.
+    /// Figures of at least one error.
     fn new(errors: &[f64]) -> Self {
         let count = errors.len() as f64;
         let mut sorted = errors.to_vec();

@@ -1,4 +1,4 @@
-/// How far the two poses are from each other between which motions are compared. The next step
+/// The distance between the two poses of each motion that is compared. The next step
 /// begins where the last one ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {

@@ -11,20 +11,20 @@ use dq8::representation::Polar;
 use dq8::{DualQuat, Quat};
 use std::path::Path;
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Recording {
     /// The poses at their stamps.
     pub trajectory: OwnedTrajectory,
-    /// What was put right, each kind once.
+    /// The faults that were put right, each kind once.
     pub warnings: Vec<Warning>,
 }
 
 /// Larger numbers overflow in products.
 const LARGEST: f64 = 1e300;
 
-/// What is off by more than this was not rounded when it was printed.
+/// A number that is off by more than this was not merely rounded when it was printed.
 const ROUNDED: f64 = 1e-3;
 
 /// Reads a file of the format that its first line with numbers is of.
@@ -37,7 +37,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Recording, FileError> {
     Format::of(&text)?.poses(&text)
 }
 
-/// What is no UTF-8 may stand in comments.
+/// Bytes that are no UTF-8 may stand in comments.
 fn decoded(bytes: &[u8]) -> Cow<'_, str> {
     // Quicker than the other one, which would do as well.
     core::str::from_utf8(bytes).map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed)

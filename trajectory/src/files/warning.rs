@@ -1,6 +1,6 @@
 use core::fmt::{Display, Formatter, Result};
 
-/// What a file has that was put right. Each kind is said once for a file, with the first line,
+/// A fault of a file that was put right. Each kind is said once for a file, with the first line,
 /// counted from one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]

@@ -36,7 +36,7 @@ impl Format {
         }
         for (&stamp, pose) in path.stamps().iter().zip(path.poses()) {
             let ([tx, ty, tz], [x, y, z, w]) = (pose.translation(), pose.rotation().to_array());
-            // Of the shortest texts that give the same number, `Debug` takes exponents for long
+            // `Debug` gives the shortest text that is the same number; it takes exponents for long
             // ones.
             match self {
                 Self::Tum => {

@@ -1,4 +1,4 @@
-//! Where one frame is in another at many times: some dozens of times at once, edge after edge.
+//! The pose of one frame in another at many times: some dozens of times at once, edge after edge.
 //!
 //! # The algorithm
 //!
@@ -19,7 +19,7 @@ use dq8::simd::Block;
 use dq8::storage::{AoSoA, Element, Layout, Number, same_length};
 use dq8::{Backend, DualQuat, Real};
 
-/// As many motions as AVX-512 has lanes, in which nothing has to be transposed.
+/// A block of as many motions as AVX-512 has lanes: nothing has to be transposed in it.
 type Eight = Block<[f64; EIGHT], 8>;
 
 /// The blocks that are computed at once: three times 8 KiB.

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use dq8::scalar::lie_bracket;
 use dq8::{DualQuat, Twist};
 
-/// How a [`Spline`] goes by its control poses.
+/// The way in which a [`Spline`] goes by its control poses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Basis {
     /// A B-spline, which goes near them: twist and acceleration are continuous.
@@ -70,12 +70,12 @@ pub struct Moving {
     /// ω with σ̇ = ½σω, for one second: angular in radians per second, linear in metres per second,
     /// of the origin of the body, in its axes.
     pub twist: Twist<f64>,
-    /// How fast that twist changes in a second. (The acceleration of the origin of the body is
+    /// The change of that twist in a second. (The acceleration of the origin of the body is
     /// its linear part plus angular × linear of the twist.)
     pub acceleration: Twist<f64>,
 }
 
-/// How a pose of a spline answers to its control poses: [`Spline::jacobians`].
+/// The derivatives of a spline's pose by its control poses: [`Spline::jacobians`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Jacobians {
@@ -85,7 +85,7 @@ pub struct Jacobians {
     pub matrices: [[[f64; 6]; 6]; 4],
 }
 
-/// Where a time is: the number of the first of its four control poses, and u.
+/// The place of a time: the number of the first of its four control poses, and u.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub(super) first: usize,
@@ -173,8 +173,8 @@ impl Spline {
         Moving { pose, twist, acceleration }
     }
 
-    /// How the pose σ at a time answers to the control poses: where each σₖ of four changes to
-    /// σₖ exp(½δₖ), it becomes σ exp(½ΣJₖδₖ), but for squares of δ. All in body frames.
+    /// The derivatives of the pose σ at a time by the control poses: where each σₖ of four changes
+    /// to σₖ exp(½δₖ), it becomes σ exp(½ΣJₖδₖ), but for squares of δ. All in body frames.
     ///
     /// With Bⱼ = Ad(exp(−½λ₃ξ₃) … exp(−½λⱼ₊₁ξⱼ₊₁)) λⱼ J_r(λⱼξⱼ) they are Jₖ = Bₖ J_r⁻¹(ξₖ) − Bₖ₊₁
     /// J_l⁻¹(ξₖ₊₁), where B₄ = 0, and the first term of J₀ is the adjoint of all three factors.

@@ -46,7 +46,7 @@ fn what_a_goal_does_not_ask_for_is_free() {
     for left in left(Goal::orientation(7), |_| at(9.0, -7.0, 5.0)) {
         assert!(apart(left, none)[0] < REACHED);
     }
-    // What weighs little is asked for all the same.
+    // A goal of little weight is asked for all the same.
     for left in left(Goal::pose(7).weighing(0.3, 0.3), |_| none) {
         let [turn, distance] = apart(left, none);
         assert!(turn < REACHED && distance < REACHED, "{left}");

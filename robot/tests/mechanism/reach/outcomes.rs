@@ -19,8 +19,8 @@ fn beyond_the_length_of_the_arm_is_out_of_reach_and_the_arm_points_there() {
     assert!(x.abs() < 0.1 && y > 1.99, "{x} {y}");
 }
 
-/// An arm that is as far from the base as it gets weighs a turn against the lengths of its links, and not against the way
-/// that is missing.
+/// An arm that is as far from the base as it gets weighs a turn against the lengths of its links,
+/// and not against the way that is missing.
 #[test]
 fn how_far_beyond_reach_a_pose_is_does_not_change_what_comes_nearest() {
     let arm = problem(&planar(&[1.0, 1.0, 0.5]), [Goal::pose(3)]);

@@ -54,6 +54,6 @@ fn the_scratch_of_a_chain_is_that_of_its_mechanism() {
         let reach = OwnedReach::new(arm, Goal::pose(values)).expect("a problem");
         assert_eq!(reach.view().scratch_len(), Reach::<f64>::chain_scratch_bound(values, 1));
     }
-    // As the guide says.
+    // The guide says so.
     assert_eq!((SEVEN, Reach::<f32>::chain_scratch_bound(7, 1)), (227, 235));
 }

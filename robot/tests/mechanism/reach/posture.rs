@@ -100,7 +100,8 @@ fn a_planar_arm_goes_as_near_to_the_posture_as_its_point_allows() {
     }
 }
 
-/// The way to a posture that no values at the target have ends with the first step of less than 10⁻⁴ rad.
+/// The way to a posture that no values at the target have ends with the first step of less than
+/// 10⁻⁴ rad.
 #[test]
 fn a_search_for_a_posture_ends_where_next_to_nothing_moves() {
     let reach = problem(&planar(&[0.5; 3]), [Goal::position(3)]);

@@ -144,8 +144,8 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
     }
 }
 
-/// A posture without a weight takes what the goals leave free, also of what tracks. Its own tip is the target here, so that
-/// the posture itself is the only answer that is right.
+/// A posture without a weight takes what the goals leave free, also of what tracks. Its own tip is
+/// the target here, so that the posture itself is the only answer that is right.
 #[test]
 fn a_posture_without_a_weight_takes_what_is_free_while_tracking() {
     let posture = [0.3, 0.5, -0.4, 0.8];
@@ -160,8 +160,9 @@ fn a_posture_without_a_weight_takes_what_is_free_while_tracking() {
     assert!(near(&values, &posture, SETTLED), "{values:?}");
 }
 
-/// The options cannot make it begin again, which would leave the values where the last frame had them. A clip of one frame
-/// takes restarts out by itself, so that it has the right answer; many of these searches get stuck.
+/// The options cannot make it begin again, which would leave the values where the last frame had
+/// them. A clip of one frame takes restarts out by itself, so that it has the right answer; many of
+/// these searches get stuck.
 #[test]
 fn tracking_never_begins_again_whatever_the_options_say() {
     let reach = problem(&seven(), [Goal::pose(7)]);

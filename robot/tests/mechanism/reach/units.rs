@@ -106,14 +106,16 @@ fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
     }
 }
 
-/// Where something slides without end, a radian weighs as much as an eighth of the way that it has to go: how far an arm of
-/// length 1 turns to be half a metre to the side, without being asked to turn, tells which length that is.
+/// Where something slides without end, a radian weighs as much as an eighth of the way that it has
+/// to go: how far an arm of length 1 turns to be half a metre to the side, without being asked to
+/// turn, tells which length that is.
 #[test]
 fn what_slides_without_end_weighs_lengths_by_the_way_that_it_has_to_go() {
     let (here, aside) = (DualQuat::IDENTITY, 0.5);
     let options = Options { restarts: false, ..Options::default() };
     let square = (40.0_f64 / 8.0).powi(2);
-    // θ² + (sin θ − d)²/L² of an arm, and of two goals of a body 2θ² + ((d − sin θ)² + (1 − cos θ)²)/(2L²), have no slope.
+    // θ² + (sin θ − d)²/L² of an arm, and of two goals of a body 2θ² + ((d − sin θ)² + (1 − cos
+    // θ)²)/(2L²), have no slope.
     let check =
         |joints: &[Joint<f64>], goals: &[Goal<f64>], start: &[f64], turn: &dyn Fn(_) -> f64| {
             let reach = problem(joints, goals.to_vec());

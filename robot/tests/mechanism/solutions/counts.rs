@@ -178,7 +178,8 @@ fn families_are_recognised_and_every_solution_is_at_the_target_to_the_rounding_o
     at_targets::<f32>(4e-6);
 }
 
-/// Arms of each kind of which no two axes that follow each other are square or parallel, but for those that must be.
+/// Arms of each kind of which no two axes that follow each other are square or parallel, but for
+/// those that must be.
 fn oblique() -> [(&'static str, Plan<6>, Family); 3] {
     let (home, wrist) = ((X, 0.4, [1.0, 0.3, 0.9]), [0.7, 0.2, 0.9]);
     let [a, b, c] = [[0.0, 0.6, 0.8], [0.6, 0.8, 0.0], [0.8, 0.0, 0.6]];
@@ -210,7 +211,7 @@ fn oblique_arms_have_the_values_of_every_pose_among_their_solutions() {
     }
 }
 
-/// Where an axis points the other way, its values are the negatives, and nothing else changes.
+/// An axis that points the other way has negated values, and nothing else changes.
 #[test]
 fn an_axis_the_other_way_has_the_negated_values() {
     for (name, plan, family) in families() {

@@ -174,7 +174,7 @@ fn solutions_at_a_limit_are_within_it() {
     }
 }
 
-/// Where only values beyond a limit reach a target, those at the limit are no solution.
+/// Values at a limit are no solution if only those beyond it reach the target.
 #[test]
 fn just_beyond_a_limit_nothing_stops_at_it() {
     let (at, by, mut random) = (1.234_567, 5e-8, Random(6));

@@ -43,7 +43,8 @@ fn arms_nearly_of_a_family_have_what_many_starts_find_and_it_is_not_said_to_be_a
     assert!(all >= 4_130 && first >= 597, "{all}, and {first} of 600");
 }
 
-/// Angles of less than a roundoff's root from where two solutions are one, where what the arm misses is amplified the most.
+/// Angles of less than a roundoff's root from where two solutions are one, where what the arm
+/// misses is amplified the most.
 #[test]
 fn what_is_found_of_arms_that_miss_a_family_by_less_than_a_fit_is_at_the_target() {
     let (mut random, mut found_of_all) = (Random(29), 0);
