@@ -5,8 +5,8 @@
 //! cargo run --release --example conform -- FILE.jsonl
 //! ```
 //!
-//! Errors are relative to max(1, |t|), |t| the largest translation among inputs and result. The exit
-//! code is 1 if a bound is broken or a row cannot be read.
+//! Errors are relative to max(1, |t|), |t| the largest translation among inputs and result. The
+//! exit code is 1 if a bound is broken or a row cannot be read.
 
 use dq8_contract::conformance::{Worst, worst_errors};
 use dq8_contract::implementation::implementations;

@@ -1,4 +1,5 @@
-//! A sleeve over an elbow: a mesh in arrays follows two joints, by linear and dual quaternion blends.
+//! A sleeve over an elbow: a mesh in arrays follows two joints, by linear and dual quaternion
+//! blends.
 //!
 //! ```sh
 //! cargo run --release --example skinning

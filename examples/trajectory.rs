@@ -1,4 +1,5 @@
-//! A tracker gives noisy poses at irregular times, with signs that flip. Wanted: smooth poses at 100 Hz, and velocities.
+//! A tracker gives noisy poses at irregular times, with signs that flip. Wanted: smooth poses at
+//! 100 Hz, and velocities.
 //!
 //! ```sh
 //! cargo run --release --example trajectory
@@ -13,7 +14,8 @@ fn screw(seconds: f64) -> DualQuat<f64> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // What the tracker says: about 60 poses per second, errors of about a milliradian and a millimetre.
+    // What the tracker says: about 60 poses per second, errors of about a milliradian and a
+    // millimetre.
     let times: Vec<_> =
         (0..200).map(|i| f64::from(i) / 60.0 + 0.002 * f64::from(i).sin()).collect();
     let measured = |(i, &time): (usize, &f64)| {
@@ -22,7 +24,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         if i % 7 == 0 { -pose } else { pose } // σ and −σ are the same motion
     };
     let poses: Vec<_> = times.iter().enumerate().map(measured).collect();
-    // The intrinsic mean of every nine; then 100 Hz, on the screw between neighbours, and how fast it goes there.
+    // The intrinsic mean of every nine; then 100 Hz, on the screw between neighbours, and how fast
+    // it goes there.
     let (backend, mut smooth) = (Backend::best(), vec![DualQuat::IDENTITY; poses.len() - 8]);
     let converged = backend.dib_windows(&poses, &[1.0; 9], 1e-12, 16, &mut smooth)?;
     let at: Vec<_> = (10..300).map(|i| f64::from(i) / 100.0).collect();

@@ -1,8 +1,8 @@
 //! Sets `cfg(opt_level_0)`, as the build script of dq8 does, which says why.
 //!
-//! The tests of this repository optimise the lanes a little and call them all the same: that is twice as quick as to call what
-//! is not optimised, and compiles no longer. They say so by `DQ8_CALLED_LANES`, because whoever else builds with
-//! `opt-level = 1` wants kernels inlined.
+//! The tests of this repository optimise the lanes a little and call them all the same: that is
+//! twice as quick as to call what is not optimised, and compiles no longer. They say so by
+//! `DQ8_CALLED_LANES`, because whoever else builds with `opt-level = 1` wants kernels inlined.
 
 use std::env::var;
 

@@ -1,4 +1,5 @@
-//! `Debug` of what holds many numbers: on a line, how many of what. Whoever prints a struct that holds a clip wants to read it.
+//! `Debug` of what holds many numbers: on a line, how many of what. Whoever prints a struct that
+//! holds a clip wants to read it.
 
 /// `Debug` for each type: its name, and names with values.
 #[doc(hidden)]

@@ -1,7 +1,8 @@
 //! Errors as lists: of each what it is, what it names, and what it says.
 
-/// An enum of errors. Each has documentation and a message, and fields, documented too, that the message names; one that has another
-/// error as its cause holds it, is made from it, and has it as its source; so has one that says `from` one of its fields.
+/// An enum of errors. Each has documentation and a message, and fields, documented too, that the
+/// message names; one that has another error as its cause holds it, is made from it, and has it as
+/// its source; so has one that says `from` one of its fields.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __errors {

@@ -3,8 +3,8 @@
 use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
-/// A law by which poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions, [`NlerpLerp`] for
-/// rotations and translations. Sealed.
+/// A law by which poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions,
+/// [`NlerpLerp`] for rotations and translations. Sealed.
 pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::Sealed {
     /// From `a` (t = 0) to `b` (t = 1).
     #[must_use]
@@ -31,12 +31,12 @@ pub struct Nlerp;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sclerp;
 
-/// The law of animation engines, rotations and translations apart: rotations normalize((1−t)a ± tb) by the
-/// shorter way, translations (1−t)a + tb. A joint goes straight from one place to the other, however it
-/// turns.
+/// The law of animation engines, rotations and translations apart: rotations normalize((1−t)a ±
+/// tb) by the shorter way, translations (1−t)a + tb. A joint goes straight from one place to the
+/// other, however it turns.
 ///
-/// Differences stand to the left, as in ozz-animation and Unreal: rotation nlerp(1, delta, weight) · base,
-/// translation base + weight · delta.
+/// Differences stand to the left, as in ozz-animation and Unreal: rotation nlerp(1, delta, weight)
+/// · base, translation base + weight · delta.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NlerpLerp;
 

@@ -48,9 +48,9 @@
 //! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
 //! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
-//! kernel](crate::guide::kernel), [clips](crate::guide::clips), [accuracy](crate::guide::accuracy), [the same bits
-//! everywhere](crate::guide::reproducible), [firmware](crate::guide::firmware), and [coming from another
-//! library](crate::guide::migration).
+//! kernel](crate::guide::kernel), [clips](crate::guide::clips), [accuracy](crate::guide::accuracy),
+//! [the same bits everywhere](crate::guide::reproducible), [firmware](crate::guide::firmware), and
+//! [coming from another library](crate::guide::migration).
 //!
 //! What most programs need is at the root; everything else is in its module alone.
 //!
@@ -65,18 +65,20 @@
 //! | `rayon` | | `threads` of every job and of [`Backend`]: any number of them, and the same bits |
 //! | `serde`, `rkyv_08`, `mint_05`, `glam_034`, `nalgebra_035`, `approx_05`, `rand_010`, `arbitrary`, `proptest`, `defmt` | | types of other crates: see [`interop`] |
 //!
-//! Unit length is a precondition that nothing checks by default. `RUSTFLAGS="--cfg dq8_debug_assert_unit"` makes debug
-//! builds panic where [`DualQuat`] and [`Quat`] are plainly not unit, as [`Motion`](crate::Motion#where-unit-length-is-a-precondition)
-//! says. It is a flag of the whole build and not a feature: a feature that one dependency enables would let all others panic.
+//! Unit length is a precondition that nothing checks by default.
+//! `RUSTFLAGS="--cfg dq8_debug_assert_unit"` makes debug builds panic where [`DualQuat`] and
+//! [`Quat`] are plainly not unit, as [`Motion`](crate::Motion#where-unit-length-is-a-precondition)
+//! says. It is a flag of the whole build and not a feature: a feature that one dependency enables
+//! would let all others panic.
 //!
 //! Without `std` only `core` is linked (and `alloc` if asked for). No operation on borrowed memory
 //! allocates.
 //!
 //! # Not here
 //!
-//! Scale and shear in hierarchies: they are not rigid motions, and dual quaternions cannot hold them
-//! ([`Affine`](representation::Affine) has the reason). A skeleton that needs them keeps them next to the motion; [`skinning`] takes
-//! them from there.
+//! Scale and shear in hierarchies: they are not rigid motions, and dual quaternions cannot hold
+//! them ([`Affine`](representation::Affine) has the reason). A skeleton that needs them keeps them
+//! next to the motion; [`skinning`] takes them from there.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
@@ -121,8 +123,9 @@ pub mod skinning;
 pub mod slices;
 pub mod storage;
 
-/// The number of the set of bits that [reproducible](crate::guide::reproducible) results have: a minor release raises it
-/// when they change, a patch release changes none. Machines that compute in lockstep compare it.
+/// The number of the set of bits that [reproducible](crate::guide::reproducible) results have: a
+/// minor release raises it when they change, a patch release changes none. Machines that compute in
+/// lockstep compare it.
 pub const BITS: u32 = 2;
 
 /// The front page is tested like the documentation.

@@ -1,4 +1,5 @@
-//! [`PaletteEntry`]: the forms in which motions are handed out, and [`MatrixOrder`]; and how they come in.
+//! [`PaletteEntry`]: the forms in which motions are handed out, and [`MatrixOrder`]; and how they
+//! come in.
 
 use crate::batch;
 use crate::storage::{Element, Register, Tile, identity};
@@ -10,15 +11,17 @@ pub enum MatrixOrder {
     /// Row after row: HLSL `row_major`, C arrays, `[[R; 4]; 3]` as used everywhere in this crate.
     #[default]
     Rows,
-    /// Column after column: GLSL, WGSL, glam and nalgebra. For matrices that others read: dq8 itself reads rows.
+    /// Column after column: GLSL, WGSL, glam and nalgebra. For matrices that others read: dq8
+    /// itself reads rows.
     Columns,
 }
 
-/// An element of a skinning palette: a motion (`C` = 8), a 3×4 matrix (12), or a 4×4 matrix with the row
-/// 0 0 0 1 (16); one thing or a block of them, as the models are. Sealed, like [`Element`].
+/// An element of a skinning palette: a motion (`C` = 8), a 3×4 matrix (12), or a 4×4 matrix with
+/// the row 0 0 0 1 (16); one thing or a block of them, as the models are. Sealed, like [`Element`].
 ///
-/// Plain matrices are `[[f32; 4]; 3]` and `[[f32; 4]; 4]` by rows. By columns a 4×4 matrix is `[[f32; 4]; 4]` too; for the
-/// twelve numbers of a 3×4 matrix take `[f32; 12]`, so that nobody reads them as rows.
+/// Plain matrices are `[[f32; 4]; 3]` and `[[f32; 4]; 4]` by rows. By columns a 4×4 matrix is
+/// `[[f32; 4]; 4]` too; for the twelve numbers of a 3×4 matrix take `[f32; 12]`, so that nobody
+/// reads them as rows.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no entry of a palette",
     note = "motions (`DualQuat`), 3×4 matrices (`[[f32; 4]; 3]` by rows, `[f32; 12]` by columns) and 4×4 matrices \

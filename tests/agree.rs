@@ -175,7 +175,8 @@ fn every_implementation_runs_that_the_machine_can_run() {
 /// What operations with a mask take: to draw all numbers of a case takes several times as long.
 fn any_case(single: bool) -> impl Strategy<Value = Case> {
     let motion = || prop::array::uniform8(inputs::any_number(single, 8));
-    // None that a number of a motion is too: where a norm is as large as the tolerance, either is right.
+    // None that a number of a motion is too: where a norm is as large as the tolerance, either is
+    // right.
     let no_tolerance = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY].to_vec();
     let tolerance = prop_oneof![-2.0..2.0_f64, prop::sample::select(no_tolerance)];
     (motion(), motion(), tolerance).prop_map(|(a, b, tolerance)| Case {

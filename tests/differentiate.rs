@@ -153,7 +153,8 @@ fn order_is_that_of_an_infinitesimal() {
     assert_eq!(Dual::new(1.5, -2.0).to_string(), "(1.5 + -2ε)");
 }
 
-/// ε₁ε₂ is positive and smaller than ε₁, that smaller than ε₂, and that than every number; all parts are seen.
+/// ε₁ε₂ is positive and smaller than ε₁, that smaller than ε₂, and that than every
+/// number; all parts are seen.
 #[test]
 fn order_is_that_of_infinitesimals_of_infinitesimals_too() {
     // A number, ε₂, ε₁, ε₁ε₂.

@@ -1,6 +1,6 @@
-//! The quicker forms that floats have of the textbook reference, where a table of operations cannot reach:
-//! at every size, in what is not finite, far outside [0, 1]. (`agree` and `oracle` hold floats against the
-//! reference, and both against 60 digits, for every operation.)
+//! The quicker forms that floats have of the textbook reference, where a table of operations cannot
+//! reach: at every size, in what is not finite, far outside [0, 1]. (`agree` and `oracle` hold
+//! floats against the reference, and both against 60 digits, for every operation.)
 
 use dq8::{DualQuat, Quat, Real};
 use dq8_contract::bound::unit_roundoff;
@@ -8,8 +8,8 @@ use dq8_contract::inputs;
 use dq8_contract::textbook::Textbook;
 use proptest::prelude::*;
 
-/// Quicker forms leave large and small numbers to the reference: at each size, on both sides of where
-/// they do, a motion is the same up to rounding, and what has no answer has none.
+/// Quicker forms leave large and small numbers to the reference: at each size, on both sides of
+/// where they do, a motion is the same up to rounding, and what has no answer has none.
 #[test]
 fn normalization_and_inverse_are_the_same_at_every_size() {
     fn compare<F: Real>(largest: i32, step: usize) {
@@ -70,7 +70,8 @@ fn small_dual_parts_keep_their_digits_beside_every_real_part() {
                 let size = wanted.dual().norm();
                 let pairs = got.dual().to_array().into_iter().zip(wanted.dual().to_array());
                 for (got, wanted) in pairs {
-                    // And below the normal numbers some steps of the smallest number, of what q is over |p|.
+                    // And below the normal numbers some steps of the smallest number, of what q is
+                    // over |p|.
                     let digits = 1e-6 + 32.0 * 1.4e-45 * p / q;
                     let off = (f64::from(got) - wanted).abs();
                     assert!(off <= size * digits, "{got:e}, {wanted:e} of {sized:?}");

@@ -1,6 +1,6 @@
-//! Turns as far as numbers go: a motion on lanes is unit or, beyond the documented half angle, NaN in every
-//! component; never anything between. Up to there it is that of the scalar reference. Only between ends that are close
-//! do lanes keep what these lack of unit length.
+//! Turns as far as numbers go: a motion on lanes is unit or, beyond the documented half angle, NaN
+//! in every component; never anything between. Up to there it is that of the scalar reference. Only
+//! between ends that are close do lanes keep what these lack of unit length.
 
 use dq8::storage::{Aos, Element};
 use dq8::{Backend, DualQuat, Quat, Real, Scalar, Twist, scalar::MatrixError};
@@ -39,8 +39,8 @@ fn radian() -> DualQuat<f64> {
     DualQuat::from_rotation_translation(Quat::from_axis_angle(AXIS, 2.0), MOMENT)
 }
 
-/// Of whole operations; up to there `exp` is what the textbook makes of it, and `differential_fuzz` holds the others to the
-/// scalar path.
+/// Of whole operations; up to there `exp` is what the textbook makes of it, and `differential_fuzz`
+/// holds the others to the scalar path.
 #[test]
 fn lanes_turn_as_far_as_numbers_are_known_and_no_farther() {
     let identity = DualQuat::IDENTITY.to_array();
@@ -68,7 +68,8 @@ fn lanes_turn_as_far_as_numbers_are_known_and_no_farther() {
                 ("integrate_spatial", power),
                 ("integrate_body", power),
             ] {
-                // Twice the half angle may be infinite, and the reference of single numbers knows every angle.
+                // Twice the half angle may be infinite, and the reference of single numbers knows
+                // every angle.
                 let is_number = 2.0 * half < largest(on.single);
                 let lanes = on.name.starts_with("lanes");
                 if !matches!(name, "exp" | "pow" | "sclerp" | "sclerp_long") && !is_number
@@ -148,7 +149,8 @@ fn slices_turn_as_far_on_every_backend() {
     every_backend_ends_at_the_same_parameter::<f64>();
 }
 
-/// An infinite tolerance takes any matrix of finite numbers whose products are finite, and no other.
+/// An infinite tolerance takes any matrix of finite numbers whose products are finite, and no
+/// other.
 #[test]
 fn no_tolerance_makes_a_motion_of_what_is_not_finite() {
     let (inf, nan) = (f32::INFINITY, f32::NAN);
@@ -201,8 +203,8 @@ fn has_parameter(operation: &Operation) -> bool {
     answer.numbers.len() == 8 && of(Domain::Unit, 8) && of(Domain::Other, 1)
 }
 
-/// Of all operations of the table, by every implementation: ends close together and far apart, and parameters from
-/// half to the largest number, of either sign.
+/// Of all operations of the table, by every implementation: ends close together and far apart, and
+/// parameters from half to the largest number, of either sign.
 #[test]
 fn every_operation_with_a_parameter_is_unit_or_nan_however_far_it_goes() {
     let operations: Vec<_> = OPERATIONS.iter().filter(|&each| has_parameter(each)).collect();
@@ -250,8 +252,9 @@ fn judge(on: On, operation: &Operation, case: &Case, half: f64, motion: [f64; 8]
     let Operation { name, .. } = operation;
     let squared: f64 = motion[..4].iter().map(|c| c * c).sum();
     if squared.is_nan() {
-        // NaN where the half angle is beyond the limit or the square of t is infinite, and of NLERP of equal ends, whose
-        // weights cancel. The parameter of the last screw of `squad` grows with t², and its turn with t.
+        // NaN where the half angle is beyond the limit or the square of t is infinite, and of NLERP
+        // of equal ends, whose weights cancel. The parameter of the last screw of `squad` grows
+        // with t², and its turn with t.
         let t = 2.0 * case.t.abs() + 1.0;
         let t = if *name == "squad" { t.powi(3) } else { t };
         let limit = largest_half_angle(on.single);
@@ -269,8 +272,9 @@ fn judge(on: On, operation: &Operation, case: &Case, half: f64, motion: [f64; 8]
         );
         return;
     }
-    // Two ends differ in length by half a unit of the last place at most. Lanes turn in the plane of the two as they
-    // are, so that it counts |τ| times, until the turn is a radian. The third screw of `squad` has such ends.
+    // Two ends differ in length by half a unit of the last place at most. Lanes turn in the plane
+    // of the two as they are, so that it counts |τ| times, until the turn is a radian. The third
+    // screw of `squad` has such ends.
     let tau = (2.0 * case.t - 1.0).abs();
     let tau = if *name == "squad" { tau.powi(3) } else { tau };
     let by_the_book = on.name.starts_with("textbook") || on.name.starts_with("scalar");

@@ -7,7 +7,8 @@ use dq8::{scalar::MatrixError, skinning::SkinningError};
 
 /// A product with the inverse, in `f32` on its own scale.
 const IN_SINGLE: f32 = 1e-6;
-/// Between what is unit here, to a few units of the last place, and what is a thousandth away from it.
+/// Between what is unit here, to a few units of the last place, and what is a thousandth away from
+/// it.
 const NEARLY: f32 = 1e-5;
 
 /// What somebody may give who has made a mistake.

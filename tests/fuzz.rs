@@ -1,6 +1,6 @@
-//! Random calls of public functions with anything: no panic, refusals that write nothing, and answers that
-//! two ways of computing agree on. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED`
-//! from where; a failure names the seed of its round.
+//! Random calls of public functions with anything: no panic, refusals that write nothing, and
+//! answers that two ways of computing agree on. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by
+//! default), `DQ8_FUZZ_SEED` from where; a failure names the seed of its round.
 
 use dq8::storage::{self, Block};
 use dq8::{
@@ -71,8 +71,8 @@ impl Fuzz {
     }
 }
 
-/// Single operations on anything: those that promise more than not to panic, which `differential_fuzz` tries of all in the
-/// tables, and those that are in none.
+/// Single operations on anything: those that promise more than not to panic, which
+/// `differential_fuzz` tries of all in the tables, and those that are in none.
 fn operations(fuzz: &mut Fuzz) {
     let (a, v, w) = (fuzz.any(), fuzz.numbers::<3>(), fuzz.numbers::<3>());
     let _ = black_box(a.to_cols_array_2d());
@@ -104,7 +104,8 @@ fn operations(fuzz: &mut Fuzz) {
     fuzz.called(8);
 }
 
-/// Text of a motion with a few characters changed: refused, or numbers that are written and read again as they are.
+/// Text of a motion with a few characters changed: refused, or numbers that are written and read
+/// again as they are.
 fn texts(fuzz: &mut Fuzz) {
     let mut text: Vec<char> = fuzz.any().to_string().chars().collect();
     for _ in 0..fuzz.below(4) {

@@ -1,4 +1,5 @@
-//! What other crates own comes in and goes out with the same meaning: each by what it does to a point.
+//! What other crates own comes in and goes out with the same meaning: each by what it does to a
+//! point.
 #![allow(dead_code, unused_imports, reason = "each feature has its own tests")]
 
 use dq8::{DualQuat, Quat, Twist, representation::RotationTranslation, scalar::MatrixError};

@@ -1,5 +1,6 @@
-//! The laws in the documentation of [`Motion`](dq8::Motion), on every implementation: for what, on which
-//! scale, how far the two sides may lie apart, and why. Those of twists are in `differential/law.rs`.
+//! The laws in the documentation of [`Motion`](dq8::Motion), on every implementation: for what, on
+//! which scale, how far the two sides may lie apart, and why. Those of twists are in
+//! `differential/law.rs`.
 
 use dq8::{Line, Plane};
 use dq8_contract::bound::Kind;
@@ -174,7 +175,8 @@ laws! {
             .and(Sides::reals(Kind::Length, &[plane.offset], &[plane_twice.offset]))
     }
 
-    /// The motion's own algebra, of which the operations on points, directions and lines are short forms.
+    /// The motion's own algebra, of which the operations on points, directions and lines are short
+    /// forms.
     #[test]
     fn points_and_lines_move_by_the_sandwich_product(x) -> "σ(1 + εv)σ⋄, σ(l + εm)σ*", for inputs::unit_cases(), law::unit,
         within 17.0, "two products against one rotation and a translation" {

@@ -1,5 +1,5 @@
-//! The limit of backends, which the C ABI has instead of backends to pass. It is for the whole process, so
-//! this is one test in a binary of its own.
+//! The limit of backends, which the C ABI has instead of backends to pass. It is for the whole
+//! process, so this is one test in a binary of its own.
 
 use dq8::simd::Row;
 use dq8::storage::{Aos, Block, Element, pack, pack_chain, unpack, unpack_chain};
@@ -16,7 +16,8 @@ fn poses(instances: usize) -> Vec<DualQuat<f64>> {
     (0..instances * PARENTS.len()).map(pose).collect()
 }
 
-/// Numbers are where the layout says, for everything that blocks hold, any number of instances and segments.
+/// Numbers are where the layout says, for everything that blocks hold, any number of instances and
+/// segments.
 fn packed_by_the_best() {
     fn of<R: Scalar, const N: usize, const C: usize>()
     where

@@ -1,4 +1,5 @@
-//! Known answers, computed with 60 digits, against every implementation under the accuracy contract.
+//! Known answers, computed with 60 digits, against every implementation under the accuracy
+//! contract.
 
 use dq8_contract::bound::find;
 use dq8_contract::conformance::worst_errors;

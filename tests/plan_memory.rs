@@ -1,5 +1,5 @@
-//! Plans in memory of the caller's: the order is that of list scheduling, the models are those of a skeleton, and what is
-//! no order of these parents is refused.
+//! Plans in memory of the caller's: the order is that of list scheduling, the models are those of a
+//! skeleton, and what is no order of these parents is refused.
 
 use dq8::hierarchy::{Plan, PlanScratch};
 use dq8::{DualQuat, Hierarchy, ShapeError, Skeleton};
@@ -34,8 +34,8 @@ fn motions(count: usize) -> Vec<DualQuat<f32>> {
     (0..count).map(one).collect()
 }
 
-/// Time step by time step, with a look at all joints in each: those whose parent has been begun long enough, and of them
-/// the one with the longest way down, the first among equals.
+/// Time step by time step, with a look at all joints in each: those whose parent has been begun
+/// long enough, and of them the one with the longest way down, the first among equals.
 fn list_scheduling(parents: &[u32]) -> Vec<[u32; 2]> {
     let mut heights = vec![0; parents.len()];
     for (joint, &parent) in parents.iter().enumerate().rev() {

@@ -1,5 +1,5 @@
-//! A `Skeleton` computes what its `Hierarchy` does, with every form of locals, root and palette, whatever
-//! the order and the type of its parents.
+//! A `Skeleton` computes what its `Hierarchy` does, with every form of locals, root and palette,
+//! whatever the order and the type of its parents.
 
 use dq8::hierarchy::Locals;
 use dq8::{
@@ -319,7 +319,8 @@ fn parents_of_every_type_mean_the_same_and_what_is_no_tree_is_refused() {
     assert_eq!(Skeleton::sorted(&deep).unwrap().1[0], 99_999);
 }
 
-/// A plan multiplies a chain in segments, in another order: for one instance alone, never for one of several.
+/// A plan multiplies a chain in segments, in another order: for one instance alone, never for one
+/// of several.
 #[test]
 fn instances_of_a_chain_have_the_same_bits_wherever_they_stand() {
     let chain: Vec<u32> = (0..24).map(|joint: u32| joint.wrapping_sub(1)).collect();

@@ -1,5 +1,6 @@
-//! How deep the stack of a debug build gets: without optimisation each value of a kernel, and of what it inlines, has a
-//! place of its own. `dq8::guide::firmware` states the bounds that are tested here; an overflow ends the test program.
+//! How deep the stack of a debug build gets: without optimisation each value of a kernel, and of
+//! what it inlines, has a place of its own. `dq8::guide::firmware` states the bounds that are
+//! tested here; an overflow ends the test program.
 #![cfg(not(target_family = "wasm"))]
 
 use dq8_contract::stack::{pose, within};

@@ -168,8 +168,8 @@
 #define DQ8_VERSION_PATCH 0
 
 /**
- * What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index such as `bad_joint` or
- * `bad_vertex`, the steps that were to be a mechanism, and scratch.
+ * What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index
+ * such as `bad_joint` or `bad_vertex`, the steps that were to be a mechanism, and scratch.
  */
 enum dq8_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -189,8 +189,8 @@ enum dq8_status
    */
   DQ8_STATUS_MISALIGNED = 2,
   /**
-   * An output overlaps an input, be it an array or one thing, or another output, and is not exactly the array that
-   * it may be.
+   * An output overlaps an input, be it an array or one thing, or another output, and is not
+   * exactly the array that it may be.
    */
   DQ8_STATUS_OVERLAP = 3,
   /**
@@ -198,8 +198,8 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_LARGE = 4,
   /**
-   * Lengths do not fit each other, such as a `count` that is no multiple of the joints: it counts all poses of all
-   * instances or configurations.
+   * Lengths do not fit each other, such as a `count` that is no multiple of the joints: it
+   * counts all poses of all instances or configurations.
    */
   DQ8_STATUS_LENGTH = 5,
   /**
@@ -251,7 +251,8 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_MANY_JOINTS = 17,
   /**
-   * A number stands for nothing: no backend, no order of matrices, no kind of joint, no frame.
+   * A number stands for nothing: no backend, no order of matrices, no kind of joint, no
+   * frame.
    */
   DQ8_STATUS_UNKNOWN_VALUE = 18,
   /**
@@ -259,7 +260,8 @@ enum dq8_status
    */
   DQ8_STATUS_AXIS = 19,
   /**
-   * A joint cannot mimic that one: there is none, it mimics too, or one of the two has not one value.
+   * A joint cannot mimic that one: there is none, it mimics too, or one of the two has not
+   * one value.
    */
   DQ8_STATUS_MIMIC = 20,
   /**
@@ -279,7 +281,8 @@ enum dq8_status
    */
   DQ8_STATUS_WEIGHT = 24,
   /**
-   * The weights of a vertex, which should sum to one, sum to less than 1/1024 or more than 1024.
+   * The weights of a vertex, which should sum to one, sum to less than 1/1024 or more
+   * than 1024.
    */
   DQ8_STATUS_WEIGHT_SUM = 25,
   /**
@@ -287,8 +290,8 @@ enum dq8_status
    */
   DQ8_STATUS_NO_SKIN = 26,
   /**
-   * Limits of a joint are not in order, or leave no value together with those of what mimics it, or are
-   * angles that a float does not tell apart.
+   * Limits of a joint are not in order, or leave no value together with those of what mimics
+   * it, or are angles that a float does not tell apart.
    */
   DQ8_STATUS_LIMITS = 27,
   /**
@@ -411,13 +414,14 @@ enum dq8_joint_kind
    */
   DQ8_JOINT_KIND_SCREW = 3,
   /**
-   * Slides in the plane across `axis`, then turns about it. Three values: x, y and the angle. The
-   * axes of x and y are those of the joint's frame after the shortest rotation that takes z to `axis`.
+   * Slides in the plane across `axis`, then turns about it. Three values: x, y and the angle.
+   * The axes of x and y are those of the joint's frame after the shortest rotation that takes z
+   * to `axis`.
    */
   DQ8_JOINT_KIND_PLANAR = 4,
   /**
-   * Moves freely. Seven values: a quaternion x y z w of any length but zero, and a translation. Six
-   * rates: the body twist, angular first.
+   * Moves freely. Seven values: a quaternion x y z w of any length but zero, and a translation.
+   * Six rates: the body twist, angular first.
    */
   DQ8_JOINT_KIND_FLOATING = 5,
 };
@@ -487,8 +491,8 @@ enum dq8_outcome
    */
   DQ8_OUTCOME_UNFINISHED = 4,
   /**
-   * A target is not unit to 0.001, a number is not finite, or an option is negative or no number, or
-   * max_step is 0: the values are untouched.
+   * A target is not unit to 0.001, a number is not finite, or an option is negative or no
+   * number, or max_step is 0: the values are untouched.
    */
   DQ8_OUTCOME_INVALID = 5,
 };
@@ -501,8 +505,8 @@ typedef int32_t dq8_outcome;
 #endif // __cplusplus
 
 /**
- * Clips of one skeleton, checked once. It may be copied and moved; the bytes that it was made of must stay where they
- * are, as they are.
+ * Clips of one skeleton, checked once. It may be copied and moved; the bytes that it was made of
+ * must stay where they are, as they are.
  */
 typedef struct dq8_clips {
   /**
@@ -520,7 +524,8 @@ typedef struct dq8_clips {
 } dq8_clips;
 
 /**
- * A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same clips.
+ * A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same
+ * clips.
  */
 typedef struct dq8_place {
   /**
@@ -616,7 +621,8 @@ typedef struct dq8_joint_f32 {
    */
   int32_t kind;
   /**
-   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to 0.001.
+   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to
+   * 0.001.
    */
   float placement[8];
   /**
@@ -645,8 +651,8 @@ typedef struct dq8_joint_f32 {
    */
   float offset;
   /**
-   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to them,
-   * nothing else does.
+   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to
+   * them, nothing else does.
    */
   int32_t limited;
   /**
@@ -670,7 +676,8 @@ typedef struct dq8_joint_f64 {
    */
   int32_t kind;
   /**
-   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to 0.001.
+   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to
+   * 0.001.
    */
   double placement[8];
   /**
@@ -699,8 +706,8 @@ typedef struct dq8_joint_f64 {
    */
   double offset;
   /**
-   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to them,
-   * nothing else does.
+   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to
+   * them, nothing else does.
    */
   int32_t limited;
   /**
@@ -726,13 +733,13 @@ typedef struct dq8_reach_options_f32 {
    */
   uint32_t max_iterations;
   /**
-   * 1 to begin again from another configuration where the search got stuck; 0 to converge from the
-   * given start only, to follow a target that moves.
+   * 1 to begin again from another configuration where the search got stuck; 0 to converge from
+   * the given start only, to follow a target that moves.
    */
   uint32_t restarts;
   /**
-   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length, or where
-   * something floats or slides without end, of the longer way that it has to go.
+   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length,
+   * or where something floats or slides without end, of the longer way that it has to go.
    */
   float length_per_radian;
   /**
@@ -746,8 +753,8 @@ typedef struct dq8_reach_options_f32 {
 } dq8_reach_options_f32;
 
 /**
- * What is asked of a link: components of its error in the axes of its target, and how much each weighs
- * where not all can vanish. A weight of 0 leaves its component free.
+ * What is asked of a link: components of its error in the axes of its target, and how much each
+ * weighs where not all can vanish. A weight of 0 leaves its component free.
  */
 typedef struct dq8_goal_f32 {
   /**
@@ -811,13 +818,13 @@ typedef struct dq8_reach_options_f64 {
    */
   uint32_t max_iterations;
   /**
-   * 1 to begin again from another configuration where the search got stuck; 0 to converge from the
-   * given start only, to follow a target that moves.
+   * 1 to begin again from another configuration where the search got stuck; 0 to converge from
+   * the given start only, to follow a target that moves.
    */
   uint32_t restarts;
   /**
-   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length, or where
-   * something floats or slides without end, of the longer way that it has to go.
+   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length,
+   * or where something floats or slides without end, of the longer way that it has to go.
    */
   double length_per_radian;
   /**
@@ -831,8 +838,8 @@ typedef struct dq8_reach_options_f64 {
 } dq8_reach_options_f64;
 
 /**
- * What is asked of a link: components of its error in the axes of its target, and how much each weighs
- * where not all can vanish. A weight of 0 leaves its component free.
+ * What is asked of a link: components of its error in the axes of its target, and how much each
+ * weighs where not all can vanish. A weight of 0 leaves its component free.
  */
 typedef struct dq8_goal_f64 {
   /**
@@ -880,8 +887,8 @@ typedef struct dq8_reach_report_f64 {
 } dq8_reach_report_f64;
 
 /**
- * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
- * that it was made of must stay where they are, as they are.
+ * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints
+ * and weights that it was made of must stay where they are, as they are.
  */
 typedef struct dq8_skin_f32 {
   /**
@@ -903,8 +910,8 @@ typedef struct dq8_skin_f32 {
 } dq8_skin_f32;
 
 /**
- * Where the joints of a vertex lie in an array that holds one vertex after the other, or its weights; counted in
- * elements of their own type.
+ * Where the joints of a vertex lie in an array that holds one vertex after the other, or its
+ * weights; counted in elements of their own type.
  */
 typedef struct dq8_influence_field {
   /**
@@ -918,8 +925,8 @@ typedef struct dq8_influence_field {
 } dq8_influence_field;
 
 /**
- * Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted in numbers.
- * A field is three numbers.
+ * Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted
+ * in numbers. A field is three numbers.
  */
 typedef struct dq8_vertex_fields {
   /**
@@ -941,8 +948,8 @@ typedef struct dq8_vertex_fields {
 } dq8_vertex_fields;
 
 /**
- * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
- * that it was made of must stay where they are, as they are.
+ * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints
+ * and weights that it was made of must stay where they are, as they are.
  */
 typedef struct dq8_skin_f64 {
   /**
@@ -981,19 +988,19 @@ const char *dq8_backend_name(void);
 dq8_status dq8_backend_limit(int32_t most);
 
 /**
- * From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5 times the time: 1 if
- * they have, 0 if not, as they begin. It goes with every limit. Functions of one motion have the same bits
- * always.
+ * From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5
+ * times the time: 1 if they have, 0 if not, as they begin. It goes with every limit. Functions of
+ * one motion have the same bits always.
  *
- * DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature `reproducible`;
- * nothing changes.
+ * DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature
+ * `reproducible`; nothing changes.
  */
 dq8_status dq8_set_reproducible(int32_t reproducible);
 
 /**
- * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast where it has
- * dozens of links. Blocks hold one chain, a segment in each lane, as dq8_pack_chain writes
- * them. `out` may be `links`.
+ * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast
+ * where it has dozens of links. Blocks hold one chain, a segment in each lane, as
+ * dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f32(const float *links, float *out, size_t count);
 
@@ -1006,9 +1013,9 @@ dq8_status dq8_blocks_chain_products_f32(size_t lanes,
                                          size_t count);
 
 /**
- * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast where it has
- * dozens of links. Blocks hold one chain, a segment in each lane, as dq8_pack_chain writes
- * them. `out` may be `links`.
+ * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast
+ * where it has dozens of links. Blocks hold one chain, a segment in each lane, as
+ * dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f64(const double *links, double *out, size_t count);
 
@@ -1021,10 +1028,11 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example mocap write. Reads all of
- * them once.
+ * Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example
+ * mocap write. Reads all of them once.
  *
- * DQ8_STATUS_NOT_CLIPS if they are none; `bad_offset` is set to the first byte that is wrong, and may be null.
+ * DQ8_STATUS_NOT_CLIPS if they are none; `bad_offset` is set to the first byte that is wrong, and
+ * may be null.
  */
 dq8_status dq8_clips_make(const uint8_t *bytes,
                           size_t length,
@@ -1092,35 +1100,32 @@ dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   double *models);
 
 /**
- * A line moved by a unit motion. It is six numbers: its direction, and its moment p x direction of any
- * point p on it (Plücker coordinates).
+ * A line moved by a unit motion. It is six numbers: its direction, and its moment p x
+ * direction of any point p on it (Plücker coordinates).
  */
-dq8_status dq8_motion_line_f32(const float *motion,
-                               const float *line,
-                               float *out);
+dq8_status dq8_motion_line_f32(const float *motion, const float *line, float *out);
 
 /**
- * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of any point p on it.
+ * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of
+ * any point p on it.
  */
-dq8_status dq8_motion_plane_f32(const float *motion,
-                                const float *plane,
-                                float *out);
+dq8_status dq8_motion_plane_f32(const float *motion, const float *plane, float *out);
 
 /**
- * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body twist becomes the
- * spatial one.
+ * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body
+ * twist becomes the spatial one.
  */
-dq8_status dq8_motion_twist_f32(const float *motion,
-                                const float *twist,
-                                float *out);
+dq8_status dq8_motion_twist_f32(const float *motion, const float *twist, float *out);
 
 /**
- * The twist, six numbers, angular part first, that leads to a unit motion in one second.
+ * The twist, six numbers, angular part first, that leads to a unit motion in one
+ * second.
  */
 dq8_status dq8_motion_to_twist_f32(const float *motion, float *twist);
 
 /**
- * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part first.
+ * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
+ * first.
  */
 dq8_status dq8_motion_integrate_body_f32(const float *motion,
                                          const float *twist,
@@ -1138,35 +1143,32 @@ dq8_status dq8_motion_angle_to_f32(const float *a, const float *b, float *angle)
 dq8_status dq8_motion_distance_to_f32(const float *a, const float *b, float *distance);
 
 /**
- * A line moved by a unit motion. It is six numbers: its direction, and its moment p x direction of any
- * point p on it (Plücker coordinates).
+ * A line moved by a unit motion. It is six numbers: its direction, and its moment p x
+ * direction of any point p on it (Plücker coordinates).
  */
-dq8_status dq8_motion_line_f64(const double *motion,
-                               const double *line,
-                               double *out);
+dq8_status dq8_motion_line_f64(const double *motion, const double *line, double *out);
 
 /**
- * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of any point p on it.
+ * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of
+ * any point p on it.
  */
-dq8_status dq8_motion_plane_f64(const double *motion,
-                                const double *plane,
-                                double *out);
+dq8_status dq8_motion_plane_f64(const double *motion, const double *plane, double *out);
 
 /**
- * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body twist becomes the
- * spatial one.
+ * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body
+ * twist becomes the spatial one.
  */
-dq8_status dq8_motion_twist_f64(const double *motion,
-                                const double *twist,
-                                double *out);
+dq8_status dq8_motion_twist_f64(const double *motion, const double *twist, double *out);
 
 /**
- * The twist, six numbers, angular part first, that leads to a unit motion in one second.
+ * The twist, six numbers, angular part first, that leads to a unit motion in one
+ * second.
  */
 dq8_status dq8_motion_to_twist_f64(const double *motion, double *twist);
 
 /**
- * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part first.
+ * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
+ * first.
  */
 dq8_status dq8_motion_integrate_body_f64(const double *motion,
                                          const double *twist,
@@ -1184,24 +1186,24 @@ dq8_status dq8_motion_angle_to_f64(const double *a, const double *b, double *ang
 dq8_status dq8_motion_distance_to_f64(const double *a, const double *b, double *distance);
 
 /**
- * Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or is
- * -1. Every function that takes parents checks them too, in a pass that costs little beside its
+ * Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or
+ * is -1. Every function that takes parents checks them too, in a pass that costs little beside its
  * work; this one also says where the fault is.
  *
  * If it is DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE, `bad_joint` is set to the first
  * such joint; it may be null, and must not lie in `parents`.
  */
-dq8_status dq8_check_parents(const int32_t *parents,
-                             size_t joints,
-                             size_t *bad_joint);
+dq8_status dq8_check_parents(const int32_t *parents, size_t joints, size_t *bad_joint);
 
 /**
- * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
+ * Model poses of all joints from local ones:
+ * `models[j] = models[parents[j]] * locals[j]`.
  *
- * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints` times instances, which
- * is `joints` for one instance; in blocks, `[block of instances][joint]`, `joints` times the number of
- * instances over `lanes`, rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is
- * what joints without a parent stand on, or null. `models` may be `locals`.
+ * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints`
+ * times instances, which is `joints` for one instance; in blocks,
+ * `[block of instances][joint]`, `joints` times the number of instances over `lanes`,
+ * rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is what
+ * joints without a parent stand on, or null. `models` may be `locals`.
  */
 dq8_status dq8_local_to_model_f32(const int32_t *parents,
                                   size_t joints,
@@ -1222,8 +1224,8 @@ dq8_status dq8_blocks_local_to_model_f32(size_t lanes,
                                          size_t count);
 
 /**
- * Local poses of all joints from unit model ones, as dq8_local_to_model the other way round.
- * `locals` may be `models`.
+ * Local poses of all joints from unit model ones, as dq8_local_to_model the other way
+ * round. `locals` may be `models`.
  */
 dq8_status dq8_model_to_local_f32(const int32_t *parents,
                                   size_t joints,
@@ -1244,8 +1246,9 @@ dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
                                          size_t count);
 
 /**
- * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints` offsets of joints
- * from their parents (x, y, z), the same for all instances: what animation clips hold.
+ * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints`
+ * offsets of joints from their parents (x, y, z), the same for all instances: what
+ * animation clips hold.
  */
 dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
                                       size_t joints,
@@ -1268,8 +1271,8 @@ dq8_status dq8_blocks_rotations_to_model_f32(size_t lanes,
                                              size_t count);
 
 /**
- * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y, z, w) and a
- * translation (x, y, z).
+ * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y,
+ * z, w) and a translation (x, y, z).
  */
 dq8_status dq8_rotations_translations_to_model_f32(const int32_t *parents,
                                                    size_t joints,
@@ -1291,11 +1294,11 @@ dq8_status dq8_blocks_rotations_translations_to_model_f32(size_t lanes,
 
 /**
  * As dq8_local_to_model, and in the same pass the skinning palette:
- * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
- * joint j has moved it.
+ * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at
+ * rest to where joint j has moved it.
  *
- * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
- * `palette` hold `count` motions in all, as there, and must overlap nothing.
+ * `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
+ * and `palette` hold `count` motions in all, as there, and must overlap nothing.
  */
 dq8_status dq8_palette_f32(const int32_t *parents,
                            size_t joints,
@@ -1320,7 +1323,8 @@ dq8_status dq8_blocks_palette_f32(size_t lanes,
                                   size_t count);
 
 /**
- * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
+ * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after
+ * row.
  */
 dq8_status dq8_palette_matrices_f32(const int32_t *parents,
                                     size_t joints,
@@ -1345,12 +1349,14 @@ dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
                                            size_t count);
 
 /**
- * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
+ * Model poses of all joints from local ones:
+ * `models[j] = models[parents[j]] * locals[j]`.
  *
- * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints` times instances, which
- * is `joints` for one instance; in blocks, `[block of instances][joint]`, `joints` times the number of
- * instances over `lanes`, rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is
- * what joints without a parent stand on, or null. `models` may be `locals`.
+ * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints`
+ * times instances, which is `joints` for one instance; in blocks,
+ * `[block of instances][joint]`, `joints` times the number of instances over `lanes`,
+ * rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is what
+ * joints without a parent stand on, or null. `models` may be `locals`.
  */
 dq8_status dq8_local_to_model_f64(const int32_t *parents,
                                   size_t joints,
@@ -1371,8 +1377,8 @@ dq8_status dq8_blocks_local_to_model_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Local poses of all joints from unit model ones, as dq8_local_to_model the other way round.
- * `locals` may be `models`.
+ * Local poses of all joints from unit model ones, as dq8_local_to_model the other way
+ * round. `locals` may be `models`.
  */
 dq8_status dq8_model_to_local_f64(const int32_t *parents,
                                   size_t joints,
@@ -1393,8 +1399,9 @@ dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
                                          size_t count);
 
 /**
- * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints` offsets of joints
- * from their parents (x, y, z), the same for all instances: what animation clips hold.
+ * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints`
+ * offsets of joints from their parents (x, y, z), the same for all instances: what
+ * animation clips hold.
  */
 dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
                                       size_t joints,
@@ -1417,8 +1424,8 @@ dq8_status dq8_blocks_rotations_to_model_f64(size_t lanes,
                                              size_t count);
 
 /**
- * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y, z, w) and a
- * translation (x, y, z).
+ * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y,
+ * z, w) and a translation (x, y, z).
  */
 dq8_status dq8_rotations_translations_to_model_f64(const int32_t *parents,
                                                    size_t joints,
@@ -1440,11 +1447,11 @@ dq8_status dq8_blocks_rotations_translations_to_model_f64(size_t lanes,
 
 /**
  * As dq8_local_to_model, and in the same pass the skinning palette:
- * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
- * joint j has moved it.
+ * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at
+ * rest to where joint j has moved it.
  *
- * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
- * `palette` hold `count` motions in all, as there, and must overlap nothing.
+ * `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
+ * and `palette` hold `count` motions in all, as there, and must overlap nothing.
  */
 dq8_status dq8_palette_f64(const int32_t *parents,
                            size_t joints,
@@ -1469,7 +1476,8 @@ dq8_status dq8_blocks_palette_f64(size_t lanes,
                                   size_t count);
 
 /**
- * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
+ * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after
+ * row.
  */
 dq8_status dq8_palette_matrices_f64(const int32_t *parents,
                                     size_t joints,
@@ -1494,8 +1502,8 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
                                            size_t count);
 
 /**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and its moment
- * p x direction of any point p on it (Plücker coordinates).
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * its moment p x direction of any point p on it (Plücker coordinates).
  */
 dq8_status dq8_lines_each_f32(const float *motions, const float *lines, float *out, size_t count);
 
@@ -1509,13 +1517,10 @@ dq8_status dq8_blocks_lines_each_f32(size_t lanes,
                                      size_t count);
 
 /**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal n, and n . p of
- * any point p on it.
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * n, and n . p of any point p on it.
  */
-dq8_status dq8_planes_each_f32(const float *motions,
-                               const float *planes,
-                               float *out,
-                               size_t count);
+dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float *out, size_t count);
 
 /**
  * dq8_planes_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
@@ -1527,8 +1532,8 @@ dq8_status dq8_blocks_planes_each_f32(size_t lanes,
                                       size_t count);
 
 /**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and its moment
- * p x direction of any point p on it (Plücker coordinates).
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * its moment p x direction of any point p on it (Plücker coordinates).
  */
 dq8_status dq8_lines_each_f64(const double *motions,
                               const double *lines,
@@ -1545,8 +1550,8 @@ dq8_status dq8_blocks_lines_each_f64(size_t lanes,
                                      size_t count);
 
 /**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal n, and n . p of
- * any point p on it.
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * n, and n . p of any point p on it.
  */
 dq8_status dq8_planes_each_f64(const double *motions,
                                const double *planes,
@@ -1563,14 +1568,16 @@ dq8_status dq8_blocks_planes_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * Forward kinematics of many configurations: `values` is `[configuration][value]`, `value_count`
- * numbers in all: values of the mechanism times configurations. `poses` is `[configuration][link]`,
- * `count` motions in all: links of the mechanism times configurations.
+ * Forward kinematics of many configurations: `values` is `[configuration][value]`,
+ * `value_count` numbers in all: values of the mechanism times configurations. `poses`
+ * is `[configuration][link]`, `count` motions in all: links of the mechanism times
+ * configurations.
  *
- * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all: links times the number
- * of configurations over `lanes`, rounded up; `values` are plain, as above. Lanes without a
- * configuration get the poses of values that are all zero. DQ8_STATUS_LENGTH if `value_count` and `count`
- * are not those of the same configurations.
+ * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all:
+ * links times the number of configurations over `lanes`, rounded up; `values` are
+ * plain, as above. Lanes without a configuration get the poses of values that are all
+ * zero. DQ8_STATUS_LENGTH if `value_count` and `count` are not those of the same
+ * configurations.
  */
 dq8_status dq8_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                               const float *values,
@@ -1589,14 +1596,16 @@ dq8_status dq8_blocks_link_poses_f32(size_t lanes,
                                      size_t count);
 
 /**
- * Forward kinematics of many configurations: `values` is `[configuration][value]`, `value_count`
- * numbers in all: values of the mechanism times configurations. `poses` is `[configuration][link]`,
- * `count` motions in all: links of the mechanism times configurations.
+ * Forward kinematics of many configurations: `values` is `[configuration][value]`,
+ * `value_count` numbers in all: values of the mechanism times configurations. `poses`
+ * is `[configuration][link]`, `count` motions in all: links of the mechanism times
+ * configurations.
  *
- * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all: links times the number
- * of configurations over `lanes`, rounded up; `values` are plain, as above. Lanes without a
- * configuration get the poses of values that are all zero. DQ8_STATUS_LENGTH if `value_count` and `count`
- * are not those of the same configurations.
+ * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all:
+ * links times the number of configurations over `lanes`, rounded up; `values` are
+ * plain, as above. Lanes without a configuration get the poses of values that are all
+ * zero. DQ8_STATUS_LENGTH if `value_count` and `count` are not those of the same
+ * configurations.
  */
 dq8_status dq8_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                               const double *values,
@@ -1615,14 +1624,16 @@ dq8_status dq8_blocks_link_poses_f64(size_t lanes,
                                      size_t count);
 
 /**
- * The intrinsic mean of `count` unit motions: the one from which the `weights`, null for equal ones, of the
- * screws to all of them cancel; found by steps from dq8_motion_blend, `max_iterations` at most (32 serve), until
- * one turns by no more than `tolerance`, radians, and moves by no more than that part of the longest dual
- * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is set to 1 if it came to
- * that, or else to 0.
+ * The intrinsic mean of `count` unit motions: the one from which the `weights`, null
+ * for equal ones, of the screws to all of them cancel; found by steps from
+ * dq8_motion_blend, `max_iterations` at most (32 serve), until one turns by no more
+ * than `tolerance`, radians, and moves by no more than that part of the longest dual
+ * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is
+ * set to 1 if it came to that, or else to 0.
  *
- * The mean of moved motions is the moved mean. Where motions lie more than a quarter of a turn from it, there may
- * be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ * The mean of moved motions is the moved mean. Where motions lie more than a quarter
+ * of a turn from it, there may be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0,
+ * DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
  */
 dq8_status dq8_motion_mean_f32(const float *motions,
                                const float *weights,
@@ -1633,14 +1644,16 @@ dq8_status dq8_motion_mean_f32(const float *motions,
                                int32_t *converged);
 
 /**
- * The intrinsic mean of `count` unit motions: the one from which the `weights`, null for equal ones, of the
- * screws to all of them cancel; found by steps from dq8_motion_blend, `max_iterations` at most (32 serve), until
- * one turns by no more than `tolerance`, radians, and moves by no more than that part of the longest dual
- * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is set to 1 if it came to
- * that, or else to 0.
+ * The intrinsic mean of `count` unit motions: the one from which the `weights`, null
+ * for equal ones, of the screws to all of them cancel; found by steps from
+ * dq8_motion_blend, `max_iterations` at most (32 serve), until one turns by no more
+ * than `tolerance`, radians, and moves by no more than that part of the longest dual
+ * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is
+ * set to 1 if it came to that, or else to 0.
  *
- * The mean of moved motions is the moved mean. Where motions lie more than a quarter of a turn from it, there may
- * be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ * The mean of moved motions is the moved mean. Where motions lie more than a quarter
+ * of a turn from it, there may be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0,
+ * DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
  */
 dq8_status dq8_motion_mean_f64(const double *motions,
                                const double *weights,
@@ -1651,13 +1664,15 @@ dq8_status dq8_motion_mean_f64(const double *motions,
                                int32_t *converged);
 
 /**
- * Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
- * `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
- * undefined if anything else has written it. `joints` are not needed any more.
+ * Checks `count` joints and makes a mechanism of them, once; its functions then only
+ * compute. `steps`, as many as joints, is memory that the mechanism keeps using: what
+ * its functions do is undefined if anything else has written it. `joints` are not
+ * needed any more.
  *
- * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
- * _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
- * set to that joint. `steps` may have been written, the mechanism not.
+ * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement),
+ * _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or
+ * `limited`); `bad_joint`, which may be null, is set to that joint. `steps` may have
+ * been written, the mechanism not.
  */
 dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
                                   size_t count,
@@ -1666,9 +1681,9 @@ dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
                                   size_t *bad_joint);
 
 /**
- * Forward kinematics of one configuration: the poses of all links in the frame of the base,
- * `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count` and `link_count`
- * are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+ * Forward kinematics of one configuration: the poses of all links in the frame of the
+ * base, `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count`
+ * and `link_count` are those of the mechanism, or it is DQ8_STATUS_LENGTH.
  */
 dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                                         const float *values,
@@ -1677,8 +1692,8 @@ dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanis
                                         size_t link_count);
 
 /**
- * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if there is
- * no such link.
+ * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if
+ * there is no such link.
  */
 dq8_status dq8_mechanism_link_pose_f32(const struct dq8_mechanism_f32 *mechanism,
                                        const float *values,
@@ -1687,12 +1702,12 @@ dq8_status dq8_mechanism_link_pose_f32(const struct dq8_mechanism_f32 *mechanism
                                        float *pose);
 
 /**
- * The geometric Jacobian of a link: for each rate of the mechanism a column of six numbers,
- * angular velocity x y z, then linear velocity x y z, in `frame`, one of enum dq8_frame.
- * Columns of joints that do not carry the link are zero.
+ * The geometric Jacobian of a link: for each rate of the mechanism a column of six
+ * numbers, angular velocity x y z, then linear velocity x y z, in `frame`, one of enum
+ * dq8_frame. Columns of joints that do not carry the link are zero.
  *
- * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may be null.
- * DQ8_STATUS_NO_LINK if there is no such link.
+ * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may
+ * be null. DQ8_STATUS_NO_LINK if there is no such link.
  */
 dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mechanism,
                                            int32_t frame,
@@ -1704,13 +1719,15 @@ dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mecha
                                            float *pose);
 
 /**
- * Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
- * `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
- * undefined if anything else has written it. `joints` are not needed any more.
+ * Checks `count` joints and makes a mechanism of them, once; its functions then only
+ * compute. `steps`, as many as joints, is memory that the mechanism keeps using: what
+ * its functions do is undefined if anything else has written it. `joints` are not
+ * needed any more.
  *
- * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
- * _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
- * set to that joint. `steps` may have been written, the mechanism not.
+ * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement),
+ * _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or
+ * `limited`); `bad_joint`, which may be null, is set to that joint. `steps` may have
+ * been written, the mechanism not.
  */
 dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
                                   size_t count,
@@ -1719,9 +1736,9 @@ dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
                                   size_t *bad_joint);
 
 /**
- * Forward kinematics of one configuration: the poses of all links in the frame of the base,
- * `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count` and `link_count`
- * are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+ * Forward kinematics of one configuration: the poses of all links in the frame of the
+ * base, `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count`
+ * and `link_count` are those of the mechanism, or it is DQ8_STATUS_LENGTH.
  */
 dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                                         const double *values,
@@ -1730,8 +1747,8 @@ dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanis
                                         size_t link_count);
 
 /**
- * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if there is
- * no such link.
+ * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if
+ * there is no such link.
  */
 dq8_status dq8_mechanism_link_pose_f64(const struct dq8_mechanism_f64 *mechanism,
                                        const double *values,
@@ -1740,12 +1757,12 @@ dq8_status dq8_mechanism_link_pose_f64(const struct dq8_mechanism_f64 *mechanism
                                        double *pose);
 
 /**
- * The geometric Jacobian of a link: for each rate of the mechanism a column of six numbers,
- * angular velocity x y z, then linear velocity x y z, in `frame`, one of enum dq8_frame.
- * Columns of joints that do not carry the link are zero.
+ * The geometric Jacobian of a link: for each rate of the mechanism a column of six
+ * numbers, angular velocity x y z, then linear velocity x y z, in `frame`, one of enum
+ * dq8_frame. Columns of joints that do not carry the link are zero.
  *
- * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may be null.
- * DQ8_STATUS_NO_LINK if there is no such link.
+ * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may
+ * be null. DQ8_STATUS_NO_LINK if there is no such link.
  */
 dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mechanism,
                                            int32_t frame,
@@ -1771,7 +1788,8 @@ dq8_status dq8_blocks_angles_f32(size_t lanes,
                                  size_t count);
 
 /**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number each.
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+ * each.
  */
 dq8_status dq8_distances_f32(const float *a, const float *b, float *out, size_t count);
 
@@ -1799,7 +1817,8 @@ dq8_status dq8_blocks_angles_f64(size_t lanes,
                                  size_t count);
 
 /**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number each.
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+ * each.
  */
 dq8_status dq8_distances_f64(const double *a, const double *b, double *out, size_t count);
 
@@ -1818,31 +1837,32 @@ dq8_status dq8_blocks_distances_f64(size_t lanes,
 dq8_status dq8_motion_identity_f32(float *out);
 
 /**
- * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation` (x, y, z).
+ * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation`
+ * (x, y, z).
  */
 dq8_status dq8_motion_from_rotation_translation_f32(const float *rotation,
                                                     const float *translation,
                                                     float *out);
 
 /**
- * The parts of a unit motion: `rotation` four numbers, `translation` three, which must not
- * overlap each other.
+ * The parts of a unit motion: `rotation` four numbers, `translation` three, which must
+ * not overlap each other.
  */
 dq8_status dq8_motion_to_rotation_translation_f32(const float *motion,
                                                   float *rotation,
                                                   float *translation);
 
 /**
- * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far products of
- * rows of the rotation may be from 0 and 1.
+ * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far
+ * products of rows of the rotation may be from 0 and 1.
  *
  * DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
  */
 dq8_status dq8_motion_from_matrix_3x4_f32(const float *matrix, float tolerance, float *out);
 
 /**
- * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last row is
- * not 0 0 0 1.
+ * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last
+ * row is not 0 0 0 1.
  */
 dq8_status dq8_motion_from_matrix_4x4_f32(const float *matrix, float tolerance, float *out);
 
@@ -1872,8 +1892,8 @@ dq8_status dq8_motion_conjugate_f32(const float *motion, float *out);
 dq8_status dq8_motion_inverse_f32(const float *motion, float *out);
 
 /**
- * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if there is
- * none.
+ * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if
+ * there is none.
  */
 dq8_status dq8_motion_normalize_f32(const float *motion, float *out);
 
@@ -1898,31 +1918,32 @@ dq8_status dq8_motion_vector_f32(const float *motion, const float *vector, float
 dq8_status dq8_motion_identity_f64(double *out);
 
 /**
- * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation` (x, y, z).
+ * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation`
+ * (x, y, z).
  */
 dq8_status dq8_motion_from_rotation_translation_f64(const double *rotation,
                                                     const double *translation,
                                                     double *out);
 
 /**
- * The parts of a unit motion: `rotation` four numbers, `translation` three, which must not
- * overlap each other.
+ * The parts of a unit motion: `rotation` four numbers, `translation` three, which must
+ * not overlap each other.
  */
 dq8_status dq8_motion_to_rotation_translation_f64(const double *motion,
                                                   double *rotation,
                                                   double *translation);
 
 /**
- * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far products of
- * rows of the rotation may be from 0 and 1.
+ * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far
+ * products of rows of the rotation may be from 0 and 1.
  *
  * DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
  */
 dq8_status dq8_motion_from_matrix_3x4_f64(const double *matrix, double tolerance, double *out);
 
 /**
- * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last row is
- * not 0 0 0 1.
+ * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last
+ * row is not 0 0 0 1.
  */
 dq8_status dq8_motion_from_matrix_4x4_f64(const double *matrix, double tolerance, double *out);
 
@@ -1952,8 +1973,8 @@ dq8_status dq8_motion_conjugate_f64(const double *motion, double *out);
 dq8_status dq8_motion_inverse_f64(const double *motion, double *out);
 
 /**
- * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if there is
- * none.
+ * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if
+ * there is none.
  */
 dq8_status dq8_motion_normalize_f64(const double *motion, double *out);
 
@@ -1973,9 +1994,10 @@ dq8_status dq8_motion_point_f64(const double *motion, const double *point, doubl
 dq8_status dq8_motion_vector_f64(const double *motion, const double *vector, double *out);
 
 /**
- * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
- * lanes without an instance get the identity. `block_count` is `joints` times the number of
- * instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances,
+ * `[instance block][joint]`; lanes without an instance get the identity. `block_count`
+ * is `joints` times the number of instances over `lanes`, rounded up;
+ * DQ8_STATUS_LENGTH if it is not.
  */
 dq8_status dq8_pack_f32(size_t lanes,
                         size_t joints,
@@ -1985,7 +2007,8 @@ dq8_status dq8_pack_f32(size_t lanes,
                         size_t block_count);
 
 /**
- * Writes blocks into `poses`, the other way round; lanes beyond the last instance are dropped.
+ * Writes blocks into `poses`, the other way round; lanes beyond the last instance are
+ * dropped.
  */
 dq8_status dq8_unpack_f32(size_t lanes,
                           size_t joints,
@@ -1995,9 +2018,10 @@ dq8_status dq8_unpack_f32(size_t lanes,
                           size_t pose_count);
 
 /**
- * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is in lane
- * `i / block_count` of block `i % block_count`. Lanes beyond the last link get the identity.
- * `block_count` is `link_count` over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is
+ * in lane `i / block_count` of block `i % block_count`. Lanes beyond the last link get
+ * the identity. `block_count` is `link_count` over `lanes`, rounded up;
+ * DQ8_STATUS_LENGTH if it is not.
  */
 dq8_status dq8_pack_chain_f32(size_t lanes,
                               const float *links,
@@ -2015,17 +2039,17 @@ dq8_status dq8_unpack_chain_f32(size_t lanes,
                                 size_t link_count);
 
 /**
- * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,
- * 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes` things: their
- * product, rounded up to whole 64 bytes.
+ * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in
+ * rotations, 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes`
+ * things: their product, rounded up to whole 64 bytes.
  */
-size_t dq8_block_size_f32(size_t lanes,
-                          size_t components);
+size_t dq8_block_size_f32(size_t lanes, size_t components);
 
 /**
- * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
- * lanes without an instance get the identity. `block_count` is `joints` times the number of
- * instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances,
+ * `[instance block][joint]`; lanes without an instance get the identity. `block_count`
+ * is `joints` times the number of instances over `lanes`, rounded up;
+ * DQ8_STATUS_LENGTH if it is not.
  */
 dq8_status dq8_pack_f64(size_t lanes,
                         size_t joints,
@@ -2035,7 +2059,8 @@ dq8_status dq8_pack_f64(size_t lanes,
                         size_t block_count);
 
 /**
- * Writes blocks into `poses`, the other way round; lanes beyond the last instance are dropped.
+ * Writes blocks into `poses`, the other way round; lanes beyond the last instance are
+ * dropped.
  */
 dq8_status dq8_unpack_f64(size_t lanes,
                           size_t joints,
@@ -2045,9 +2070,10 @@ dq8_status dq8_unpack_f64(size_t lanes,
                           size_t pose_count);
 
 /**
- * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is in lane
- * `i / block_count` of block `i % block_count`. Lanes beyond the last link get the identity.
- * `block_count` is `link_count` over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is
+ * in lane `i / block_count` of block `i % block_count`. Lanes beyond the last link get
+ * the identity. `block_count` is `link_count` over `lanes`, rounded up;
+ * DQ8_STATUS_LENGTH if it is not.
  */
 dq8_status dq8_pack_chain_f64(size_t lanes,
                               const double *links,
@@ -2065,16 +2091,16 @@ dq8_status dq8_unpack_chain_f64(size_t lanes,
                                 size_t link_count);
 
 /**
- * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,
- * 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes` things: their
- * product, rounded up to whole 64 bytes.
+ * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in
+ * rotations, 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes`
+ * things: their product, rounded up to whole 64 bytes.
  */
-size_t dq8_block_size_f64(size_t lanes,
-                          size_t components);
+size_t dq8_block_size_f64(size_t lanes, size_t components);
 
 /**
- * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
- * of enum dq8_matrix_order, to twelve numbers per joint, row after row.
+ * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4
+ * matrices in `order`, one of enum dq8_matrix_order, to twelve numbers per joint, row
+ * after row.
  *
  * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
  */
@@ -2085,8 +2111,8 @@ dq8_status dq8_skin_products_f32(const float *models,
                                  size_t joint_count);
 
 /**
- * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
- * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ * Takes the matrices of a palette apart into stretches and, after them, unit motions:
+ * what dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
  */
 dq8_status dq8_skin_split_f32(const float *matrices,
                               float *motions,
@@ -2094,8 +2120,9 @@ dq8_status dq8_skin_split_f32(const float *matrices,
                               size_t joint_count);
 
 /**
- * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
- * of enum dq8_matrix_order, to twelve numbers per joint, row after row.
+ * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4
+ * matrices in `order`, one of enum dq8_matrix_order, to twelve numbers per joint, row
+ * after row.
  *
  * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
  */
@@ -2106,8 +2133,8 @@ dq8_status dq8_skin_products_f64(const double *models,
                                  size_t joint_count);
 
 /**
- * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
- * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ * Takes the matrices of a palette apart into stretches and, after them, unit motions:
+ * what dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
  */
 dq8_status dq8_skin_split_f64(const double *matrices,
                               double *motions,
@@ -2115,11 +2142,12 @@ dq8_status dq8_skin_split_f64(const double *matrices,
                               size_t joint_count);
 
 /**
- * Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that others wait for come
- * early, and between a joint and its parent there are others.
+ * Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that
+ * others wait for come early, and between a joint and its parent there are others.
  *
- * `order` has two numbers per joint, and must stay as it is while it is used; `scratch` six, which are
- * not needed afterwards. A bad parent is told as by dq8_check_parents, and `bad_joint` set to it, which may be null.
+ * `order` has two numbers per joint, and must stay as it is while it is used; `scratch` six, which
+ * are not needed afterwards. A bad parent is told as by dq8_check_parents, and `bad_joint` set to
+ * it, which may be null.
  */
 dq8_status dq8_plan_make(const int32_t *parents,
                          size_t joints,
@@ -2128,12 +2156,13 @@ dq8_status dq8_plan_make(const int32_t *parents,
                          size_t *bad_joint);
 
 /**
- * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
- * eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
- * dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
+ * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for
+ * the same parents, with the eight numbers of a motion in one register: the fastest
+ * way for one instance. Several are computed as by dq8_local_to_model: `count` motions
+ * in all, `joints` times instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
- * An order whose pairs have changed places is not noticed.
+ * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root
+ * stands behind other joints. An order whose pairs have changed places is not noticed.
  */
 dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
                                        const uint32_t *order,
@@ -2143,12 +2172,13 @@ dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
                                        size_t count);
 
 /**
- * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
- * eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
- * dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
+ * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for
+ * the same parents, with the eight numbers of a motion in one register: the fastest
+ * way for one instance. Several are computed as by dq8_local_to_model: `count` motions
+ * in all, `joints` times instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
- * An order whose pairs have changed places is not noticed.
+ * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root
+ * stands behind other joints. An order whose pairs have changed places is not noticed.
  */
 dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
                                        const uint32_t *order,
@@ -2158,30 +2188,33 @@ dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
                                        size_t count);
 
 /**
- * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
+ * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations,
+ * restarts.
  */
 dq8_status dq8_mechanism_reach_options_f32(struct dq8_reach_options_f32 *options);
 
 /**
- * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for one
- * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for
+ * one mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
  */
 dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
                                            size_t goal_count,
                                            size_t *scratch_count);
 
 /**
- * Inverse kinematics of one configuration: moves `values` until the link of each goal is at
- * its target, a motion for each goal; within the limits of the joints. From a start nearby it
- * converges in a few steps.
+ * Inverse kinematics of one configuration: moves `values` until the link of each goal
+ * is at its target, a motion for each goal; within the limits of the joints. From a
+ * start nearby it converges in a few steps.
  *
- * `posture`, as many values, or null: a configuration that is preferred where the goals leave
- * freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
- * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
+ * `posture`, as many values, or null: a configuration that is preferred where the
+ * goals leave freedom. `options` null: those of dq8_mechanism_reach_options. `scratch`
+ * may hold anything. DQ8_STATUS_OK says that there is a report, not that the targets
+ * are reached: see `outcome`.
  *
- * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
- * no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or _UNKNOWN_VALUE (`restarts`); then `scratch`
- * may have been written, the values and the report not.
+ * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has
+ * none, or there is no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or
+ * _UNKNOWN_VALUE (`restarts`); then `scratch` may have been written, the values and
+ * the report not.
  */
 dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                                    const struct dq8_goal_f32 *goals,
@@ -2196,30 +2229,33 @@ dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                                    struct dq8_reach_report_f32 *report);
 
 /**
- * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
+ * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations,
+ * restarts.
  */
 dq8_status dq8_mechanism_reach_options_f64(struct dq8_reach_options_f64 *options);
 
 /**
- * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for one
- * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for
+ * one mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
  */
 dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
                                            size_t goal_count,
                                            size_t *scratch_count);
 
 /**
- * Inverse kinematics of one configuration: moves `values` until the link of each goal is at
- * its target, a motion for each goal; within the limits of the joints. From a start nearby it
- * converges in a few steps.
+ * Inverse kinematics of one configuration: moves `values` until the link of each goal
+ * is at its target, a motion for each goal; within the limits of the joints. From a
+ * start nearby it converges in a few steps.
  *
- * `posture`, as many values, or null: a configuration that is preferred where the goals leave
- * freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
- * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
+ * `posture`, as many values, or null: a configuration that is preferred where the
+ * goals leave freedom. `options` null: those of dq8_mechanism_reach_options. `scratch`
+ * may hold anything. DQ8_STATUS_OK says that there is a report, not that the targets
+ * are reached: see `outcome`.
  *
- * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
- * no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or _UNKNOWN_VALUE (`restarts`); then `scratch`
- * may have been written, the values and the report not.
+ * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has
+ * none, or there is no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or
+ * _UNKNOWN_VALUE (`restarts`); then `scratch` may have been written, the values and
+ * the report not.
  */
 dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                                    const struct dq8_goal_f64 *goals,
@@ -2240,15 +2276,17 @@ dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
 dq8_status dq8_motion_nlerp_f32(const float *a, const float *b, float t, float *out);
 
 /**
- * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant speed.
+ * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant
+ * speed.
  */
 dq8_status dq8_motion_sclerp_f32(const float *a, const float *b, float t, float *out);
 
 /**
- * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
- * turned toward the first, normalized (dual quaternion linear blending).
+ * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum,
+ * each turned toward the first, normalized (dual quaternion linear blending).
  *
- * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is
+ * no motion.
  */
 dq8_status dq8_motion_blend_f32(const float *motions,
                                 const float *weights,
@@ -2256,7 +2294,8 @@ dq8_status dq8_motion_blend_f32(const float *motions,
                                 float *out);
 
 /**
- * The logarithm of a unit motion, six numbers: half the angle times the axis, and its moment.
+ * The logarithm of a unit motion, six numbers: half the angle times the axis, and its
+ * moment.
  */
 dq8_status dq8_motion_log_f32(const float *motion, float *log);
 
@@ -2271,14 +2310,14 @@ dq8_status dq8_motion_exp_f32(const float *log, float *out);
 dq8_status dq8_motion_pow_f32(const float *motion, float t, float *out);
 
 /**
- * The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
- * 0 to pi, slide along the axis. A translation has angle 0.
+ * The screw of a unit motion, eight numbers: direction of the axis, moment of the
+ * axis, angle in 0 to pi, slide along the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f32(const float *motion, float *screw);
 
 /**
- * The motion of a screw, eight numbers: direction of length 1, moment at right angles to it,
- * angle, slide.
+ * The motion of a screw, eight numbers: direction of length 1, moment at right angles
+ * to it, angle, slide.
  */
 dq8_status dq8_motion_from_screw_f32(const float *numbers, float *out);
 
@@ -2289,15 +2328,17 @@ dq8_status dq8_motion_from_screw_f32(const float *numbers, float *out);
 dq8_status dq8_motion_nlerp_f64(const double *a, const double *b, double t, double *out);
 
 /**
- * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant speed.
+ * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant
+ * speed.
  */
 dq8_status dq8_motion_sclerp_f64(const double *a, const double *b, double t, double *out);
 
 /**
- * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
- * turned toward the first, normalized (dual quaternion linear blending).
+ * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum,
+ * each turned toward the first, normalized (dual quaternion linear blending).
  *
- * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is
+ * no motion.
  */
 dq8_status dq8_motion_blend_f64(const double *motions,
                                 const double *weights,
@@ -2305,7 +2346,8 @@ dq8_status dq8_motion_blend_f64(const double *motions,
                                 double *out);
 
 /**
- * The logarithm of a unit motion, six numbers: half the angle times the axis, and its moment.
+ * The logarithm of a unit motion, six numbers: half the angle times the axis, and its
+ * moment.
  */
 dq8_status dq8_motion_log_f64(const double *motion, double *log);
 
@@ -2320,25 +2362,27 @@ dq8_status dq8_motion_exp_f64(const double *log, double *out);
 dq8_status dq8_motion_pow_f64(const double *motion, double t, double *out);
 
 /**
- * The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
- * 0 to pi, slide along the axis. A translation has angle 0.
+ * The screw of a unit motion, eight numbers: direction of the axis, moment of the
+ * axis, angle in 0 to pi, slide along the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f64(const double *motion, double *screw);
 
 /**
- * The motion of a screw, eight numbers: direction of length 1, moment at right angles to it,
- * angle, slide.
+ * The motion of a screw, eight numbers: direction of length 1, moment at right angles
+ * to it, angle, slide.
  */
 dq8_status dq8_motion_from_screw_f64(const double *numbers, double *out);
 
 /**
- * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
- * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
- * those of the next; fill unused influences with any joint and weight 0. The skin keeps using
- * both: they must stay where they are, as they are; what its functions do is undefined if they change.
+ * Checks which joints move each vertex and how much, once; the functions that pose the
+ * mesh then only compute. `joint_indices` and `weights` hold `influences` numbers of
+ * the first vertex, then those of the next; fill unused influences with any joint and
+ * weight 0. The skin keeps using both: they must stay where they are, as they are;
+ * what its functions do is undefined if they change.
  *
- * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
- * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
+ * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be
+ * null, is set to that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin
+ * has then not been written.
  */
 dq8_status dq8_skin_make_f32(size_t joint_count,
                              size_t influences,
@@ -2349,10 +2393,11 @@ dq8_status dq8_skin_make_f32(size_t joint_count,
                              size_t *bad_vertex);
 
 /**
- * As dq8_skin_make, of joints and weights that lie between other fields, such as in a vertex buffer:
- * `joint_indices` and `weights` hold `stride` elements per vertex, of which `influences` from `first`
- * on are the field; they may be the same memory. A stride or an offset in bytes, divided by the size
- * of an element, is one in elements. DQ8_STATUS_FIELD if the field lies beyond its vertex.
+ * As dq8_skin_make, of joints and weights that lie between other fields, such as in a
+ * vertex buffer: `joint_indices` and `weights` hold `stride` elements per vertex, of
+ * which `influences` from `first` on are the field; they may be the same memory. A
+ * stride or an offset in bytes, divided by the size of an element, is one in elements.
+ * DQ8_STATUS_FIELD if the field lies beyond its vertex.
  */
 dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
                                          size_t influences,
@@ -2365,11 +2410,12 @@ dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
                                          size_t *bad_vertex);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
                                            const float *matrices,
@@ -2381,12 +2427,13 @@ dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
                                            size_t vertices);
 
 /**
- * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
- * numbers per joint, row after row. Weights must sum to 1.
+ * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the
+ * palette, twelve numbers per joint, row after row. Weights must sum to 1.
  *
- * `positions`, and `normals` and `tangents` if not null, hold three numbers per vertex; what becomes
- * of them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
- * `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
+ * `positions`, and `normals` and `tangents` if not null, hold three numbers per
+ * vertex; what becomes of them goes to `posed_positions`, `posed_normals` and
+ * `posed_tangents`, which must overlap nothing. `joint_count` and `vertices` are those
+ * of the skin, or it is DQ8_STATUS_LENGTH.
  */
 dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                const float *matrices,
@@ -2400,11 +2447,12 @@ dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_dual_interleaved_f32(const struct dq8_skin_f32 *skin,
                                          const float *motions,
@@ -2416,9 +2464,9 @@ dq8_status dq8_skin_dual_interleaved_f32(const struct dq8_skin_f32 *skin,
                                          size_t vertices);
 
 /**
- * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
- * palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
- * keep their volume.
+ * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of
+ * `motions`, the palette, normalized, each with the sign that turns it toward that of
+ * the greatest weight. Twists keep their volume.
  */
 dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
                              const float *motions,
@@ -2432,11 +2480,12 @@ dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
                              size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_stretched_interleaved_f32(const struct dq8_skin_f32 *skin,
                                               const float *motions,
@@ -2449,8 +2498,9 @@ dq8_status dq8_skin_stretched_interleaved_f32(const struct dq8_skin_f32 *skin,
                                               size_t vertices);
 
 /**
- * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
- * `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes both.
+ * As dq8_skin_dual where joints scale or shear: before the motions come the weighted
+ * sums of `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes
+ * both.
  */
 dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   const float *motions,
@@ -2465,11 +2515,12 @@ dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_mixed_interleaved_f32(const struct dq8_skin_f32 *skin,
                                           const float *matrices,
@@ -2483,9 +2534,9 @@ dq8_status dq8_skin_mixed_interleaved_f32(const struct dq8_skin_f32 *skin,
                                           size_t vertices);
 
 /**
- * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge of the second at
- * bent joints: (1 − s) times the first and s times the second, s from `shares`. DQ8_STATUS_SHARE if one
- * is not in [0, 1].
+ * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge
+ * of the second at bent joints: (1 − s) times the first and s times the second, s
+ * from `shares`. DQ8_STATUS_SHARE if one is not in [0, 1].
  */
 dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
                               const float *matrices,
@@ -2501,13 +2552,15 @@ dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
                               size_t vertices);
 
 /**
- * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
- * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
- * those of the next; fill unused influences with any joint and weight 0. The skin keeps using
- * both: they must stay where they are, as they are; what its functions do is undefined if they change.
+ * Checks which joints move each vertex and how much, once; the functions that pose the
+ * mesh then only compute. `joint_indices` and `weights` hold `influences` numbers of
+ * the first vertex, then those of the next; fill unused influences with any joint and
+ * weight 0. The skin keeps using both: they must stay where they are, as they are;
+ * what its functions do is undefined if they change.
  *
- * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
- * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
+ * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be
+ * null, is set to that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin
+ * has then not been written.
  */
 dq8_status dq8_skin_make_f64(size_t joint_count,
                              size_t influences,
@@ -2518,10 +2571,11 @@ dq8_status dq8_skin_make_f64(size_t joint_count,
                              size_t *bad_vertex);
 
 /**
- * As dq8_skin_make, of joints and weights that lie between other fields, such as in a vertex buffer:
- * `joint_indices` and `weights` hold `stride` elements per vertex, of which `influences` from `first`
- * on are the field; they may be the same memory. A stride or an offset in bytes, divided by the size
- * of an element, is one in elements. DQ8_STATUS_FIELD if the field lies beyond its vertex.
+ * As dq8_skin_make, of joints and weights that lie between other fields, such as in a
+ * vertex buffer: `joint_indices` and `weights` hold `stride` elements per vertex, of
+ * which `influences` from `first` on are the field; they may be the same memory. A
+ * stride or an offset in bytes, divided by the size of an element, is one in elements.
+ * DQ8_STATUS_FIELD if the field lies beyond its vertex.
  */
 dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
                                          size_t influences,
@@ -2534,11 +2588,12 @@ dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
                                          size_t *bad_vertex);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
                                            const double *matrices,
@@ -2550,12 +2605,13 @@ dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
                                            size_t vertices);
 
 /**
- * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
- * numbers per joint, row after row. Weights must sum to 1.
+ * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the
+ * palette, twelve numbers per joint, row after row. Weights must sum to 1.
  *
- * `positions`, and `normals` and `tangents` if not null, hold three numbers per vertex; what becomes
- * of them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
- * `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
+ * `positions`, and `normals` and `tangents` if not null, hold three numbers per
+ * vertex; what becomes of them goes to `posed_positions`, `posed_normals` and
+ * `posed_tangents`, which must overlap nothing. `joint_count` and `vertices` are those
+ * of the skin, or it is DQ8_STATUS_LENGTH.
  */
 dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                const double *matrices,
@@ -2569,11 +2625,12 @@ dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_dual_interleaved_f64(const struct dq8_skin_f64 *skin,
                                          const double *motions,
@@ -2585,9 +2642,9 @@ dq8_status dq8_skin_dual_interleaved_f64(const struct dq8_skin_f64 *skin,
                                          size_t vertices);
 
 /**
- * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
- * palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
- * keep their volume.
+ * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of
+ * `motions`, the palette, normalized, each with the sign that turns it toward that of
+ * the greatest weight. Twists keep their volume.
  */
 dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
                              const double *motions,
@@ -2601,11 +2658,12 @@ dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
                              size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_stretched_interleaved_f64(const struct dq8_skin_f64 *skin,
                                               const double *motions,
@@ -2618,8 +2676,9 @@ dq8_status dq8_skin_stretched_interleaved_f64(const struct dq8_skin_f64 *skin,
                                               size_t vertices);
 
 /**
- * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
- * `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes both.
+ * As dq8_skin_dual where joints scale or shear: before the motions come the weighted
+ * sums of `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes
+ * both.
  */
 dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   const double *motions,
@@ -2634,11 +2693,12 @@ dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the vertex
- * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
- * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
- * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
- * else in `posed` is left alone.
+ * As without _interleaved, of vertices that are records of several fields, such as the
+ * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
+ * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
+ * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
+ * field lies beyond its vertex or in another one. Everything else in `posed` is left
+ * alone.
  */
 dq8_status dq8_skin_mixed_interleaved_f64(const struct dq8_skin_f64 *skin,
                                           const double *matrices,
@@ -2652,9 +2712,9 @@ dq8_status dq8_skin_mixed_interleaved_f64(const struct dq8_skin_f64 *skin,
                                           size_t vertices);
 
 /**
- * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge of the second at
- * bent joints: (1 − s) times the first and s times the second, s from `shares`. DQ8_STATUS_SHARE if one
- * is not in [0, 1].
+ * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge
+ * of the second at bent joints: (1 − s) times the first and s times the second, s
+ * from `shares`. DQ8_STATUS_SHARE if one is not in [0, 1].
  */
 dq8_status dq8_skin_mixed_f64(const struct dq8_skin_f64 *skin,
                               const double *matrices,
@@ -2684,8 +2744,8 @@ dq8_status dq8_blocks_mul_f32(size_t lanes,
                               size_t count);
 
 /**
- * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize tells
- * so. `out` may be `motions`.
+ * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize
+ * tells so. `out` may be `motions`.
  */
 dq8_status dq8_normalize_f32(const float *motions, float *out, size_t count);
 
@@ -2706,7 +2766,8 @@ dq8_status dq8_inverse_f32(const float *motions, float *out, size_t count);
 dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
- * The inverses of unit `motions`, which cost nothing but signs. `out` may be `motions`.
+ * The inverses of unit `motions`, which cost nothing but signs. `out` may be
+ * `motions`.
  */
 dq8_status dq8_conjugate_f32(const float *motions, float *out, size_t count);
 
@@ -2750,8 +2811,8 @@ dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
                                      size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at constant
- * speed.
+ * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
+ * constant speed.
  */
 dq8_status dq8_sclerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
@@ -2845,8 +2906,8 @@ dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
- * dq8_matrix_order.
+ * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
+ * enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
@@ -2860,8 +2921,8 @@ dq8_status dq8_blocks_matrices_3x4_f32(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order` is one
- * of enum dq8_matrix_order.
+ * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
+ * is one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
@@ -2889,8 +2950,8 @@ dq8_status dq8_blocks_mul_f64(size_t lanes,
                               size_t count);
 
 /**
- * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize tells
- * so. `out` may be `motions`.
+ * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize
+ * tells so. `out` may be `motions`.
  */
 dq8_status dq8_normalize_f64(const double *motions, double *out, size_t count);
 
@@ -2911,7 +2972,8 @@ dq8_status dq8_inverse_f64(const double *motions, double *out, size_t count);
 dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
- * The inverses of unit `motions`, which cost nothing but signs. `out` may be `motions`.
+ * The inverses of unit `motions`, which cost nothing but signs. `out` may be
+ * `motions`.
  */
 dq8_status dq8_conjugate_f64(const double *motions, double *out, size_t count);
 
@@ -2955,8 +3017,8 @@ dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
                                      size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at constant
- * speed.
+ * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
+ * constant speed.
  */
 dq8_status dq8_sclerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 
@@ -3053,8 +3115,8 @@ dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
- * dq8_matrix_order.
+ * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
+ * enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
@@ -3068,8 +3130,8 @@ dq8_status dq8_blocks_matrices_3x4_f64(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order` is one
- * of enum dq8_matrix_order.
+ * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
+ * is one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
@@ -3089,20 +3151,23 @@ dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
 const char *dq8_status_text(int32_t status);
 
 /**
- * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the number of targets; for one
- * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the
+ * number of targets; for one mechanism always the same. DQ8_STATUS_TOO_LARGE for more
+ * than 1024 goals.
  */
 dq8_status dq8_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
                                  size_t goal_count,
                                  size_t *scratch_count);
 
 /**
- * dq8_mechanism_reach for `count` configurations, as many at a time as there are lanes: `targets` are
- * `[configuration][goal]`, `values`, `value_count` in all, `[configuration][value]`, and there is a report for each.
- * Goals, posture and options are the same for all.
+ * dq8_mechanism_reach for `count` configurations, as many at a time as there are
+ * lanes: `targets` are `[configuration][goal]`, `values`, `value_count` in all,
+ * `[configuration][value]`, and there is a report for each. Goals, posture and options
+ * are the same for all.
  *
- * The result of one does not depend on the others: threads may each have a part of the configurations, with
- * scratch of their own, as many numbers as dq8_reach_scratch says. Errors are those of dq8_mechanism_reach.
+ * The result of one does not depend on the others: threads may each have a part of the
+ * configurations, with scratch of their own, as many numbers as dq8_reach_scratch
+ * says. Errors are those of dq8_mechanism_reach.
  */
 dq8_status dq8_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                          const struct dq8_goal_f32 *goals,
@@ -3118,20 +3183,23 @@ dq8_status dq8_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                          size_t count);
 
 /**
- * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the number of targets; for one
- * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the
+ * number of targets; for one mechanism always the same. DQ8_STATUS_TOO_LARGE for more
+ * than 1024 goals.
  */
 dq8_status dq8_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
                                  size_t goal_count,
                                  size_t *scratch_count);
 
 /**
- * dq8_mechanism_reach for `count` configurations, as many at a time as there are lanes: `targets` are
- * `[configuration][goal]`, `values`, `value_count` in all, `[configuration][value]`, and there is a report for each.
- * Goals, posture and options are the same for all.
+ * dq8_mechanism_reach for `count` configurations, as many at a time as there are
+ * lanes: `targets` are `[configuration][goal]`, `values`, `value_count` in all,
+ * `[configuration][value]`, and there is a report for each. Goals, posture and options
+ * are the same for all.
  *
- * The result of one does not depend on the others: threads may each have a part of the configurations, with
- * scratch of their own, as many numbers as dq8_reach_scratch says. Errors are those of dq8_mechanism_reach.
+ * The result of one does not depend on the others: threads may each have a part of the
+ * configurations, with scratch of their own, as many numbers as dq8_reach_scratch
+ * says. Errors are those of dq8_mechanism_reach.
  */
 dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                          const struct dq8_goal_f64 *goals,
@@ -3147,12 +3215,14 @@ dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                          size_t count);
 
 /**
- * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at the times `at`, `count` of
- * them as of `out`: along one screw from each pose to the next, by the shorter way. Before the first pose it
- * is that one, and behind the last one that.
+ * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at
+ * the times `at`, `count` of them as of `out`: along one screw from each pose to the
+ * next, by the shorter way. Before the first pose it is that one, and behind the last
+ * one that.
  *
- * DQ8_STATUS_TIMES if a time is not later than the one before or not finite, DQ8_STATUS_NOT_FINITE if one to
- * sample at is NaN; `bad_time`, which may be null, is set to it. DQ8_STATUS_LENGTH if there is no pose.
+ * DQ8_STATUS_TIMES if a time is not later than the one before or not finite,
+ * DQ8_STATUS_NOT_FINITE if one to sample at is NaN; `bad_time`, which may be null, is
+ * set to it. DQ8_STATUS_LENGTH if there is no pose.
  */
 dq8_status dq8_resample_f32(const float *times,
                             const float *poses,
@@ -3163,12 +3233,14 @@ dq8_status dq8_resample_f32(const float *times,
                             size_t *bad_time);
 
 /**
- * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at the times `at`, `count` of
- * them as of `out`: along one screw from each pose to the next, by the shorter way. Before the first pose it
- * is that one, and behind the last one that.
+ * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at
+ * the times `at`, `count` of them as of `out`: along one screw from each pose to the
+ * next, by the shorter way. Before the first pose it is that one, and behind the last
+ * one that.
  *
- * DQ8_STATUS_TIMES if a time is not later than the one before or not finite, DQ8_STATUS_NOT_FINITE if one to
- * sample at is NaN; `bad_time`, which may be null, is set to it. DQ8_STATUS_LENGTH if there is no pose.
+ * DQ8_STATUS_TIMES if a time is not later than the one before or not finite,
+ * DQ8_STATUS_NOT_FINITE if one to sample at is NaN; `bad_time`, which may be null, is
+ * set to it. DQ8_STATUS_LENGTH if there is no pose.
  */
 dq8_status dq8_resample_f64(const double *times,
                             const double *poses,
@@ -3179,13 +3251,10 @@ dq8_status dq8_resample_f64(const double *times,
                             size_t *bad_time);
 
 /**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit `motions[i]`: a body twist
- * becomes the spatial one.
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+ * `motions[i]`: a body twist becomes the spatial one.
  */
-dq8_status dq8_twists_each_f32(const float *motions,
-                               const float *twists,
-                               float *out,
-                               size_t count);
+dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
 
 /**
  * dq8_twists_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
@@ -3197,8 +3266,8 @@ dq8_status dq8_blocks_twists_each_f32(size_t lanes,
                                       size_t count);
 
 /**
- * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`, six numbers each,
- * angular part first.
+ * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`,
+ * six numbers each, angular part first.
  */
 dq8_status dq8_integrate_body_f32(const float *motions,
                                   const float *twists,
@@ -3217,8 +3286,8 @@ dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
                                          size_t count);
 
 /**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis, and its
- * moment. Twice that is the twist that leads there in one second.
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+ * and its moment. Twice that is the twist that leads there in one second.
  */
 dq8_status dq8_log_f32(const float *motions, float *logs, size_t count);
 
@@ -3238,7 +3307,8 @@ dq8_status dq8_exp_f32(const float *logs, float *out, size_t count);
 dq8_status dq8_blocks_exp_f32(size_t lanes, const float *logs, float *out, size_t count);
 
 /**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle and the slide.
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+ * and the slide.
  */
 dq8_status dq8_pow_each_f32(const float *motions, const float *t, float *out, size_t count);
 
@@ -3252,8 +3322,8 @@ dq8_status dq8_blocks_pow_each_f32(size_t lanes,
                                    size_t count);
 
 /**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit `motions[i]`: a body twist
- * becomes the spatial one.
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+ * `motions[i]`: a body twist becomes the spatial one.
  */
 dq8_status dq8_twists_each_f64(const double *motions,
                                const double *twists,
@@ -3270,8 +3340,8 @@ dq8_status dq8_blocks_twists_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`, six numbers each,
- * angular part first.
+ * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`,
+ * six numbers each, angular part first.
  */
 dq8_status dq8_integrate_body_f64(const double *motions,
                                   const double *twists,
@@ -3290,8 +3360,8 @@ dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
                                          size_t count);
 
 /**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis, and its
- * moment. Twice that is the twist that leads there in one second.
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+ * and its moment. Twice that is the twist that leads there in one second.
  */
 dq8_status dq8_log_f64(const double *motions, double *logs, size_t count);
 
@@ -3311,7 +3381,8 @@ dq8_status dq8_exp_f64(const double *logs, double *out, size_t count);
 dq8_status dq8_blocks_exp_f64(size_t lanes, const double *logs, double *out, size_t count);
 
 /**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle and the slide.
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+ * and the slide.
  */
 dq8_status dq8_pow_each_f64(const double *motions, const double *t, double *out, size_t count);
 

@@ -57,12 +57,12 @@ pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
     }
 }
 
-/// From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5 times the time: 1 if
-/// they have, 0 if not, as they begin. It goes with every limit. Functions of one motion have the same bits
-/// always.
+/// From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5
+/// times the time: 1 if they have, 0 if not, as they begin. It goes with every limit. Functions of
+/// one motion have the same bits always.
 ///
-/// DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature `reproducible`;
-/// nothing changes.
+/// DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature
+/// `reproducible`; nothing changes.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_set_reproducible(reproducible: i32) -> Status {
     match reproducible {

@@ -9,8 +9,8 @@ use dq8::hierarchy::{PackedClips, PackedError, Sampled, TrackPlace};
 use dq8::law::NlerpLerp;
 use dq8::{DualQuat, Hierarchy, Scalar, hierarchy::Root};
 
-/// Clips of one skeleton, checked once. It may be copied and moved; the bytes that it was made of must stay where they
-/// are, as they are.
+/// Clips of one skeleton, checked once. It may be copied and moved; the bytes that it was made of
+/// must stay where they are, as they are.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Clips {
@@ -32,7 +32,8 @@ struct Known {
 const _: () = assert!(size_of::<Known>() <= 13 * size_of::<*const ()>());
 const _: () = assert!(align_of::<Known>() <= align_of::<*const ()>());
 
-/// A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same clips.
+/// A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same
+/// clips.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Place {
@@ -40,10 +41,11 @@ pub struct Place {
     pub numbers: [u32; 6],
 }
 
-/// Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example mocap write. Reads all of
-/// them once.
+/// Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example
+/// mocap write. Reads all of them once.
 ///
-/// DQ8_STATUS_NOT_CLIPS if they are none; `bad_offset` is set to the first byte that is wrong, and may be null.
+/// DQ8_STATUS_NOT_CLIPS if they are none; `bad_offset` is set to the first byte that is wrong, and
+/// may be null.
 ///
 /// # Safety
 /// Arrays have the lengths named.
@@ -88,7 +90,8 @@ unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *
 /// The clips are zero, or have been made, and their bytes are as they were.
 unsafe fn known(clips: *const Clips) -> Result<(Known, Span), Status> {
     let span = Span::of(clips, 1)?;
-    // SAFETY: neither null nor misaligned, by `Span::of`; if they have been made, their inside was written.
+    // SAFETY: neither null nor misaligned, by `Span::of`; if they have been made, their inside was
+    // written.
     unsafe {
         if ptr::addr_of!((*clips).joints).read() == 0 {
             return Err(Status::NoClips);

@@ -58,8 +58,8 @@ macro_rules! export {
     };
 }
 
-/// A function of which there is one form, whose body is what it returns inside; on one thing, `motion`, `mechanism` or
-/// `skin`, or on plain arrays.
+/// A function of which there is one form, whose body is what it returns inside; on one thing,
+/// `motion`, `mechanism` or `skin`, or on plain arrays.
 macro_rules! export_one {
     ($R:ident $(#[doc = $about:literal])* $thing:ident::$name:ident($($arguments:tt)*) = $body:expr) => {
         export_one! {

@@ -1,5 +1,5 @@
-//! Lines, planes and twists moved by one motion, and how far one motion is from another. Inputs are read before
-//! anything is written, so outputs may be inputs.
+//! Lines, planes and twists moved by one motion, and how far one motion is from another. Inputs are
+//! read before anything is written, so outputs may be inputs.
 
 use crate::memory::{one, two};
 use crate::status::Status;
@@ -8,8 +8,8 @@ use dq8::{DualQuat, Line, Plane, Twist};
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// A line moved by a unit motion. It is six numbers: its direction, and its moment p x direction of any
-            /// point p on it (Plücker coordinates).
+            /// A line moved by a unit motion. It is six numbers: its direction, and its moment p x
+            /// direction of any point p on it (Plücker coordinates).
             motion::line(motion: *const $R, line: *const $R, out: *mut $R) =
                 two(motion, line, out, |motion: DualQuat<$R>, [direction, moment]: [[$R; 3]; 2]| {
                     let moved = motion.transform_line(Line { direction, moment });
@@ -17,7 +17,8 @@ macro_rules! functions {
                 })
         }
         export_one! { $R
-            /// A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of any point p on it.
+            /// A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of
+            /// any point p on it.
             motion::plane(motion: *const $R, plane: *const $R, out: *mut $R) =
                 two(motion, plane, out, |motion: DualQuat<$R>, [x, y, z, offset]: [$R; 4]| {
                     let moved = motion.transform_plane(Plane { normal: [x, y, z], offset });
@@ -26,18 +27,20 @@ macro_rules! functions {
                 })
         }
         export_one! { $R
-            /// A twist, six numbers, angular part first, by the adjoint of a unit motion: a body twist becomes the
-            /// spatial one.
+            /// A twist, six numbers, angular part first, by the adjoint of a unit motion: a body
+            /// twist becomes the spatial one.
             motion::twist(motion: *const $R, twist: *const $R, out: *mut $R) =
                 two(motion, twist, out, |motion: DualQuat<$R>, twist: Twist<$R>| Ok(motion.adjoint(twist)))
         }
         export_one! { $R
-            /// The twist, six numbers, angular part first, that leads to a unit motion in one second.
+            /// The twist, six numbers, angular part first, that leads to a unit motion in one
+            /// second.
             motion::to_twist(motion: *const $R, twist: *mut $R) =
                 one(motion, twist, |motion: DualQuat<$R>| Ok(motion.to_twist()))
         }
         export_one! { $R
-            /// Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part first.
+            /// Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
+            /// first.
             motion::integrate_body(motion: *const $R, twist: *const $R, dt: $R, out: *mut $R) =
                 two(motion, twist, out, |motion: DualQuat<$R>, twist: Twist<$R>| {
                     Ok(motion.integrate_body(twist, dt))

@@ -148,36 +148,39 @@ palettes! { palette of 8; palette_matrices of 12; }
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
-            /// Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
+            /// Model poses of all joints from local ones:
+            /// `models[j] = models[parents[j]] * locals[j]`.
             ///
-            /// `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints` times instances, which
-            /// is `joints` for one instance; in blocks, `[block of instances][joint]`, `joints` times the number of
-            /// instances over `lanes`, rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is
-            /// what joints without a parent stand on, or null. `models` may be `locals`.
+            /// `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints`
+            /// times instances, which is `joints` for one instance; in blocks,
+            /// `[block of instances][joint]`, `joints` times the number of instances over `lanes`,
+            /// rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is what
+            /// joints without a parent stand on, or null. `models` may be `locals`.
             local_to_model, blocks_local_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
             )
         }
         export! { $R $lanes
-            /// Local poses of all joints from unit model ones, as dq8_local_to_model the other way round.
-            /// `locals` may be `models`.
+            /// Local poses of all joints from unit model ones, as dq8_local_to_model the other way
+            /// round. `locals` may be `models`.
             model_to_local, blocks_model_to_local(
                 parents: *const i32, joints: usize, root: *const $R,
                 models: *const $R, locals: *mut $R,
             )
         }
         export! { $R $lanes
-            /// As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints` offsets of joints
-            /// from their parents (x, y, z), the same for all instances: what animation clips hold.
+            /// As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints`
+            /// offsets of joints from their parents (x, y, z), the same for all instances: what
+            /// animation clips hold.
             rotations_to_model, blocks_rotations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 rotations: *const $R, offsets: *const $R, models: *mut $R,
             )
         }
         export! { $R $lanes
-            /// As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y, z, w) and a
-            /// translation (x, y, z).
+            /// As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y,
+            /// z, w) and a translation (x, y, z).
             rotations_translations_to_model, blocks_rotations_translations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
@@ -185,18 +188,19 @@ macro_rules! functions {
         }
         export! { $R $lanes
             /// As dq8_local_to_model, and in the same pass the skinning palette:
-            /// `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
-            /// joint j has moved it.
+            /// `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at
+            /// rest to where joint j has moved it.
             ///
-            /// `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
-            /// `palette` hold `count` motions in all, as there, and must overlap nothing.
+            /// `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
+            /// and `palette` hold `count` motions in all, as there, and must overlap nothing.
             palette, blocks_palette(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,
             )
         }
         export! { $R $lanes
-            /// As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
+            /// As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after
+            /// row.
             palette_matrices, blocks_palette_matrices(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,
@@ -206,8 +210,8 @@ macro_rules! functions {
 }
 for_both_numbers!(functions);
 
-/// Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or is
-/// -1. Every function that takes parents checks them too, in a pass that costs little beside its
+/// Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or
+/// is -1. Every function that takes parents checks them too, in a pass that costs little beside its
 /// work; this one also says where the fault is.
 ///
 /// If it is DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE, `bad_joint` is set to the first
@@ -234,7 +238,8 @@ unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize)
     unsafe { checked(&parents, &bad_joint).map(|_| ()) }
 }
 
-/// The hierarchy of these parents; if they are none, the joint that is wrong is written to `bad_joint`.
+/// The hierarchy of these parents; if they are none, the joint that is wrong is written to
+/// `bad_joint`.
 ///
 /// # Safety
 /// As for [`Input::slice`] and [`Output::write`], and the two are apart.

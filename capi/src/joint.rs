@@ -16,11 +16,12 @@ pub enum JointKind {
     Prismatic = 2,
     /// Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
     Screw = 3,
-    /// Slides in the plane across `axis`, then turns about it. Three values: x, y and the angle. The
-    /// axes of x and y are those of the joint's frame after the shortest rotation that takes z to `axis`.
+    /// Slides in the plane across `axis`, then turns about it. Three values: x, y and the angle.
+    /// The axes of x and y are those of the joint's frame after the shortest rotation that takes z
+    /// to `axis`.
     Planar = 4,
-    /// Moves freely. Seven values: a quaternion x y z w of any length but zero, and a translation. Six
-    /// rates: the body twist, angular first.
+    /// Moves freely. Seven values: a quaternion x y z w of any length but zero, and a translation.
+    /// Six rates: the body twist, angular first.
     Floating = 5,
 }
 
@@ -34,7 +35,8 @@ pub struct Joint<R> {
     pub parent: i32,
     /// One of enum dq8_joint_kind.
     pub kind: i32,
-    /// The pose of the link in that of its parent where the joint is at zero: a motion, unit to 0.001.
+    /// The pose of the link in that of its parent where the joint is at zero: a motion, unit to
+    /// 0.001.
     pub placement: [R; 8],
     /// The axis or, of a planar joint, the normal; of length 1 to 0.001.
     pub axis: [R; 3],
@@ -49,8 +51,8 @@ pub struct Joint<R> {
     pub multiplier: R,
     /// What is added.
     pub offset: R,
-    /// 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to them,
-    /// nothing else does.
+    /// 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to
+    /// them, nothing else does.
     pub limited: i32,
     /// The least and the largest value; infinite where there is no end.
     pub limits: [R; 2],

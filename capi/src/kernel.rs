@@ -1,14 +1,15 @@
 //! Macros that write the generic function, plain or in blocks, that a kernel over slices is in C.
 
-/// Of a kernel that makes arrays, of so many numbers per element, into another. After them may come one thing more, which
-/// C may pass as something else: `= …` says what it stands for.
+/// Of a kernel that makes arrays, of so many numbers per element, into another. After them may come
+/// one thing more, which C may pass as something else: `= …` says what it stands for.
 macro_rules! kernel {
     (
         $name:ident($($from:ident: $size:literal),+ $(; $more:ident: $type:ty $(= $known:expr)?)?)
             -> $out:literal by $kernel:ident
     ) => {
         /// # Safety
-        /// As for [`Input::slice`](crate::memory::Input::slice) and [`Output::slice`](crate::memory::Output::slice).
+        /// As for [`Input::slice`](crate::memory::Input::slice) and
+        /// [`Output::slice`](crate::memory::Output::slice).
         unsafe fn $name<L: Layout>(
             $($from: *const L::Real,)+
             $($more: $type,)?
@@ -26,15 +27,16 @@ macro_rules! kernel {
     };
 }
 
-/// Of a kernel that makes an array into another, and of its sibling for where the two are one; both may take one motion
-/// first.
+/// Of a kernel that makes an array into another, and of its sibling for where the two are one; both
+/// may take one motion first.
 macro_rules! kernel_or_in_place {
     (
         $name:ident($from:ident: $size:literal) $(of one $motion:ident)?
             by $kernel:ident, $in_place:ident
     ) => {
         /// # Safety
-        /// As for [`from_to`](crate::memory::from_to) and, of one motion, [`read`](crate::memory::read).
+        /// As for [`from_to`](crate::memory::from_to) and, of one motion,
+        /// [`read`](crate::memory::read).
         unsafe fn $name<L: Layout>(
             $($motion: *const L::Real,)?
             $from: *const L::Real,

@@ -18,8 +18,8 @@
 //! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | between plain arrays and blocks |
 //!
-//! Each but the first two, `joint`, `skin` and `mesh` has its functions twice: in `single` for `f32`, in `double` for `f64`. The
-//! symbol of `slices::single::mul` is `dq8_mul_f32`.
+//! Each but the first two, `joint`, `skin` and `mesh` has its functions twice: in `single` for
+//! `f32`, in `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
 //! Nothing here computes: pointers are checked and become slices, and errors become numbers. No
 //! function allocates, and none panics; a panic could not leave an `extern "C"` function anyway, it

@@ -31,14 +31,16 @@ where
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
-            /// Forward kinematics of many configurations: `values` is `[configuration][value]`, `value_count`
-            /// numbers in all: values of the mechanism times configurations. `poses` is `[configuration][link]`,
-            /// `count` motions in all: links of the mechanism times configurations.
+            /// Forward kinematics of many configurations: `values` is `[configuration][value]`,
+            /// `value_count` numbers in all: values of the mechanism times configurations. `poses`
+            /// is `[configuration][link]`, `count` motions in all: links of the mechanism times
+            /// configurations.
             ///
-            /// In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all: links times the number
-            /// of configurations over `lanes`, rounded up; `values` are plain, as above. Lanes without a
-            /// configuration get the poses of values that are all zero. DQ8_STATUS_LENGTH if `value_count` and `count`
-            /// are not those of the same configurations.
+            /// In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all:
+            /// links times the number of configurations over `lanes`, rounded up; `values` are
+            /// plain, as above. Lanes without a configuration get the poses of values that are all
+            /// zero. DQ8_STATUS_LENGTH if `value_count` and `count` are not those of the same
+            /// configurations.
             link_poses, blocks_link_poses(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 poses: *mut $R,

@@ -49,14 +49,16 @@ unsafe fn mean<R: Real>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// The intrinsic mean of `count` unit motions: the one from which the `weights`, null for equal ones, of the
-            /// screws to all of them cancel; found by steps from dq8_motion_blend, `max_iterations` at most (32 serve), until
-            /// one turns by no more than `tolerance`, radians, and moves by no more than that part of the longest dual
-            /// part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is set to 1 if it came to
-            /// that, or else to 0.
+            /// The intrinsic mean of `count` unit motions: the one from which the `weights`, null
+            /// for equal ones, of the screws to all of them cancel; found by steps from
+            /// dq8_motion_blend, `max_iterations` at most (32 serve), until one turns by no more
+            /// than `tolerance`, radians, and moves by no more than that part of the longest dual
+            /// part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is
+            /// set to 1 if it came to that, or else to 0.
             ///
-            /// The mean of moved motions is the moved mean. Where motions lie more than a quarter of a turn from it, there may
-            /// be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+            /// The mean of moved motions is the moved mean. Where motions lie more than a quarter
+            /// of a turn from it, there may be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0,
+            /// DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
             motion::mean(
                 motions: *const $R, weights: *const $R, count: usize, tolerance: $R, max_iterations: u32,
                 out: *mut $R, converged: *mut i32,

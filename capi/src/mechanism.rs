@@ -1,4 +1,5 @@
-//! Mechanisms: a tree of joints, made once in memory of the caller; then poses of links and Jacobians.
+//! Mechanisms: a tree of joints, made once in memory of the caller; then poses of links and
+//! Jacobians.
 
 use crate::joint::{Fault, Joint, fault};
 use crate::memory::{Input, Output, Room, bytes, place};
@@ -47,8 +48,8 @@ pub struct Mechanism<R> {
 
 type Known<R> = dq8_robot::Mechanism<'static, R>;
 
-/// Whether what the library keeps fits the memory that C has for it: steps, behind them the joints while
-/// they are checked, and what it takes to align each of the two.
+/// Whether what the library keeps fits the memory that C has for it: steps, behind them the joints
+/// while they are checked, and what it takes to align each of the two.
 macro_rules! fits {
     ($($R:ident)*) => {$(const _: () = {
         let joints = size_of::<dq8_robot::Joint<$R>>() + align_of::<dq8_robot::Joint<$R>>();
@@ -223,42 +224,44 @@ unsafe fn link_jacobian<R: Real>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
-            /// `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
-            /// undefined if anything else has written it. `joints` are not needed any more.
+            /// Checks `count` joints and makes a mechanism of them, once; its functions then only
+            /// compute. `steps`, as many as joints, is memory that the mechanism keeps using: what
+            /// its functions do is undefined if anything else has written it. `joints` are not
+            /// needed any more.
             ///
-            /// DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
-            /// _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
-            /// set to that joint. `steps` may have been written, the mechanism not.
+            /// DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement),
+            /// _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or
+            /// `limited`); `bad_joint`, which may be null, is set to that joint. `steps` may have
+            /// been written, the mechanism not.
             mechanism::make(
                 joints: *const Joint<$R>, count: usize, steps: *mut Step<$R>,
                 mechanism: *mut Mechanism<$R>, bad_joint: *mut usize,
             ) = super::make(joints, count, steps, mechanism, bad_joint)
         }
         export_one! { $R
-            /// Forward kinematics of one configuration: the poses of all links in the frame of the base,
-            /// `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count` and `link_count`
-            /// are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+            /// Forward kinematics of one configuration: the poses of all links in the frame of the
+            /// base, `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count`
+            /// and `link_count` are those of the mechanism, or it is DQ8_STATUS_LENGTH.
             mechanism::link_poses(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 poses: *mut $R, link_count: usize,
             ) = super::link_poses(mechanism, values, value_count, poses, link_count)
         }
         export_one! { $R
-            /// The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if there is
-            /// no such link.
+            /// The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if
+            /// there is no such link.
             mechanism::link_pose(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 link: usize, pose: *mut $R,
             ) = super::link_pose(mechanism, values, value_count, link, pose)
         }
         export_one! { $R
-            /// The geometric Jacobian of a link: for each rate of the mechanism a column of six numbers,
-            /// angular velocity x y z, then linear velocity x y z, in `frame`, one of enum dq8_frame.
-            /// Columns of joints that do not carry the link are zero.
+            /// The geometric Jacobian of a link: for each rate of the mechanism a column of six
+            /// numbers, angular velocity x y z, then linear velocity x y z, in `frame`, one of enum
+            /// dq8_frame. Columns of joints that do not carry the link are zero.
             ///
-            /// `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may be null.
-            /// DQ8_STATUS_NO_LINK if there is no such link.
+            /// `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may
+            /// be null. DQ8_STATUS_NO_LINK if there is no such link.
             mechanism::link_jacobian(
                 mechanism: *const Mechanism<$R>, frame: i32, values: *const $R,
                 value_count: usize, link: usize, columns: *mut $R, column_count: usize,

@@ -56,8 +56,8 @@ impl<T: Copy> Output<T> {
     }
 
     /// # Safety
-    /// The elements are there, are any bits to `T`, and nothing else reads or writes them while `'a`
-    /// lasts.
+    /// The elements are there, are any bits to `T`, and nothing else reads or writes them while
+    /// `'a` lasts.
     pub(crate) unsafe fn slice<'a>(&self) -> &'a mut [T] {
         if self.count == 0 {
             return &mut [];
@@ -87,8 +87,8 @@ pub(crate) fn bytes<T>(room: &mut [MaybeUninit<T>]) -> &mut Room {
     unsafe { slice::from_raw_parts_mut(room.as_mut_ptr().cast(), size_of_val(room)) }
 }
 
-/// `count` times `value` at the first place in `room` that is aligned for it, and the room behind; `None` if it is too
-/// small. Nothing needs no place: room of no bytes need not be aligned.
+/// `count` times `value` at the first place in `room` that is aligned for it, and the room behind;
+/// `None` if it is too small. Nothing needs no place: room of no bytes need not be aligned.
 pub(crate) fn place<T: Copy>(
     room: &mut Room,
     count: usize,

@@ -86,8 +86,8 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
     }
 }
 
-/// Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted in numbers.
-/// A field is three numbers.
+/// Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted
+/// in numbers. A field is three numbers.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct VertexFields {

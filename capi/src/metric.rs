@@ -13,7 +13,8 @@ macro_rules! functions {
             angles, blocks_angles(a: *const $R, b: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// The distances between the translations of unit `a[i]` and unit `b[i]`, one number each.
+            /// The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+            /// each.
             distances, blocks_distances(a: *const $R, b: *const $R, out: *mut $R)
         }
     };

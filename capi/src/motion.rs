@@ -47,30 +47,31 @@ macro_rules! functions {
             motion::identity(out: *mut $R) = super::identity(out)
         }
         export_one! { $R
-            /// Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation` (x, y, z).
+            /// Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation`
+            /// (x, y, z).
             motion::from_rotation_translation(rotation: *const $R, translation: *const $R, out: *mut $R) =
                 two(rotation, translation, out, |rotation: Quat<$R>, translation| {
                     Ok(DualQuat::from_rotation_translation(rotation, translation))
                 })
         }
         export_one! { $R
-            /// The parts of a unit motion: `rotation` four numbers, `translation` three, which must not
-            /// overlap each other.
+            /// The parts of a unit motion: `rotation` four numbers, `translation` three, which must
+            /// not overlap each other.
             motion::to_rotation_translation(
                 motion: *const $R, rotation: *mut $R, translation: *mut $R
             ) = super::to_rotation_translation(motion, rotation, translation)
         }
         export_one! { $R
-            /// The motion of a matrix, twelve numbers, row after row. `tolerance` is how far products of
-            /// rows of the rotation may be from 0 and 1.
+            /// The motion of a matrix, twelve numbers, row after row. `tolerance` is how far
+            /// products of rows of the rotation may be from 0 and 1.
             ///
             /// DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
             motion::from_matrix_3x4(matrix: *const $R, tolerance: $R, out: *mut $R) =
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix3x4(rows, tolerance)?))
         }
         export_one! { $R
-            /// As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last row is
-            /// not 0 0 0 1.
+            /// As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last
+            /// row is not 0 0 0 1.
             motion::from_matrix_4x4(matrix: *const $R, tolerance: $R, out: *mut $R) =
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix4(rows, tolerance)?))
         }
@@ -100,8 +101,8 @@ macro_rules! functions {
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.try_inverse()?))
         }
         export_one! { $R
-            /// The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if there is
-            /// none.
+            /// The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if
+            /// there is none.
             motion::normalize(motion: *const $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.try_normalize()?))
         }

@@ -72,25 +72,28 @@ macro_rules! export_packing {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_packing! { $R $lanes
-            /// Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
-            /// lanes without an instance get the identity. `block_count` is `joints` times the number of
-            /// instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+            /// Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances,
+            /// `[instance block][joint]`; lanes without an instance get the identity. `block_count`
+            /// is `joints` times the number of instances over `lanes`, rounded up;
+            /// DQ8_STATUS_LENGTH if it is not.
             pack(
                 joints: usize,
                 poses: *const $R, pose_count: usize, blocks: *mut $R, block_count: usize,
             ) = to_blocks(poses, pose_count, blocks, block_count) by |poses, blocks| storage::pack(joints, poses, blocks)
         }
         export_packing! { $R $lanes
-            /// Writes blocks into `poses`, the other way round; lanes beyond the last instance are dropped.
+            /// Writes blocks into `poses`, the other way round; lanes beyond the last instance are
+            /// dropped.
             unpack(
                 joints: usize,
                 blocks: *const $R, block_count: usize, poses: *mut $R, pose_count: usize,
             ) = from_blocks(blocks, block_count, poses, pose_count) by |blocks, poses| storage::unpack(joints, blocks, poses)
         }
         export_packing! { $R $lanes
-            /// Writes a chain into blocks, a segment of `block_count` links in each lane: link i is in lane
-            /// `i / block_count` of block `i % block_count`. Lanes beyond the last link get the identity.
-            /// `block_count` is `link_count` over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+            /// Writes a chain into blocks, a segment of `block_count` links in each lane: link i is
+            /// in lane `i / block_count` of block `i % block_count`. Lanes beyond the last link get
+            /// the identity. `block_count` is `link_count` over `lanes`, rounded up;
+            /// DQ8_STATUS_LENGTH if it is not.
             pack_chain(
                 links: *const $R, link_count: usize, blocks: *mut $R, block_count: usize,
             ) = to_blocks(links, link_count, blocks, block_count) by storage::pack_chain
@@ -102,9 +105,9 @@ macro_rules! functions {
             ) = from_blocks(blocks, block_count, links, link_count) by storage::unpack_chain
         }
 
-        /// How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,
-        /// 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes` things: their
-        /// product, rounded up to whole 64 bytes.
+        /// How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in
+        /// rotations, 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes`
+        /// things: their product, rounded up to whole 64 bytes.
         #[unsafe(export_name = concat!("dq8_block_size_", stringify!($R)))]
         pub extern "C" fn block_size(lanes: usize, components: usize) -> usize {
             let line = 64 / size_of::<$R>();

@@ -1,4 +1,5 @@
-//! Palettes of meshes that follow joints, from the matrices of an engine. Those of hierarchies are in `hierarchy`.
+//! Palettes of meshes that follow joints, from the matrices of an engine. Those of hierarchies are
+//! in `hierarchy`.
 
 use crate::memory::{Input, Output};
 use crate::slices::Order;
@@ -45,8 +46,9 @@ unsafe fn split<R: Real>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
-            /// of enum dq8_matrix_order, to twelve numbers per joint, row after row.
+            /// A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4
+            /// matrices in `order`, one of enum dq8_matrix_order, to twelve numbers per joint, row
+            /// after row.
             ///
             /// DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
             skin::products(
@@ -55,8 +57,8 @@ macro_rules! functions {
             ) = super::products(models, inverse_binds, order, matrices, joint_count)
         }
         export_one! { $R
-            /// Takes the matrices of a palette apart into stretches and, after them, unit motions: what
-            /// dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+            /// Takes the matrices of a palette apart into stretches and, after them, unit motions:
+            /// what dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
             skin::split(
                 matrices: *const $R, motions: *mut $R, stretches: *mut $R, joint_count: usize,
             ) = super::split(matrices, motions, stretches, joint_count)

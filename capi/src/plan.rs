@@ -7,11 +7,12 @@ use crate::status::{Done, Status};
 use dq8::hierarchy::{Plan, PlanScratch};
 use dq8::{DualQuat, Hierarchy, Scalar};
 
-/// Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that others wait for come
-/// early, and between a joint and its parent there are others.
+/// Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that
+/// others wait for come early, and between a joint and its parent there are others.
 ///
-/// `order` has two numbers per joint, and must stay as it is while it is used; `scratch` six, which are
-/// not needed afterwards. A bad parent is told as by dq8_check_parents, and `bad_joint` set to it, which may be null.
+/// `order` has two numbers per joint, and must stay as it is while it is used; `scratch` six, which
+/// are not needed afterwards. A bad parent is told as by dq8_check_parents, and `bad_joint` set to
+/// it, which may be null.
 ///
 /// # Safety
 /// Arrays have the lengths named.
@@ -74,12 +75,13 @@ unsafe fn local_to_model<R: Scalar>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
-            /// eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
-            /// dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
+            /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for
+            /// the same parents, with the eight numbers of a motion in one register: the fastest
+            /// way for one instance. Several are computed as by dq8_local_to_model: `count` motions
+            /// in all, `joints` times instances. `models` may be `locals`.
             ///
-            /// DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
-            /// An order whose pairs have changed places is not noticed.
+            /// DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root
+            /// stands behind other joints. An order whose pairs have changed places is not noticed.
             plan::local_to_model(
                 parents: *const i32, order: *const u32, joints: usize, locals: *const $R,
                 models: *mut $R, count: usize,

@@ -1,4 +1,5 @@
-//! Inverse kinematics of a mechanism, in memory of the caller: one configuration here, many in [`targets`](crate::targets).
+//! Inverse kinematics of a mechanism, in memory of the caller: one configuration here, many in
+//! [`targets`](crate::targets).
 
 use crate::mechanism::{Made, Mechanism};
 use crate::memory::{Input, Output, bytes, place};
@@ -8,8 +9,8 @@ use core::mem::{MaybeUninit, offset_of};
 use dq8::{DualQuat, Real, Scalar, ShapeError, simd::MAX_LANES};
 use dq8_robot::ik::{self, Freedom, Reach, ReachError};
 
-/// What is asked of a link: components of its error in the axes of its target, and how much each weighs
-/// where not all can vanish. A weight of 0 leaves its component free.
+/// What is asked of a link: components of its error in the axes of its target, and how much each
+/// weighs where not all can vanish. A weight of 0 leaves its component free.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal<R> {
@@ -33,11 +34,11 @@ pub struct ReachOptions<R> {
     pub linear_tolerance: R,
     /// Steps and restarts together.
     pub max_iterations: u32,
-    /// 1 to begin again from another configuration where the search got stuck; 0 to converge from the
-    /// given start only, to follow a target that moves.
+    /// 1 to begin again from another configuration where the search got stuck; 0 to converge from
+    /// the given start only, to follow a target that moves.
     pub restarts: u32,
-    /// How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length, or where
-    /// something floats or slides without end, of the longer way that it has to go.
+    /// How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length,
+    /// or where something floats or slides without end, of the longer way that it has to go.
     pub length_per_radian: R,
     /// The most that a hinge turns in one step, radians; more than a turn is as much as one.
     pub max_step: R,
@@ -59,8 +60,8 @@ pub enum Outcome {
     Stalled = 3,
     /// The iterations ran out while the links still came nearer: more would help.
     Unfinished = 4,
-    /// A target is not unit to 0.001, a number is not finite, or an option is negative or no number, or
-    /// max_step is 0: the values are untouched.
+    /// A target is not unit to 0.001, a number is not finite, or an option is negative or no
+    /// number, or max_step is 0: the values are untouched.
     Invalid = 5,
 }
 
@@ -112,7 +113,8 @@ pub(crate) enum Width {
     Lanes,
 }
 
-/// How many numbers as large as `R` a search computes in: those of its freedoms and what aligns them, then its own.
+/// How many numbers as large as `R` a search computes in: those of its freedoms and what aligns
+/// them, then its own.
 fn room<R: Real>(
     known: dq8_robot::Mechanism<'_, R>,
     goals: usize,
@@ -296,28 +298,31 @@ fn status(error: &ReachError) -> Status {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
+            /// Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations,
+            /// restarts.
             mechanism::reach_options(options: *mut ReachOptions<$R>) = super::reach_options(options)
         }
         export_one! { $R
-            /// How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for one
-            /// mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+            /// How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for
+            /// one mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
             mechanism::reach_scratch(
                 mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
             ) = super::reach_scratch(mechanism, goal_count, scratch_count, Width::One)
         }
         export_one! { $R
-            /// Inverse kinematics of one configuration: moves `values` until the link of each goal is at
-            /// its target, a motion for each goal; within the limits of the joints. From a start nearby it
-            /// converges in a few steps.
+            /// Inverse kinematics of one configuration: moves `values` until the link of each goal
+            /// is at its target, a motion for each goal; within the limits of the joints. From a
+            /// start nearby it converges in a few steps.
             ///
-            /// `posture`, as many values, or null: a configuration that is preferred where the goals leave
-            /// freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
-            /// DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
+            /// `posture`, as many values, or null: a configuration that is preferred where the
+            /// goals leave freedom. `options` null: those of dq8_mechanism_reach_options. `scratch`
+            /// may hold anything. DQ8_STATUS_OK says that there is a report, not that the targets
+            /// are reached: see `outcome`.
             ///
-            /// DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
-            /// no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or _UNKNOWN_VALUE (`restarts`); then `scratch`
-            /// may have been written, the values and the report not.
+            /// DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has
+            /// none, or there is no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or
+            /// _UNKNOWN_VALUE (`restarts`); then `scratch` may have been written, the values and
+            /// the report not.
             mechanism::reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,
                 goal_count: usize, posture: *const $R, options: *const ReachOptions<$R>,

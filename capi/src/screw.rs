@@ -51,20 +51,23 @@ macro_rules! functions {
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| finite(a.nlerp(b, t)))
         }
         export_one! { $R
-            /// From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant speed.
+            /// From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant
+            /// speed.
             motion::sclerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| Ok(a.sclerp(b, t)))
         }
         export_one! { $R
-            /// The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
-            /// turned toward the first, normalized (dual quaternion linear blending).
+            /// The blend of `count` unit motions by `weights`, which need not sum to 1: their sum,
+            /// each turned toward the first, normalized (dual quaternion linear blending).
             ///
-            /// DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+            /// DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is
+            /// no motion.
             motion::blend(motions: *const $R, weights: *const $R, count: usize, out: *mut $R) =
                 super::blend(motions, weights, count, out)
         }
         export_one! { $R
-            /// The logarithm of a unit motion, six numbers: half the angle times the axis, and its moment.
+            /// The logarithm of a unit motion, six numbers: half the angle times the axis, and its
+            /// moment.
             motion::log(motion: *const $R, log: *mut $R) =
                 one(motion, log, |motion: DualQuat<$R>| {
                     let log = motion.log();
@@ -84,14 +87,14 @@ macro_rules! functions {
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.pow(t)))
         }
         export_one! { $R
-            /// The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
-            /// 0 to pi, slide along the axis. A translation has angle 0.
+            /// The screw of a unit motion, eight numbers: direction of the axis, moment of the
+            /// axis, angle in 0 to pi, slide along the axis. A translation has angle 0.
             motion::to_screw(motion: *const $R, screw: *mut $R) =
                 one(motion, screw, |motion: DualQuat<$R>| Ok(numbers(motion.to_screw())))
         }
         export_one! { $R
-            /// The motion of a screw, eight numbers: direction of length 1, moment at right angles to it,
-            /// angle, slide.
+            /// The motion of a screw, eight numbers: direction of length 1, moment at right angles
+            /// to it, angle, slide.
             motion::from_screw(numbers: *const $R, out: *mut $R) =
                 one(numbers, out, |numbers: [$R; 8]| Ok(DualQuat::from_screw(screw(numbers))))
         }

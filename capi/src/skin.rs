@@ -8,8 +8,8 @@ use core::ptr;
 use dq8::skinning::{self, SkinningError};
 use dq8::{DualQuat, Scalar};
 
-/// Where the joints of a vertex lie in an array that holds one vertex after the other, or its weights; counted in
-/// elements of their own type.
+/// Where the joints of a vertex lie in an array that holds one vertex after the other, or its
+/// weights; counted in elements of their own type.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct InfluenceField {
@@ -19,8 +19,8 @@ pub struct InfluenceField {
     pub first: usize,
 }
 
-/// Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
-/// that it was made of must stay where they are, as they are.
+/// Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints
+/// and weights that it was made of must stay where they are, as they are.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Skin<R> {

@@ -70,8 +70,8 @@ macro_rules! functions {
             mul, blocks_mul(a: *const $R, b: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize tells
-            /// so. `out` may be `motions`.
+            /// The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize
+            /// tells so. `out` may be `motions`.
             normalize, blocks_normalize(motions: *const $R, out: *mut $R)
         }
         export! { $R $lanes
@@ -80,7 +80,8 @@ macro_rules! functions {
             inverse, blocks_inverse(motions: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// The inverses of unit `motions`, which cost nothing but signs. `out` may be `motions`.
+            /// The inverses of unit `motions`, which cost nothing but signs. `out` may be
+            /// `motions`.
             conjugate, blocks_conjugate(motions: *const $R, out: *mut $R)
         }
         export! { $R $lanes
@@ -94,8 +95,8 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at constant
-            /// speed.
+            /// From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
+            /// constant speed.
             sclerp, blocks_sclerp(a: *const $R, b: *const $R, t: $R, out: *mut $R)
         }
         export! { $R $lanes
@@ -126,13 +127,13 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
-            /// dq8_matrix_order.
+            /// The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
+            /// enum dq8_matrix_order.
             matrices_3x4, blocks_matrices_3x4(motions: *const $R, order: i32, out: *mut $R)
         }
         export! { $R $lanes
-            /// The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order` is one
-            /// of enum dq8_matrix_order.
+            /// The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
+            /// is one of enum dq8_matrix_order.
             matrices_4x4, blocks_matrices_4x4(motions: *const $R, order: i32, out: *mut $R)
         }
     };

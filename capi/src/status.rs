@@ -36,8 +36,8 @@ macro_rules! statuses {
 }
 
 statuses! {
-    /// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index such as `bad_joint` or
-    /// `bad_vertex`, the steps that were to be a mechanism, and scratch.
+    /// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index
+    /// such as `bad_joint` or `bad_vertex`, the steps that were to be a mechanism, and scratch.
     pub enum Status {
         /// It is done.
         Ok = 0: c"done",
@@ -45,13 +45,13 @@ statuses! {
         NullPointer = 1: c"a pointer is null",
         /// A pointer is not aligned: to its number type, or to 64 bytes for blocks.
         Misaligned = 2: c"a pointer is not aligned",
-        /// An output overlaps an input, be it an array or one thing, or another output, and is not exactly the array that
-        /// it may be.
+        /// An output overlaps an input, be it an array or one thing, or another output, and is not
+        /// exactly the array that it may be.
         Overlap = 3: c"an output overlaps another array",
         /// An array would be larger than memory.
         TooLarge = 4: c"an array would be larger than memory",
-        /// Lengths do not fit each other, such as a `count` that is no multiple of the joints: it counts all poses of all
-        /// instances or configurations.
+        /// Lengths do not fit each other, such as a `count` that is no multiple of the joints: it
+        /// counts all poses of all instances or configurations.
         Length = 5: c"lengths do not fit each other: count is of all poses, such as links times configurations",
         /// There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
         Lanes = 6: c"there are no blocks of so many lanes",
@@ -77,11 +77,13 @@ statuses! {
         ParentOutOfRange = 16: c"a parent is no joint",
         /// There are more joints than 32 bits can number.
         TooManyJoints = 17: c"there are more joints than 32 bits can number",
-        /// A number stands for nothing: no backend, no order of matrices, no kind of joint, no frame.
+        /// A number stands for nothing: no backend, no order of matrices, no kind of joint, no
+        /// frame.
         UnknownValue = 18: c"a number stands for none of what it chooses from",
         /// An axis or normal is not of length 1.
         Axis = 19: c"an axis is not of length 1",
-        /// A joint cannot mimic that one: there is none, it mimics too, or one of the two has not one value.
+        /// A joint cannot mimic that one: there is none, it mimics too, or one of the two has not
+        /// one value.
         Mimic = 20: c"a joint cannot mimic the one that it should",
         /// There is no such link.
         NoLink = 21: c"there is no such link",
@@ -91,12 +93,13 @@ statuses! {
         JointOutOfRange = 23: c"a vertex follows a joint that there is not",
         /// A weight is negative or not finite; or a goal has none, or there is no goal.
         Weight = 24: c"a weight is negative or not finite, or there is none",
-        /// The weights of a vertex, which should sum to one, sum to less than 1/1024 or more than 1024.
+        /// The weights of a vertex, which should sum to one, sum to less than 1/1024 or more
+        /// than 1024.
         WeightSum = 25: c"the weights of a vertex sum to less than 1/1024 or more than 1024",
         /// The skin has not been made.
         NoSkin = 26: c"the skin has not been made",
-        /// Limits of a joint are not in order, or leave no value together with those of what mimics it, or are
-        /// angles that a float does not tell apart.
+        /// Limits of a joint are not in order, or leave no value together with those of what mimics
+        /// it, or are angles that a float does not tell apart.
         Limits = 27: c"the limits of a joint leave no value",
         /// A field lies beyond its vertex, or in another field.
         Field = 28: c"a field lies beyond its vertex, or in another field",

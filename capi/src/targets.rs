@@ -10,19 +10,22 @@ use crate::status::Status;
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// How many numbers `scratch` of dq8_reach must have for so many goals, whatever the number of targets; for one
-            /// mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+            /// How many numbers `scratch` of dq8_reach must have for so many goals, whatever the
+            /// number of targets; for one mechanism always the same. DQ8_STATUS_TOO_LARGE for more
+            /// than 1024 goals.
             reach_scratch(
                 mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
             ) = scratch(mechanism, goal_count, scratch_count, Width::Lanes)
         }
         export_one! { $R
-            /// dq8_mechanism_reach for `count` configurations, as many at a time as there are lanes: `targets` are
-            /// `[configuration][goal]`, `values`, `value_count` in all, `[configuration][value]`, and there is a report for each.
-            /// Goals, posture and options are the same for all.
+            /// dq8_mechanism_reach for `count` configurations, as many at a time as there are
+            /// lanes: `targets` are `[configuration][goal]`, `values`, `value_count` in all,
+            /// `[configuration][value]`, and there is a report for each. Goals, posture and options
+            /// are the same for all.
             ///
-            /// The result of one does not depend on the others: threads may each have a part of the configurations, with
-            /// scratch of their own, as many numbers as dq8_reach_scratch says. Errors are those of dq8_mechanism_reach.
+            /// The result of one does not depend on the others: threads may each have a part of the
+            /// configurations, with scratch of their own, as many numbers as dq8_reach_scratch
+            /// says. Errors are those of dq8_mechanism_reach.
             reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, goal_count: usize,
                 targets: *const $R, posture: *const $R, options: *const ReachOptions<$R>,

@@ -46,12 +46,14 @@ unsafe fn resample<R: Scalar>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at the times `at`, `count` of
-            /// them as of `out`: along one screw from each pose to the next, by the shorter way. Before the first pose it
-            /// is that one, and behind the last one that.
+            /// A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at
+            /// the times `at`, `count` of them as of `out`: along one screw from each pose to the
+            /// next, by the shorter way. Before the first pose it is that one, and behind the last
+            /// one that.
             ///
-            /// DQ8_STATUS_TIMES if a time is not later than the one before or not finite, DQ8_STATUS_NOT_FINITE if one to
-            /// sample at is NaN; `bad_time`, which may be null, is set to it. DQ8_STATUS_LENGTH if there is no pose.
+            /// DQ8_STATUS_TIMES if a time is not later than the one before or not finite,
+            /// DQ8_STATUS_NOT_FINITE if one to sample at is NaN; `bad_time`, which may be null, is
+            /// set to it. DQ8_STATUS_LENGTH if there is no pose.
             resample(
                 times: *const $R, poses: *const $R, pose_count: usize, at: *const $R, out: *mut $R,
                 count: usize, bad_time: *mut usize,

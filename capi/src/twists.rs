@@ -12,20 +12,20 @@ kernel! { pow_each(motions: 8, t: 1) -> 8 by pow_each }
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
-            /// `twists[i]`, six numbers, angular part first, by the adjoint of the unit `motions[i]`: a body twist
-            /// becomes the spatial one.
+            /// `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+            /// `motions[i]`: a body twist becomes the spatial one.
             twists_each, blocks_twists_each(motions: *const $R, twists: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`, six numbers each,
-            /// angular part first.
+            /// Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`,
+            /// six numbers each, angular part first.
             integrate_body, blocks_integrate_body(
                 motions: *const $R, twists: *const $R, dt: $R, out: *mut $R
             )
         }
         export! { $R $lanes
-            /// The logarithms of unit `motions`, six numbers each: half the angle times the axis, and its
-            /// moment. Twice that is the twist that leads there in one second.
+            /// The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+            /// and its moment. Twice that is the twist that leads there in one second.
             log, blocks_log(motions: *const $R, logs: *mut $R)
         }
         export! { $R $lanes
@@ -33,7 +33,8 @@ macro_rules! functions {
             exp, blocks_exp(logs: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle and the slide.
+            /// The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+            /// and the slide.
             pow_each, blocks_pow_each(motions: *const $R, t: *const $R, out: *mut $R)
         }
     };

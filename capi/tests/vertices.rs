@@ -1,4 +1,5 @@
-//! One vertex buffer for all: a skin is made of the joints and weights in it, and poses the positions in it.
+//! One vertex buffer for all: a skin is made of the joints and weights in it, and poses the
+//! positions in it.
 
 use dq8::DualQuat;
 use dq8_capi::Status;

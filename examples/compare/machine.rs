@@ -3,11 +3,12 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-/// A mark that takes so many times as long as the shortest ever says that what was timed beside it counts for nothing.
+/// A mark that takes so many times as long as the shortest ever says that what was timed beside it
+/// counts for nothing.
 const DISTURBED: f64 = 1.05;
 
-/// Times a piece of work that is always the same, between the contenders: what that varies by is the clock of the CPU and
-/// whoever else is on it, and no contender's doing.
+/// Times a piece of work that is always the same, between the contenders: what that varies by is
+/// the clock of the CPU and whoever else is on it, and no contender's doing.
 #[derive(Debug)]
 pub(crate) struct Machine {
     /// Seconds of the piece of work.
@@ -28,8 +29,8 @@ impl Machine {
         self.repeated = 0;
     }
 
-    /// Does `work` between two marks, again as long as one of them is disturbed, `attempts` times at most; what the last
-    /// attempt returns.
+    /// Does `work` between two marks, again as long as one of them is disturbed, `attempts` times
+    /// at most; what the last attempt returns.
     pub(crate) fn calmly<T>(&mut self, attempts: usize, mut work: impl FnMut() -> T) -> T {
         for _ in 1..attempts {
             let (before, result, after) = (self.mark(), work(), self.mark());
@@ -49,7 +50,8 @@ impl Machine {
         mark
     }
 
-    /// By how much of the shortest mark ever the middle one of this contest was longer: a lead smaller than this is none.
+    /// By how much of the shortest mark ever the middle one of this contest was longer: a lead
+    /// smaller than this is none.
     pub(crate) fn spread(&self) -> f64 {
         let mut marks = self.marks.clone();
         marks.sort_by(f64::total_cmp);
@@ -62,8 +64,8 @@ impl Machine {
     }
 }
 
-/// Each product waits for the one before it, so no other core, cache or width of lanes matters. Some 50 μs: long against
-/// the tick of the clock, short against a millisecond of a contender.
+/// Each product waits for the one before it, so no other core, cache or width of lanes matters.
+/// Some 50 μs: long against the tick of the clock, short against a millisecond of a contender.
 fn chain() -> f64 {
     let begin = Instant::now();
     black_box(

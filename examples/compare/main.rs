@@ -17,10 +17,11 @@
 //! | J6 | a frame of a crowd: two clips sampled, blended, to model space, 3×4 matrices |
 //! | J7 | skinning with four influences: linear (LBS) and dual quaternion blends (DLB) |
 //!
-//! The package `dq8-contest` has the jobs, their data and the contenders; `plan` says which, a `race`
-//! checks every contender against `f64` and times them in interleaved rounds. `table`, `json`,
-//! `chart` and `markdown` show the `results`; `machine` says how disturbed it was, and what is disturbed is timed again. The
-//! least time over the rounds is what counts: whatever else a machine does only adds to it.
+//! The package `dq8-contest` has the jobs, their data and the contenders; `plan` says which, a
+//! `race` checks every contender against `f64` and times them in interleaved rounds. `table`,
+//! `json`, `chart` and `markdown` show the `results`; `machine` says how disturbed it was, and what
+//! is disturbed is timed again. The least time over the rounds is what counts: whatever else a
+//! machine does only adds to it.
 
 mod args;
 mod chart;

@@ -25,7 +25,8 @@ fn has_other_keys(row: &Row) -> bool {
     row.contender.starts_with("dq8 packed")
 }
 
-/// Nanoseconds a transform, the least of each column; in brackets this crate's on AVX2 where other instructions are faster.
+/// Nanoseconds a transform, the least of each column; in brackets this crate's on AVX2 where other
+/// instructions are faster.
 pub(crate) fn text(results: &Results) -> Result<String, fmt::Error> {
     let mut text = String::from("| job |");
     COLUMNS.iter().try_for_each(|(name, _)| write!(text, " {name} |"))?;

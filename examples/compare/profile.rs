@@ -1,6 +1,7 @@
 //! What the measured code was compiled with.
 
-/// Every contender is built in this workspace, with one profile. Users' own crates have other settings.
+/// Every contender is built in this workspace, with one profile. Users' own crates have other
+/// settings.
 pub(crate) const PROFILE: &str = if cfg!(debug_assertions) {
     "workspace dev: not optimised, times mean nothing"
 } else {

@@ -78,8 +78,8 @@ pub(crate) fn race(
 
 /// Works with so many frames of some ninety bytes below on the stack.
 ///
-/// A kernel that keeps values there runs at half its speed if they straddle pages, in one process and
-/// not in the next. So every round tries another place, as it tries another place for the data.
+/// A kernel that keeps values there runs at half its speed if they straddle pages, in one process
+/// and not in the next. So every round tries another place, as it tries another place for the data.
 #[inline(never)]
 fn deeper(frames: usize, work: &mut dyn FnMut()) {
     let frame = black_box([0_u8; 64]);

@@ -23,7 +23,8 @@ pub(crate) struct Row {
     pub(crate) min: f64,
     pub(crate) median: f64,
     pub(crate) limited: Option<Limited>,
-    /// By how much the machine's own speed varied in this contest, and how many measurements were repeated for it.
+    /// By how much the machine's own speed varied in this contest, and how many measurements were
+    /// repeated for it.
     pub(crate) spread: f64,
     pub(crate) repeated: usize,
 }
@@ -65,7 +66,8 @@ impl Limits {
     /// The part of the machine's limit that a row of this crate's uses.
     pub(crate) fn share(&self, row: &Row) -> Option<f64> {
         let (limited, backend) = (row.limited.as_ref()?, row.backend?);
-        // Where nothing fuses, a multiplication that adds nothing takes half the time of one that does.
+        // Where nothing fuses, a multiplication that adds nothing takes half the time of one that
+        // does.
         if matches!(limited, Limited::MultiplyAdds(_)) && backend == Backend::PORTABLE {
             return None;
         }
@@ -86,8 +88,8 @@ impl Results {
     }
 }
 
-/// Who of `rows`, the fastest first, is first: the fastest, the fastest of the other side (this crate, or its peers), and
-/// by how much of its time. Nothing where only one side takes part.
+/// Who of `rows`, the fastest first, is first: the fastest, the fastest of the other side (this
+/// crate, or its peers), and by how much of its time. Nothing where only one side takes part.
 pub(crate) fn first<'r>(rows: &[&'r Row]) -> Option<(&'r Row, &'r Row, f64)> {
     let first = *rows.first()?;
     let second = *rows.iter().find(|row| row.is_own() != first.is_own())?;

@@ -47,21 +47,22 @@ impl std::error::Error for CalibrationError {}
 /// Radians: a smaller turn has no axis worth the name, and axes at a smaller angle are parallel.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// The sixth singular value of the equations comes from axes that are not parallel, and the seventh from noise alone. In a
-/// plane they are 1.3 to 1.6 times apart, with noise of 10⁻² and turns of a tenth about all axes five times or more.
+/// The sixth singular value of the equations comes from axes that are not parallel, and the seventh
+/// from noise alone. In a plane they are 1.3 to 1.6 times apart, with noise of 10⁻² and turns of
+/// a tenth about all axes five times or more.
 const TELLING: f64 = 3.0;
 
 impl Pair {
-    /// B = X*AX has the angle and the slide of A (the screw congruence theorem: Chen 1991), and so the
-    /// same dual scalar part. What is left of the differences is noise, a measure of it before
+    /// B = X*AX has the angle and the slide of A (the screw congruence theorem: Chen 1991), and so
+    /// the same dual scalar part. What is left of the differences is noise, a measure of it before
     /// anything is solved.
     pub(crate) fn mismatch(&self) -> [f64; 2] {
         let (hand, eye) = (self.hand.to_screw(), self.eye.to_screw());
         [hand.angle - eye.angle, hand.slide - eye.slide]
     }
 
-    /// Both, with the signs for which the scalar parts agree. Motions of half a turn, of which noise
-    /// may choose either, are better left out.
+    /// Both, with the signs for which the scalar parts agree. Motions of half a turn, of which
+    /// noise may choose either, are better left out.
     pub(crate) fn canonical(&self) -> [DualQuat<f64>; 2] {
         [self.hand.canonical(), self.eye.canonical()]
     }
@@ -98,7 +99,8 @@ pub(crate) fn check(pairs: &[Pair]) -> Result<(), CalibrationError> {
     if ratio < TELLING { Err(CalibrationError::NoisyAxes { ratio }) } else { Ok(()) }
 }
 
-/// The vector parts of A X − X B of all pairs, linear in the eight components of X (Daniilidis 1999, eq. 31).
+/// The vector parts of A X − X B of all pairs, linear in the eight components of X (Daniilidis
+/// 1999, eq. 31).
 pub(crate) fn equations(pairs: &[Pair]) -> DMatrix<f64> {
     let mut equations = DMatrix::zeros(6 * pairs.len(), 8);
     for (i, pair) in pairs.iter().enumerate() {

@@ -5,10 +5,10 @@
 //! ```
 //!
 //! The robot makes some motions; its joints tell how the hand moved (A), a pattern that the camera
-//! looks at tells how the camera moved (B). Camera and hand are one body, so A X = X B, where X is the
-//! pose of the camera on the hand. `simultaneous` solves this in dual quaternions for rotation and
-//! translation at once (Daniilidis 1999), `separate` for the one and then the other; `robot` is a
-//! robot whose X is known.
+//! looks at tells how the camera moved (B). Camera and hand are one body, so A X = X B, where X is
+//! the pose of the camera on the hand. `simultaneous` solves this in dual quaternions for rotation
+//! and translation at once (Daniilidis 1999), `separate` for the one and then the other; `robot` is
+//! a robot whose X is known.
 
 mod calibration;
 mod robot;
@@ -28,7 +28,8 @@ const ROBOTS: u64 = 200;
 /// A way to find X.
 type Solve = fn(&[Pair]) -> Result<DualQuat<f64>, CalibrationError>;
 
-/// Root mean squares over all robots of the error of X in rotation (radians) and translation (metres).
+/// Root mean squares over all robots of the error of X in rotation (radians) and translation
+/// (metres).
 fn errors(solve: Solve, motions: usize, noise: f64) -> Result<[f64; 2], CalibrationError> {
     let error = |seed| {
         let mut robot = Robot::new(seed);

@@ -19,8 +19,9 @@ impl Robot {
         Self { random, camera }
     }
 
-    /// Random motions of the hand, turns between 0.3 and 2 radians, and what the camera sees of them:
-    /// B = X*AX, then the noise, in the camera's own axes: its standard deviation in each, in radians and in metres.
+    /// Random motions of the hand, turns between 0.3 and 2 radians, and what the camera sees of
+    /// them: B = X*AX, then the noise, in the camera's own axes: its standard deviation in each, in
+    /// radians and in metres.
     pub(crate) fn pairs(&mut self, motions: usize, noise: f64) -> Vec<Pair> {
         let mut pair = || {
             let hand = motion(&mut self.random, [0.3, 2.0], 0.5);

@@ -1,13 +1,13 @@
-//! Rotation first, then translation, to compare with: the two steps of Tsai and Lenz (1989), the first
-//! in quaternions (Chou and Kamel 1991).
+//! Rotation first, then translation, to compare with: the two steps of Tsai and Lenz (1989), the
+//! first in quaternions (Chou and Kamel 1991).
 
 use crate::calibration::{CalibrationError, Pair, check, commutator};
 use dq8::{DualQuat, Quat};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-/// X of A X = X B: the rotation from the rotations alone, then the translation for that rotation, each
-/// in least squares. NaN if the equations for the translation are singular, which the check of the axes
-/// rules out.
+/// X of A X = X B: the rotation from the rotations alone, then the translation for that rotation,
+/// each in least squares. NaN if the equations for the translation are singular, which the check of
+/// the axes rules out.
 pub(crate) fn solve(pairs: &[Pair]) -> Result<DualQuat<f64>, CalibrationError> {
     check(pairs)?;
     let rotation = rotation(pairs);
@@ -21,7 +21,8 @@ pub(crate) fn solve(pairs: &[Pair]) -> Result<DualQuat<f64>, CalibrationError> {
         let seen = Vector3::from(rotation.rotate(eye.translation()));
         wanted.rows_mut(3 * i, 3).copy_from(&(seen - Vector3::from(hand.translation())));
     }
-    // By QR: nalgebra's SVD, whose null vectors are good to 10⁻¹⁴, solved some of these to 10⁻⁸ only.
+    // By QR: nalgebra's SVD, whose null vectors are good to 10⁻¹⁴, solved some of these to
+    // 10⁻⁸ only.
     let factors = equations.qr();
     let solved = factors.r().solve_upper_triangular(&factors.q().tr_mul(&wanted));
     let translation = solved.map_or([f64::NAN; 3], |t| [t[0], t[1], t[2]]);

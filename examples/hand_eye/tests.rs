@@ -78,7 +78,8 @@ fn errors_are_those_of_the_noise_and_shrink_with_the_root_of_the_motions() {
     }
 }
 
-/// The screw congruence theorem: A and B have the same angle and slide, and so the same scalar parts.
+/// The screw congruence theorem: A and B have the same angle and slide, and so the same scalar
+/// parts.
 #[test]
 fn hand_and_camera_move_by_congruent_screws() {
     let (mut exact, mut noisy) = (0.0_f64, 0.0_f64);
@@ -117,8 +118,8 @@ fn motions_that_leave_the_camera_open_are_refused() {
             solve(&seen(&[about_z(1.0, 0.3)])),
             Err(CalibrationError::TooFew { motions: 1 })
         );
-        // Parallel, antiparallel, with translations between, a turn too small to have an axis, translations only,
-        // none at all.
+        // Parallel, antiparallel, with translations between, a turn too small to have an axis,
+        // translations only, none at all.
         for hands in [
             &[about_z(1.0, 0.3), about_z(0.4, 0.0), about_z(-1.5, 0.1)][..],
             &[about_z(1.0, 0.3), slide, DualQuat::IDENTITY],
@@ -142,8 +143,8 @@ fn motions_that_leave_the_camera_open_are_refused() {
     }
 }
 
-/// (λ₁ − 1.3·10⁻⁷ λ₂)(λ₁ − 1.7·10⁷ λ₂), where −b and the root of the discriminant are nearly the same;
-/// and the one with both signs changed.
+/// (λ₁ − 1.3·10⁻⁷ λ₂)(λ₁ − 1.7·10⁷ λ₂), where −b and the root of the
+/// discriminant are nearly the same; and the one with both signs changed.
 #[test]
 fn both_roots_of_the_quadratic_are_precise() {
     let (small, large) = (1.3e-7, 1.7e7);
@@ -163,7 +164,8 @@ fn both_roots_of_the_quadratic_are_precise() {
     assert!(simultaneous::roots(0.0, 0.0, 0.0).iter().flatten().all(|l| l.is_finite()));
 }
 
-/// A robot on a floor turns about one axis; with noise there are many, and none of them says how high the camera sits.
+/// A robot on a floor turns about one axis; with noise there are many, and none of them says how
+/// high the camera sits.
 #[test]
 fn motions_in_a_plane_are_refused_with_any_noise_and_others_are_not() {
     for noise in [1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {

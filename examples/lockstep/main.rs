@@ -1,5 +1,6 @@
-//! Ten thousand steps of a crowd, with inverse kinematics and skins, and the hash of every bit of them: the same on every
-//! machine. Without the feature it says what the machine's own instructions give.
+//! Ten thousand steps of a crowd, with inverse kinematics and skins, and the hash of every bit of
+//! them: the same on every machine. Without the feature it says what the machine's own instructions
+//! give.
 //!
 //! ```sh
 //! cargo run --release --example lockstep --features reproducible

@@ -1,5 +1,5 @@
-//! [`World`]: walkers with feet that are planted by inverse kinematics, and a skin that follows their joints. Without std,
-//! so that a microcontroller can be one of the machines.
+//! [`World`]: walkers with feet that are planted by inverse kinematics, and a skin that follows
+//! their joints. Without std, so that a microcontroller can be one of the machines.
 
 use dq8::ik::TwoBone;
 use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
@@ -45,7 +45,8 @@ impl World {
         (self.random >> 8) as f32 / 8_388_608.0 - 1.0
     }
 
-    /// Where a walker's joints are in their parents: the chest sways, and each foot is where the gait wants it.
+    /// Where a walker's joints are in their parents: the chest sways, and each foot is where the
+    /// gait wants it.
     fn pose(phase: f32) -> [DualQuat<f32>; JOINTS] {
         let mut locals = [DualQuat::IDENTITY; JOINTS];
         let sway = Quat::from_rotation_y(0.1 * Quat::from_rotation_x(phase).x());
@@ -91,7 +92,8 @@ impl World {
                 self.hash =
                     (self.hash ^ u64::from(number.to_bits())).wrapping_mul(0x0100_0000_01b3);
             }
-            // What is posed decides what comes: one other bit, and all that follows is another world.
+            // What is posed decides what comes: one other bit, and all that follows is another
+            // world.
             *phase += STEP * (6.0 + posed[0][2]);
             if *phase > core::f32::consts::PI {
                 *phase -= core::f32::consts::TAU;

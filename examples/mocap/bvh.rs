@@ -1,8 +1,8 @@
 //! Reads a motion-capture clip in the BVH format of Biovision.
 //!
 //! The format has no standard. What is accepted here:
-//! - keywords in any case, line ends of LF, CR or both, any white space, braces with or without space around them,
-//!   several `ROOT`s;
+//! - keywords in any case, line ends of LF, CR or both, any white space, braces with or without
+//!   space around them, several `ROOT`s;
 //! - joint names with spaces; two joints of one name are an error, because the columns of a table
 //!   need names;
 //! - end sites become joints without channels named `<Parent>_End` (a second one `<Parent>_End2`,
@@ -125,7 +125,8 @@ Frame Time: .0083333
         }
     }
 
-    /// What is changed in the good file, into what, and the line and the words that the error must name; ⏎ ends a line.
+    /// What is changed in the good file, into what, and the line and the words that the error must
+    /// name; ⏎ ends a line.
     const WRONG: &str = "\
 HIERARCHY⏎ |  | 1 | HIERARCHY
 ROOT | JOINT | 2 | ROOT

@@ -144,7 +144,8 @@ mod tests {
     fn rotations_compose_from_left_to_right() {
         let zx = joint(None, [0.0; 3], &[Rotation(Axis::Z), Rotation(Axis::X)]);
         let xz = joint(None, [0.0; 3], &[Rotation(Axis::X), Rotation(Axis::Z)]);
-        // Rz · Rx: x turns y into z, z leaves it there. Rx · Rz: z turns y into −x, x leaves that.
+        // Rz · Rx: x turns y into z, z leaves it there. Rx · Rz: z turns y into −x, x leaves
+        // that.
         let turned = |joint: Joint| joint.local(&[90.0, 90.0]).transform_point([0.0, 1.0, 0.0]);
         assert!(close(turned(zx), [0.0, 0.0, 1.0]));
         assert!(close(turned(xz), [-1.0, 0.0, 0.0]));

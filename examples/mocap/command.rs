@@ -13,7 +13,8 @@ pub enum Request<A> {
     Help,
 }
 
-/// The program `name`: 0 if `work` went well, 1 if not, 2 if `parse` says what is wrong with the command line.
+/// The program `name`: 0 if `work` went well, 1 if not, 2 if `parse` says what is wrong with the
+/// command line.
 pub fn execute<A>(
     name: &str,
     usage: &str,
@@ -39,7 +40,8 @@ pub fn execute<A>(
     }
 }
 
-/// Reads a command line of `options` with a value each and of other words: for help, or what `make` makes of both.
+/// Reads a command line of `options` with a value each and of other words: for help, or what `make`
+/// makes of both.
 pub fn read<A, const N: usize>(
     words: impl IntoIterator<Item = OsString>,
     options: [&str; N],
@@ -50,7 +52,8 @@ pub fn read<A, const N: usize>(
     while let Some(word) = words.next() {
         let text = word.to_string_lossy();
         if let Some(at) = options.iter().position(|option| *option == text) {
-            // An option in place of a value is a value forgotten; a file of such a name is `./--svg`.
+            // An option in place of a value is a value forgotten; a file of such a name is
+            // `./--svg`.
             let value = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
             let value = value.ok_or_else(|| format!("{text} needs a value"))?;
             if values[at].replace(value.into()).is_some() {

@@ -1,9 +1,9 @@
 //! The example `mocap`: forward kinematics of a motion-capture clip, all frames at once, eight at a
 //! time.
 //!
-//! A clip ([`clip`]) comes from the biped ([`biped`]) or a file (`bvh`); `positions` concatenates it
-//! by lanes; `packed` packs it; `table`, `csv` and `svg` show the result. [`command`], [`output`] and
-//! [`svg::rows`] serve other examples as well, and the biped serves tests.
+//! A clip ([`clip`]) comes from the biped ([`biped`]) or a file (`bvh`); `positions` concatenates
+//! it by lanes; `packed` packs it; `table`, `csv` and `svg` show the result. [`command`],
+//! [`output`] and [`svg::rows`] serve other examples as well, and the biped serves tests.
 
 #![allow(missing_docs, reason = "parts of a program")]
 

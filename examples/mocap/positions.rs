@@ -42,8 +42,9 @@ impl Positions {
         Ok(Self { size: size(clip, &exact), world, difference })
     }
 
-    /// A coordinate with the digits that f32 has: fewest that are read as the same number. Farther away than the
-    /// skeleton is large, they are those of the skeleton, because its root's place is of f64.
+    /// A coordinate with the digits that f32 has: fewest that are read as the same number. Farther
+    /// away than the skeleton is large, they are those of the skeleton, because its root's place is
+    /// of f64.
     pub(crate) fn digits(&self, coordinate: f64) -> String {
         if coordinate.abs() <= self.size {
             // Debug writes small numbers with an exponent.

@@ -1,5 +1,6 @@
 //! The clip as a picture: the figure at several moments, a closer look at a second and a half in
-//! the middle, and the path of the root from above. [`rows`] are of figures alone, of one or more clips.
+//! the middle, and the path of the root from above. [`rows`] are of figures alone, of one or more
+//! clips.
 
 mod plan;
 mod scene;
@@ -79,7 +80,8 @@ pub(crate) fn picture(
     Ok(page(plan.area.bottom() + 50.0, &body))
 }
 
-/// The figures of some clips, a row below the other, each with a caption and positions in the world, `[frame][joint]`.
+/// The figures of some clips, a row below the other, each with a caption and positions in the
+/// world, `[frame][joint]`.
 pub fn rows(clips: &[(&str, &Clip, &[[f64; 3]])]) -> Result<String, fmt::Error> {
     let (mut body, mut top) = (String::new(), 60.0);
     for (caption, clip, positions) in clips {

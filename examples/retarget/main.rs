@@ -1,12 +1,14 @@
-//! The motion of a person on a humanoid: a clip of motion capture and a robot file become joint values for each frame.
+//! The motion of a person on a humanoid: a clip of motion capture and a robot file become joint
+//! values for each frame.
 //!
 //! ```text
 //! cargo run --release --example retarget -- ROBOT.urdf CLIP.bvh [--map FILE] [--rate HZ] [--csv OUT] [--svg OUT]
 //! ```
 //!
-//! Limbs keep the directions that they have in the clip and the lengths that they have on the robot, whose base floats.
-//! Links and joints are found by common names, or named in FILE, a line for each: `ROLE LINK[@CENTRE] JOINT`, where CENTRE
-//! is the link whose origin is the joint, if it is another than LINK's own.
+//! Limbs keep the directions that they have in the clip and the lengths that they have on the
+//! robot, whose base floats. Links and joints are found by common names, or named in FILE, a line
+//! for each: `ROLE LINK[@CENTRE] JOINT`, where CENTRE is the link whose origin is the joint, if it
+//! is another than LINK's own.
 
 mod map;
 mod measure;

@@ -13,7 +13,8 @@ pub(crate) struct Role {
     pub(crate) is_limb: bool,
     /// Weights of rotation and position.
     pub(crate) weights: [f64; 2],
-    /// Common names of links, of links at the centre of the joint, and of joints of clips; `*` is the side.
+    /// Common names of links, of links at the centre of the joint, and of joints of clips; `*` is
+    /// the side.
     links: &'static [&'static str],
     centres: &'static [&'static str],
     joints: &'static [&'static str],
@@ -142,8 +143,8 @@ fn side(role: &Role) -> Option<&'static str> {
     role.name.split_once('_').map(|(side, _)| side)
 }
 
-/// Letters and digits, without the word link, and without the name of the biped that 3ds Max writes before each joint
-/// (`Bip01 L UpperArm`).
+/// Letters and digits, without the word link, and without the name of the biped that 3ds Max writes
+/// before each joint (`Bip01 L UpperArm`).
 fn plain(name: &str) -> String {
     let plain: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
     let plain = plain.to_lowercase();
@@ -154,7 +155,8 @@ fn plain(name: &str) -> String {
     plain.strip_suffix("link").unwrap_or(plain).to_owned()
 }
 
-/// The first common name that there is; of those in words with a prefix, `mixamorig:LeftArm`, what they end in.
+/// The first common name that there is; of those in words with a prefix, `mixamorig:LeftArm`, what
+/// they end in.
 fn find(names: &[String], side: Option<&str>, common: &[&str]) -> Option<usize> {
     common.iter().find_map(|common| {
         let forms = match side {

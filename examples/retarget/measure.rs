@@ -7,11 +7,13 @@ use dq8::scalar::vector::{norm, sub};
 use std::error::Error;
 
 pub(crate) struct Quality {
-    /// Distances from the targets, of all goals and of the feet: mean, and the one that a twentieth exceeds, mm.
+    /// Distances from the targets, of all goals and of the feet: mean, and the one that a twentieth
+    /// exceeds, mm.
     pub(crate) mean: f64,
     pub(crate) most: f64,
     pub(crate) feet: f64,
-    /// Of joints: the speed that a twentieth exceeds, rad/s, and the mean third derivative, rad/s³.
+    /// Of joints: the speed that a twentieth exceeds, rad/s, and the mean third derivative,
+    /// rad/s³.
     pub(crate) speed: f64,
     pub(crate) jerk: f64,
     /// How many of a hundred values are at a limit, and the farthest that one is beyond.

@@ -162,8 +162,8 @@ impl Stance {
         })
     }
 
-    /// What the robot should do where the clip is so: each part as far from the one that carries it as on the robot, in the
-    /// direction that it has in the clip, turned as there.
+    /// What the robot should do where the clip is so: each part as far from the one that carries it
+    /// as on the robot, in the direction that it has in the clip, turned as there.
     fn targets(
         &self,
         places: &[Place],
@@ -230,8 +230,9 @@ fn facing(places: &[Place], rest: &[Vector]) -> Quat<f64> {
     Quat::from_matrix3([cross(left, up), left, up]).normalize()
 }
 
-/// The values of the clip at rest: no turns, the root at the origin, and every other joint that has position channels where
-/// the first frame has it. Files that give all joints positions repeat the offsets there, which zeros would drop.
+/// The values of the clip at rest: no turns, the root at the origin, and every other joint that has
+/// position channels where the first frame has it. Files that give all joints positions repeat the
+/// offsets there, which zeros would drop.
 fn rest(clip: &Clip) -> Vec<f64> {
     let channels =
         clip.joints.iter().flat_map(|joint| joint.channels.iter().map(move |c| (joint, c)));

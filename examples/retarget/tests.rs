@@ -79,7 +79,8 @@ fn the_command_line_is_two_files_and_options() {
     }
 }
 
-/// The walk of the biped, in whose file these joints have position channels that repeat their offsets.
+/// The walk of the biped, in whose file these joints have position channels that repeat their
+/// offsets.
 fn with_positions(of: impl Fn(&Joint) -> bool) -> Clip {
     let clip = biped::clip();
     let mut moved = Clip { joints: clip.joints.clone(), values: vec![], ..clip.clone() };

@@ -11,14 +11,16 @@ use std::time::Instant;
 /// So many clips fill all lanes.
 const CLIPS: usize = 16;
 
-/// How long the robot lags behind, seconds: two milliseconds. The targets are then farther away by less than a fiftieth.
+/// How long the robot lags behind, seconds: two milliseconds. The targets are then farther away by
+/// less than a fiftieth.
 const LAG: f64 = 1.0 / 480.0;
 
 /// The best of so many: others use the machine, too.
 const RUNS: usize = 7;
 
-/// What a robot is told: to follow, to stay near the last frame, and what is left free, near the stance. How far it lags
-/// behind is the square of that weight times the way in a frame: so the square is for the time of a frame.
+/// What a robot is told: to follow, to stay near the last frame, and what is left free, near the
+/// stance. How far it lags behind is the square of that weight times the way in a frame: so the
+/// square is for the time of a frame.
 pub(crate) fn tracking(scene: &Scene) -> Options<f64> {
     let start_weight = (LAG / scene.step).sqrt();
     Options { start_weight, posture_weight: 0.02, ..Options::track() }
@@ -115,7 +117,8 @@ fn first(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
     Ok(values)
 }
 
-/// Clips at a time, as they are in an archive: the motion of the first, and frames per second of all.
+/// Clips at a time, as they are in an archive: the motion of the first, and frames per second of
+/// all.
 pub(crate) fn many<R: Scalar>(
     scene: &Scene,
     options: &Options<f64>,

@@ -5,7 +5,8 @@ use dq8_fixtures::legible::wrapped;
 use std::fmt::Write;
 
 const SIZE: f64 = 320.0;
-/// Panels next to each other, so that their titles can be read where the picture is as wide as a page.
+/// Panels next to each other, so that their titles can be read where the picture is as wide as a
+/// page.
 const COLUMNS: usize = 3;
 /// Letters of titles, from one line to the next, and what is free around them.
 const LETTERS: f64 = 13.0;
@@ -14,7 +15,8 @@ const AROUND: f64 = 8.0;
 
 pub(crate) type Triangle = [[f64; 3]; 3];
 
-/// One picture of an SVG: triangles in the world, y up, seen along −z and a little from the side and above.
+/// One picture of an SVG: triangles in the world, y up, seen along −z and a little from the side
+/// and above.
 #[derive(Debug)]
 pub(crate) struct Panel {
     pub(crate) title: String,
@@ -99,7 +101,8 @@ mod tests {
     use super::{Panel, svg};
     use dq8_fixtures::legible::illegible;
 
-    /// Also where there is one panel, or more than a row has, or a name of an animation of any length.
+    /// Also where there is one panel, or more than a row has, or a name of an animation of any
+    /// length.
     #[test]
     fn no_two_titles_overlap_and_none_leaves_the_page() {
         let (_, tube) = crate::tube::report().unwrap();

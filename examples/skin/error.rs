@@ -10,8 +10,8 @@ pub(crate) fn write(to: &Path, text: impl AsRef<[u8]>) -> Result<(), String> {
     std::fs::write(to, text).map_err(|error| at(to, error))
 }
 
-/// What `read` does with a file. The crate gltf does not check all that it relies on: where it gives up, that is an
-/// error of the file too.
+/// What `read` does with a file. The crate gltf does not check all that it relies on: where it
+/// gives up, that is an error of the file too.
 pub(crate) fn guarded<T>(
     file: &Path,
     read: impl FnOnce() -> Result<T, String> + std::panic::UnwindSafe,

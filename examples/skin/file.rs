@@ -130,7 +130,8 @@ impl File {
         Ok(worlds)
     }
 
-    /// The meshes of the scene, in the order of nodes and primitives. One without a skin follows its node.
+    /// The meshes of the scene, in the order of nodes and primitives. One without a skin follows
+    /// its node.
     pub(crate) fn meshes(&self) -> Result<Vec<Mesh>, String> {
         let mut meshes = Vec::new();
         let seen = self.seen();
@@ -174,7 +175,8 @@ impl File {
         Ok(Bones { nodes, inverse_binds })
     }
 
-    /// For each node whether it is in the scene: the default one, or else the first; all nodes without scenes.
+    /// For each node whether it is in the scene: the default one, or else the first; all nodes
+    /// without scenes.
     fn seen(&self) -> Vec<bool> {
         let Some(scene) = self.document.default_scene().or_else(|| self.document.scenes().next())
         else {

@@ -1,5 +1,6 @@
-//! The JSON of a file: what poses vertices, as the crate gltf can read it. The crate refuses much that moves no vertex:
-//! attributes and `extras` of applications, textures without a source, channels without a node, accessors without a view.
+//! The JSON of a file: what poses vertices, as the crate gltf can read it. The crate refuses much
+//! that moves no vertex: attributes and `extras` of applications, textures without a source,
+//! channels without a node, accessors without a view.
 
 use crate::refused;
 use gltf::json::validation::{Error as Fault, Validate};
@@ -52,8 +53,8 @@ fn check_version(value: &Value) -> Result<(), String> {
     if two { Ok(()) } else { Err(format!("glTF {version}: only glTF 2.0 is read")) }
 }
 
-/// Leaves out what moves no joint: channels without a node "should be ignored" (glTF 2.0, §3.11), and those of a pointer are an
-/// extension's. The numbers of the others.
+/// Leaves out what moves no joint: channels without a node "should be ignored" (glTF 2.0, §3.11),
+/// and those of a pointer are an extension's. The numbers of the others.
 fn keep_channels(animation: &mut Value) -> Vec<usize> {
     let moves = |channel: &Value| {
         let Some(target) = channel.get("target").and_then(Value::as_object) else { return true };
@@ -90,7 +91,8 @@ fn strip(value: &mut Value) {
     strip_extras(value);
 }
 
-/// Refuses indices that the crate gltf would cut to 32 bits: 2⁴⁰ would be 0. Bytes may be more than that.
+/// Refuses indices that the crate gltf would cut to 32 bits: 2⁴⁰ would be 0. Bytes may be more
+/// than that.
 fn check_indices(value: &Value, path: &str) -> Result<(), String> {
     match value {
         Value::Object(all) => all
@@ -123,8 +125,8 @@ fn strip_extras(value: &mut Value) {
     value.as_array_mut().into_iter().flatten().for_each(strip_extras);
 }
 
-/// But for the bounds of positions, which are not needed, for accessors without a view, which are zeros (glTF 2.0,
-/// §3.6.2.1), and for extensions, of which there is a list of our own.
+/// But for the bounds of positions, which are not needed, for accessors without a view, which are
+/// zeros (glTF 2.0, §3.6.2.1), and for extensions, of which there is a list of our own.
 fn validate(root: &Root) -> Result<(), String> {
     let mut faults = String::new();
     root.validate(root, Path::new, &mut |path, fault| {

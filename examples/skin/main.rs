@@ -5,14 +5,15 @@
 //! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--normalize] [--times T0,T1,…] [--obj DIR] [--pack OUT] [--svg OUT]
 //! ```
 //!
-//! FILE is a binary or textual glTF file. The meshes of its scene are posed in world space, at each time in seconds (by
-//! default four of the animation), in the order of nodes, primitives and vertices of the file. A mesh with a skin
-//! follows its joints and not its own node (glTF 2.0, §3.7.3.3); one without follows its node.
-//! `--pack` writes the animation of all nodes as a packed clip, 30 frames a second.
-//! Weights of a vertex that do not sum to one are taken as they are, and a warning says which are farthest off: linear
-//! blending makes the mesh smaller or larger by their sum. `--normalize` divides them by it.
-//! X is the share of `dlb`, the default method, in [0, 1]. What else would put vertices somewhere is an error that names the
-//! mesh: weights of morph targets that are not zero, compressed meshes, instances. What moves no vertex (materials, textures,
+//! FILE is a binary or textual glTF file. The meshes of its scene are posed in world space, at each
+//! time in seconds (by default four of the animation), in the order of nodes, primitives and
+//! vertices of the file. A mesh with a skin follows its joints and not its own node (glTF 2.0,
+//! §3.7.3.3); one without follows its node. `--pack` writes the animation of all nodes as a packed
+//! clip, 30 frames a second. Weights of a vertex that do not sum to one are taken as they are, and
+//! a warning says which are farthest off: linear blending makes the mesh smaller or larger by their
+//! sum. `--normalize` divides them by it. X is the share of `dlb`, the default method, in [0, 1].
+//! What else would put vertices somewhere is an error that names the mesh: weights of morph targets
+//! that are not zero, compressed meshes, instances. What moves no vertex (materials, textures,
 //! cameras, data of applications) is not looked at.
 
 mod accessor;

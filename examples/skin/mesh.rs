@@ -10,7 +10,8 @@ use gltf::Semantic;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
 
-/// Four weights that are rounded to `f32` sum to one by less than 10⁻⁶; the smallest step of integers of 16 bits is 1.5·10⁻⁵.
+/// Four weights that are rounded to `f32` sum to one by less than 10⁻⁶; the smallest step of
+/// integers of 16 bits is 1.5·10⁻⁵.
 const ROUNDING: f64 = 1e-5;
 
 /// A primitive with its skin, or with its node as the only joint.
@@ -62,8 +63,8 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// A warning if weights do not sum to one, as glTF 2.0 demands (§3.7.3.3): how many vertices have such weights, and which
-    /// one is farthest off.
+    /// A warning if weights do not sum to one, as glTF 2.0 demands (§3.7.3.3): how many vertices
+    /// have such weights, and which one is farthest off.
     pub(crate) fn unbalanced(&self) -> Option<String> {
         let sums = self.weights.chunks(self.influences).map(|weights| weights.iter().sum::<f64>());
         let off: Vec<_> =

@@ -33,7 +33,8 @@ impl Animation {
             let place = |what| format!("animation {}, channel {index}: {what}", animation.index());
             let (target, sampler) = (channel.target(), channel.sampler());
             let (node, property) = (target.node().index(), target.property());
-            // "Different channels of the same animation MUST NOT have identical targets" (glTF 2.0, §3.11).
+            // "Different channels of the same animation MUST NOT have identical targets" (glTF 2.0,
+            // §3.11).
             if let Some(first) = moved.insert((node, property as u8), index) {
                 let path = path(property);
                 return Err(place(format!(
@@ -154,8 +155,8 @@ impl Local {
         if finite { Ok(local) } else { Err(place("its transform is not finite")) }
     }
 
-    /// Translation, rotation and scale, of a matrix only what an animation does not replace anyway: files
-    /// animate no nodes that have one.
+    /// Translation, rotation and scale, of a matrix only what an animation does not replace anyway:
+    /// files animate no nodes that have one.
     fn parts(&self) -> ([f64; 3], [f64; 4], [f64; 3]) {
         match *self {
             Self::Parts { translation, rotation, scale } => (translation, rotation, scale),

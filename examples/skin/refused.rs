@@ -1,4 +1,5 @@
-//! What changes where vertices are and is not done here: it is refused, because the mesh would be posed wrongly.
+//! What changes where vertices are and is not done here: it is refused, because the mesh would be
+//! posed wrongly.
 
 use gltf::json::Root;
 use gltf::json::mesh::Primitive;
@@ -7,8 +8,9 @@ const DRACO: &str = "KHR_draco_mesh_compression";
 const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 const INSTANCES: &str = "EXT_mesh_gpu_instancing";
 
-/// Extensions that files may not be able to do without, and that are no reason to refuse them: numbers of all types are read
-/// here, [`check`] looks for some where they are used, and the rest says nothing about vertices.
+/// Extensions that files may not be able to do without, and that are no reason to refuse them:
+/// numbers of all types are read here, [`check`] looks for some where they are used, and the rest
+/// says nothing about vertices.
 const REQUIRED: [&str; 14] = [
     "KHR_mesh_quantization",
     DRACO,
@@ -29,7 +31,8 @@ const REQUIRED: [&str; 14] = [
 /// After the name of the vendor: kinds of extensions that say how a surface looks.
 const LOOKS: [&str; 4] = ["materials_", "texture_", "lights_", "packing_"];
 
-/// Each mesh and primitive of a file that nobody has checked yet: the crate gltf takes what Draco leaves out for a mistake.
+/// Each mesh and primitive of a file that nobody has checked yet: the crate gltf takes what Draco
+/// leaves out for a mistake.
 pub(crate) fn check(root: &Root) -> Result<(), String> {
     let looks = |name: &str| {
         let kind = name.split_once('_').map_or("", |(_, kind)| kind);
@@ -63,7 +66,8 @@ pub(crate) fn check(root: &Root) -> Result<(), String> {
     Ok(())
 }
 
-/// The weights of the morph targets of a mesh, and of the nodes that have their own. What is not said is zero.
+/// The weights of the morph targets of a mesh, and of the nodes that have their own. What is not
+/// said is zero.
 fn weights(root: &Root, mesh: usize) -> Vec<&[f32]> {
     let of = &root.meshes[mesh];
     if of.primitives.iter().all(|primitive| primitive.targets.is_none()) {

@@ -43,8 +43,8 @@ impl<const N: usize> Sampler<N> {
         self.values[if cubic { 3 * key + 1 } else { key }]
     }
 
-    /// The value at a time; before and after the curve, its ends. `between` is how values are interpolated
-    /// linearly.
+    /// The value at a time; before and after the curve, its ends. `between` is how values are
+    /// interpolated linearly.
     pub(crate) fn at(
         &self,
         time: f64,

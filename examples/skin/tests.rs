@@ -27,8 +27,8 @@ const ACCESSORS: &str = r#""accessors":[{"bufferView":0,"count":3,"type":"VEC3",
 {"bufferView":5,"count":6,"type":"VEC3","componentType":5126},
 {"bufferView":6,"count":3,"type":"VEC4","componentType":5121}]}"#;
 
-/// A strip of two vertices per joint, built by hand: joint 1 lies one up from joint 0, and turns by 90° about z
-/// and doubles its width from 0 s to 1 s.
+/// A strip of two vertices per joint, built by hand: joint 1 lies one up from joint 0, and turns by
+/// 90° about z and doubles its width from 0 s to 1 s.
 pub(crate) fn glb(change: impl Fn(&str) -> String) -> Vec<u8> {
     let half = core::f32::consts::FRAC_1_SQRT_2;
     // Columns: joint 1 is at y = 1 at rest.
@@ -168,7 +168,8 @@ fn uris_hold_bytes_or_name_files_with_percent_signs() {
     {
         assert_eq!(uri::data(text).unwrap().unwrap(), [0, 1, 255]);
     }
-    // Each length modulo three, and the two letters that are neither letters nor digits (RFC 4648, §10 and §4).
+    // Each length modulo three, and the two letters that are neither letters nor digits (RFC 4648,
+    // §10 and §4).
     for (text, bytes) in [
         ("", ""),
         ("Zg==", "f"),

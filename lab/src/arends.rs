@@ -1,23 +1,24 @@
-//! Formulas and code of Arends, as printed: to be counted, and to show where they break. Not for use.
+//! Formulas and code of Arends, as printed: to be counted, and to show where they break. Not for
+//! use.
 
 use crate::HyperDualQuat;
 use crate::matrix;
 use dq8::{DualQuat, Quat, Real};
 use dq8_fixtures::vector::dot;
 
-/// Degrees that `animate` of the appendix adds to `rotate_angle` in every frame, by which three of his four
-/// vectors turn.
+/// Degrees that `animate` of the appendix adds to `rotate_angle` in every frame, by which three of
+/// his four vectors turn.
 pub const ANGLE_STEP: f64 = 1.0;
 /// What it adds to `t` of the fourth, the vector of SLERP.
 pub const SLERP_STEP: f64 = 0.0175;
 /// `q_rotate_angle`, the arc of that SLERP, degrees.
 pub const SLERP_ARC: f64 = 90.0;
 
-/// `SLERP` of the appendix, which is told the `angle` instead of finding it: radians between `begin`
-/// and `end`.
+/// `SLERP` of the appendix, which is told the `angle` instead of finding it: radians between
+/// `begin` and `end`.
 ///
-/// It returns `begin` where the two agree in x, y and z within 10⁻⁵, and w is not asked. It divides by
-/// sin Ω, which for Ω = π is not zero but the rounding of π.
+/// It returns `begin` where the two agree in x, y and z within 10⁻⁵, and w is not asked. It
+/// divides by sin Ω, which for Ω = π is not zero but the rounding of π.
 pub fn slerp<R: Real>(begin: Quat<R>, end: Quat<R>, t: R, angle: R) -> Quat<R> {
     let margin = R::from_f64(0.00001);
     let close = |a: R, b: R| a <= b + margin && a >= b - margin;
@@ -61,8 +62,8 @@ pub fn hyper_transform<R: Real>(q: HyperDualQuat<R>, p: HyperDualQuat<R>) -> Hyp
     q * p * HyperDualQuat::new(q.real.conjugate(), first, second, mixed)
 }
 
-/// C(t) = ((1−t) ⊙ A) ⊕ (t ⊙ B) of §2.4 for vectors, element by element: r ⊙ A = e^(r ln A),
-/// A ⊕ B = e^(ln A + ln B).
+/// C(t) = ((1−t) ⊙ A) ⊕ (t ⊙ B) of §2.4 for vectors, element by element: r ⊙ A = e^(r ln
+/// A), A ⊕ B = e^(ln A + ln B).
 pub fn keyframe<R: Real>(a: [R; 3], b: [R; 3], t: R) -> [R; 3] {
     let times = |r: R, a: [R; 3]| a.map(|x| (r * x.ln()).exp());
     let (a, b) = (times(R::ONE - t, a), times(t, b));
@@ -96,7 +97,8 @@ pub fn hyper_side_by_side(r: Quat<f64>, t: [f64; 3]) -> HyperDualQuat<f64> {
     HyperDualQuat { mixed: pure(t).scale(0.5), ..HyperDualQuat::from_rotation(r) }
 }
 
-/// ½(p − epe⁻¹) + β ½(p + epe⁻¹): the parts of eq. 8 across and along a unit vector e, with a factor on the one.
+/// ½(p − epe⁻¹) + β ½(p + epe⁻¹): the parts of eq. 8 across and along a unit vector e,
+/// with a factor on the one.
 pub fn scaled_along(e: [f64; 3], p: [f64; 3], beta: f64) -> [f64; 3] {
     let mirrored = sandwiched(e, p);
     let along = pure(p) + mirrored;

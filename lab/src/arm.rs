@@ -42,8 +42,8 @@ impl Joint {
 
 /// Six joints in a row, and where the effector is at rest.
 ///
-/// Its pose is exp(½q₁ξ₁) ⋯ exp(½q₆ξ₆) M (Brockett 1984; Murray, Li, Sastry 1994, §3.2), written for
-/// every [`Real`], so that dual and hyper-dual numbers differentiate it.
+/// Its pose is exp(½q₁ξ₁) ⋯ exp(½q₆ξ₆) M (Brockett 1984; Murray, Li, Sastry 1994,
+/// §3.2), written for every [`Real`], so that dual and hyper-dual numbers differentiate it.
 ///
 /// ```
 /// use lab::Arm;
@@ -59,8 +59,8 @@ pub struct Arm {
 }
 
 impl Arm {
-    /// An industrial arm in metres: three joints that place the wrist and three that meet in it, the
-    /// fifth a lead screw as well (5 cm a turn), so that no derivative is that of hinges alone.
+    /// An industrial arm in metres: three joints that place the wrist and three that meet in it,
+    /// the fifth a lead screw as well (5 cm a turn), so that no derivative is that of hinges alone.
     pub fn example() -> Self {
         let ([x, y, z], height) = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], 0.83);
         let fifth = Joint::hinge([0.72, 0.0, height], y);

@@ -7,8 +7,8 @@ use dq8_fixtures::textbook::Operation;
 
 /// How many operations of each kind something took.
 ///
-/// Every operation that is written counts, also those with 0, 1, 2 or ½: an addition of a zero that
-/// is known beforehand is left out by a compiler, not by the formula.
+/// Every operation that is written counts, also those with 0, 1, 2 or ½: an addition of a zero
+/// that is known beforehand is left out by a compiler, not by the formula.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// xy
@@ -68,7 +68,8 @@ fn count(operation: Operation) {
     COUNTS.set(counts);
 }
 
-/// An `f64` that counts: what is written for every [`Real`](dq8::Real) is counted by computing it with these.
+/// An `f64` that counts: what is written for every [`Real`](dq8::Real) is counted by computing it
+/// with these.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counted(pub f64);
 

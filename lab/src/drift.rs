@@ -1,5 +1,5 @@
-//! Drift (Kenwright §10 and §11): a linked chain follows a target, and every frame multiplies a small
-//! step onto the state of every joint.
+//! Drift (Kenwright §10 and §11): a linked chain follows a target, and every frame multiplies a
+//! small step onto the state of every joint.
 
 mod chain;
 mod experiment;

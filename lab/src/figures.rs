@@ -1,5 +1,5 @@
-//! The figures of the papers, drawn by what is computed: Kenwright's chain and biped, Jia's line and screw,
-//! Arends' four vectors.
+//! The figures of the papers, drawn by what is computed: Kenwright's chain and biped, Jia's line
+//! and screw, Arends' four vectors.
 
 mod biped;
 mod canvas;

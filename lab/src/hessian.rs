@@ -14,9 +14,9 @@ pub struct Derivatives {
 }
 
 impl Derivatives {
-    /// By hyper-dual numbers: ε₁ on joint i and ε₂ on joint j, for all 21 pairs i ≤ j (Fike & Alonso
-    /// 2011). `step` is what is put on the units and divided out again; it makes no difference but
-    /// for rounding, and 1 is as good as any.
+    /// By hyper-dual numbers: ε₁ on joint i and ε₂ on joint j, for all 21 pairs i ≤ j (Fike
+    /// & Alonso 2011). `step` is what is put on the units and divided out again; it makes no
+    /// difference but for rounding, and 1 is as good as any.
     pub fn by_hyper_dual_numbers(arm: &Arm, variables: [f64; 6], step: f64) -> Self {
         let mut derivatives = Self::ZERO;
         for i in 0..6 {
@@ -31,8 +31,8 @@ impl Derivatives {
         derivatives
     }
 
-    /// By central differences of positions: (f(q + h) − f(q − h))/2h, and for second derivatives the
-    /// same by the second joint.
+    /// By central differences of positions: (f(q + h) − f(q − h))/2h, and for second
+    /// derivatives the same by the second joint.
     pub fn by_central_differences(arm: &Arm, variables: [f64; 6], step: f64) -> Self {
         let at = |moves: &[(usize, f64)]| {
             let mut moved = variables;
@@ -57,8 +57,9 @@ impl Derivatives {
         derivatives
     }
 
-    /// By screws: ∂p/∂qᵢ = Jᵢ at p, and with ∂Jᵢ/∂qⱼ = [Jⱼ, Jᵢ] for j < i, else zero (Murray, Li,
-    /// Sastry 1994, §3.4), ∂²p/∂qᵢ∂qⱼ = (∂Jᵢ/∂qⱼ at p) + ωᵢ × ∂p/∂qⱼ.
+    /// By screws: ∂p/∂qᵢ = Jᵢ at p, and with ∂Jᵢ/∂qⱼ = [Jⱼ, Jᵢ] for j < i, else
+    /// zero (Murray, Li, Sastry 1994, §3.4), ∂²p/∂qᵢ∂qⱼ = (∂Jᵢ/∂qⱼ at p) +
+    /// ωᵢ × ∂p/∂qⱼ.
     ///
     /// # Errors
     /// Those of [`columns`].
@@ -115,8 +116,8 @@ pub fn columns(arm: &Arm, variables: [f64; 6]) -> Result<[Twist<f64>; 6], Box<dy
     Ok(core::array::from_fn(|i| models[i].adjoint(arm.joints[i].twist())))
 }
 
-/// ∂Jᵢ/∂qⱼ = [Jⱼ, Jᵢ] for j < i: what comes before joint i moves its screw, itself and what comes
-/// after do not.
+/// ∂Jᵢ/∂qⱼ = [Jⱼ, Jᵢ] for j < i: what comes before joint i moves its screw, itself and
+/// what comes after do not.
 pub fn column_derivative(columns: &[Twist<f64>; 6], i: usize, j: usize) -> Twist<f64> {
     if j < i { bracket(columns[j], columns[i]) } else { Twist::from_array([0.0; 6]) }
 }

@@ -2,11 +2,12 @@
 
 use dq8::{Dual, Real};
 
-/// A hyper-dual number a + bε₁ + cε₂ + dε₁ε₂ with ε₁² = ε₂² = 0, ε₁ε₂ = ε₂ε₁ ≠ 0 (Fike & Alonso
-/// 2011; Arends, chapter 5, §1): a dual number of dual numbers, ε₁ outside and ε₂ inside.
+/// A hyper-dual number a + bε₁ + cε₂ + dε₁ε₂ with ε₁² = ε₂² = 0, ε₁ε₂ =
+/// ε₂ε₁ ≠ 0 (Fike & Alonso 2011; Arends, chapter 5, §1): a dual number of dual numbers,
+/// ε₁ outside and ε₂ inside.
 ///
-/// f(a + ε₁ + ε₂) = f(a) + f′(a)ε₁ + f′(a)ε₂ + f″(a)ε₁ε₂ for what is written for every
-/// [`Real`]; no difference is taken, so there is no step to choose.
+/// f(a + ε₁ + ε₂) = f(a) + f′(a)ε₁ + f′(a)ε₂ + f″(a)ε₁ε₂ for what is
+/// written for every [`Real`]; no difference is taken, so there is no step to choose.
 pub type HyperDual<R> = Dual<Dual<R>>;
 
 /// a + bε₁ + cε₂ + dε₁ε₂

@@ -4,7 +4,8 @@ use crate::{HyperDual, hyper_dual, hyper_dual_parts};
 use core::ops::{Add, Mul, Neg, Sub};
 use dq8::{DualQuat, Quat, Real};
 
-/// A hyper-dual quaternion a + bε₁ + cε₂ + dε₁ε₂ of four quaternions (Arends, chapter 5, §2).
+/// A hyper-dual quaternion a + bε₁ + cε₂ + dε₁ε₂ of four quaternions (Arends, chapter
+/// 5, §2).
 ///
 /// The same numbers are `dq8::Quat<HyperDual<R>>`, a quaternion of four hyper-dual numbers, with
 /// [`From`] both ways.
@@ -47,15 +48,16 @@ impl<R: Real> HyperDualQuat<R> {
         Self::from_rotation_translation(Quat::IDENTITY, translation)
     }
 
-    /// r + ½trε₁ε₂: turn, then translate, as the code of Arends' appendix has it. His §4 prints
-    /// r + ½tε₁ε₂, which is that only for r = ±1.
+    /// r + ½trε₁ε₂: turn, then translate, as the code of Arends' appendix has it. His §4
+    /// prints r + ½tε₁ε₂, which is that only for r = ±1.
     pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
         let translation = Quat::from_parts(translation.map(|c| c * R::HALF), R::ZERO);
         Self { mixed: translation * rotation, ..Self::from_rotation(rotation) }
     }
 
-    /// A motion σ = p + εq and its rate σ̇ in one number: p + ṗε₁ + qε₂ + q̇ε₁ε₂, that is σ + ε₁σ̇
-    /// with ε₂ for ε. Products of such numbers follow the product rule.
+    /// A motion σ = p + εq and its rate σ̇ in one number: p + ṗε₁ + qε₂ +
+    /// q̇ε₁ε₂, that is σ + ε₁σ̇ with ε₂ for ε. Products of such numbers follow the
+    /// product rule.
     pub const fn from_moving(sigma: DualQuat<R>, rate: DualQuat<R>) -> Self {
         Self::new(sigma.real(), rate.real(), sigma.dual(), rate.dual())
     }
@@ -70,8 +72,8 @@ impl<R: Real> HyperDualQuat<R> {
         self.each(Quat::conjugate)
     }
 
-    /// The conjugate with ε₁ → −ε₁: a* − b*ε₁ + c*ε₂ − d*ε₁ε₂, which turns products round as
-    /// [`conjugate`](Self::conjugate) does.
+    /// The conjugate with ε₁ → −ε₁: a* − b*ε₁ + c*ε₂ − d*ε₁ε₂, which
+    /// turns products round as [`conjugate`](Self::conjugate) does.
     pub fn conjugate_first(self) -> Self {
         let Self { real, first, second, mixed } = self.conjugate();
         Self::new(real, -first, second, -mixed)
@@ -83,9 +85,9 @@ impl<R: Real> HyperDualQuat<R> {
         Self::new(real, first, -second, -mixed)
     }
 
-    /// x† = a* − b*ε₁ − c*ε₂ − d*ε₁ε₂ (Arends, chapter 5, §2; the bars are lost in print, the code of
-    /// his appendix has them). Not the conjugate of a product where b and c are not zero: −ε₁ times
-    /// −ε₂ is not −ε₁ε₂.
+    /// x† = a* − b*ε₁ − c*ε₂ − d*ε₁ε₂ (Arends, chapter 5, §2; the bars are
+    /// lost in print, the code of his appendix has them). Not the conjugate of a product where b
+    /// and c are not zero: −ε₁ times −ε₂ is not −ε₁ε₂.
     pub fn dagger(self) -> Self {
         let Self { real, first, second, mixed } = self.conjugate();
         Self::new(real, -first, -second, -mixed)
@@ -98,8 +100,9 @@ impl<R: Real> HyperDualQuat<R> {
         hyper_dual(self.real.dot(self.real), first, second, mixed)
     }
 
-    /// a⁻¹ − a⁻¹ba⁻¹ε₁ − a⁻¹ca⁻¹ε₂ + (a⁻¹ba⁻¹ca⁻¹ + a⁻¹ca⁻¹ba⁻¹ − a⁻¹da⁻¹)ε₁ε₂: the inverse of
-    /// hyper-dual numbers (Arends, chapter 5, §1) where the order counts.
+    /// a⁻¹ − a⁻¹ba⁻¹ε₁ − a⁻¹ca⁻¹ε₂ + (a⁻¹ba⁻¹ca⁻¹ +
+    /// a⁻¹ca⁻¹ba⁻¹ − a⁻¹da⁻¹)ε₁ε₂: the inverse of hyper-dual numbers
+    /// (Arends, chapter 5, §1) where the order counts.
     ///
     /// `None` if a is zero or not finite.
     pub fn inverse(self) -> Option<Self> {
@@ -123,8 +126,8 @@ impl<R: Real> HyperDualQuat<R> {
         Self { mixed: Quat::from_parts(point, R::ZERO), ..Self::IDENTITY }
     }
 
-    /// Where a moving body's moving point is, and its velocity: v′ and v̇′ from
-    /// x(1 + vε₂ + v̇ε₁ε₂)x̄ with x from [`from_moving`](Self::from_moving), unit, and x̄ the
+    /// Where a moving body's moving point is, and its velocity: v′ and v̇′ from x(1 + vε₂ +
+    /// v̇ε₁ε₂)x̄ with x from [`from_moving`](Self::from_moving), unit, and x̄ the
     /// [conjugate with ε₂ → −ε₂](Self::conjugate_second).
     pub fn transform_moving_point(self, point: [R; 3], velocity: [R; 3]) -> ([R; 3], [R; 3]) {
         let [second, mixed] = [point, velocity].map(|v| Quat::from_parts(v, R::ZERO));
@@ -164,8 +167,8 @@ impl<R: Real> Neg for HyperDualQuat<R> {
     }
 }
 
-/// The product of hyper-dual numbers with quaternions for numbers, nine quaternion products (Arends,
-/// chapter 5, §5): the right-hand motion first.
+/// The product of hyper-dual numbers with quaternions for numbers, nine quaternion products
+/// (Arends, chapter 5, §5): the right-hand motion first.
 impl<R: Real> Mul for HyperDualQuat<R> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {

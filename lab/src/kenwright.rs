@@ -1,5 +1,5 @@
-//! Formulas and code of Kenwright, as printed, and what he compares dual quaternions with: to show where they break. Not
-//! for use.
+//! Formulas and code of Kenwright, as printed, and what he compares dual quaternions with: to show
+//! where they break. Not for use.
 
 use core::cell::Cell;
 use core::f64::consts::TAU;

@@ -10,15 +10,15 @@ pub fn matrix(sigma: DualQuat<f64>) -> Matrix4<f64> {
     Matrix4::from_fn(|row, column| rows[row][column])
 }
 
-/// How far the rotation R of an affine matrix is from orthonormal: the largest element of RᵀR − 1; NaN
-/// if one is.
+/// How far the rotation R of an affine matrix is from orthonormal: the largest element of RᵀR −
+/// 1; NaN if one is.
 pub fn orthonormality_error(a: &Matrix4<f64>) -> f64 {
     let r: Matrix3<f64> = a.fixed_view::<3, 3>(0, 0).into();
     (r.transpose() * r - Matrix3::identity()).fold(0.0, |most, c| most.max_or_nan(c.abs()))
 }
 
-/// s ⊙ A = exp(s log A) (Alexa 2002; Arends, chapter 2, §4): the part s of a transformation. For a
-/// rigid motion it is the power of its screw, [`DualQuat::pow`].
+/// s ⊙ A = exp(s log A) (Alexa 2002; Arends, chapter 2, §4): the part s of a transformation. For
+/// a rigid motion it is the power of its screw, [`DualQuat::pow`].
 ///
 /// # Errors
 /// If A has no principal [`logarithm`].
@@ -43,9 +43,10 @@ pub fn add(a: &Matrix4<f64>, b: &Matrix4<f64>) -> Result<Matrix4<f64>, Logarithm
     Ok((logarithm(a)? + logarithm(b)?).exp())
 }
 
-/// C(t) = ((1 − t) ⊙ A) ⊕ (t ⊙ B) = exp((1 − t) log A + t log B) (Alexa 2002; Arends, chapter 2,
-/// §4), from A at t = 0 to B at t = 1. In one exponential: taking logarithms of the two parts again
-/// would be the same, but for rounding and, outside [0, 1], for parts beyond half a turn.
+/// C(t) = ((1 − t) ⊙ A) ⊕ (t ⊙ B) = exp((1 − t) log A + t log B) (Alexa 2002; Arends,
+/// chapter 2, §4), from A at t = 0 to B at t = 1. In one exponential: taking logarithms of the two
+/// parts again would be the same, but for rounding and, outside [0, 1], for parts beyond half a
+/// turn.
 ///
 /// # Errors
 /// If A or B has no principal [`logarithm`].
@@ -64,8 +65,9 @@ pub fn interpolate(
     Ok((logarithm(a)? * (1.0 - t) + logarithm(b)? * t).exp())
 }
 
-/// C(t) with e and ln of each element, as Arends reads it (chapter 2, §4): aᵢⱼ^(1−t) bᵢⱼᵗ, shifted by
-/// `offset` before and back after, because elements must be positive. NaN where one is not.
+/// C(t) with e and ln of each element, as Arends reads it (chapter 2, §4): aᵢⱼ^(1−t)
+/// bᵢⱼᵗ, shifted by `offset` before and back after, because elements must be positive. NaN
+/// where one is not.
 ///
 /// It ends where it should, but between the ends it turns nothing rigid into something rigid, and
 /// what it gives depends on `offset`, for which he has no rule; [`smallest_offset`] is one.

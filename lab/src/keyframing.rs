@@ -1,5 +1,5 @@
-//! Keyframes after Alexa: what his operators do, where they end, and what becomes of them element by
-//! element.
+//! Keyframes after Alexa: what his operators do, where they end, and what becomes of them element
+//! by element.
 
 mod elements;
 mod half_turn;

@@ -2,7 +2,8 @@
 //! depends on it.
 //!
 //! Every experiment is a module with a function `section` that runs it and writes it up for the
-//! report; `cargo run --release --manifest-path lab/Cargo.toml -- --out DIR` puts all of them on one page.
+//! report; `cargo run --release --manifest-path lab/Cargo.toml -- --out DIR` puts all of them on
+//! one page.
 
 pub mod arends;
 mod arm;

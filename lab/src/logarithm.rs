@@ -51,8 +51,8 @@ impl core::error::Error for LogarithmError {}
 /// roundings. Those of half turns were seen to come out on it exactly.
 const ON_THE_AXIS: f64 = 1e-14;
 
-/// More steps than any matrix with a principal logarithm needs: a square root halves the exponent of
-/// an eigenvalue bit by bit.
+/// More steps than any matrix with a principal logarithm needs: a square root halves the exponent
+/// of an eigenvalue bit by bit.
 const MAX_STEPS: usize = 1200;
 
 /// Where the Padé approximant of order 7 is exact to rounding (Higham 2008, table 11.1, θ₇).
@@ -69,12 +69,12 @@ const NODES: [(f64, f64); 7] = [
     (-0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
 ];
 
-/// The principal logarithm: the X with eˣ = A whose eigenvalues have imaginary parts between −π and
-/// π (Higham 2008, theorem 1.31), for any A, of a motion or not.
+/// The principal logarithm: the X with eˣ = A whose eigenvalues have imaginary parts between −π
+/// and π (Higham 2008, theorem 1.31), for any A, of a motion or not.
 ///
-/// Inverse scaling and squaring: log A = 2ᵏ log A^(1/2ᵏ), by square roots until the root is near the
-/// identity (Higham 2008, §11.5). The error is about 10⁻¹⁵ times the largest element of A, and near a
-/// half turn, at an angle θ, that over π − θ.
+/// Inverse scaling and squaring: log A = 2ᵏ log A^(1/2ᵏ), by square roots until the root is
+/// near the identity (Higham 2008, §11.5). The error is about 10⁻¹⁵ times the largest element
+/// of A, and near a half turn, at an angle θ, that over π − θ.
 ///
 /// # Errors
 /// If A has an element that is not finite, or an eigenvalue on the closed negative real axis.
@@ -106,16 +106,17 @@ pub fn logarithm(a: &Matrix4<f64>) -> Result<Matrix4<f64>, LogarithmError> {
     Ok(sum * power)
 }
 
-/// The principal square root by the iteration of Denman and Beavers (Higham 2008, eq. 6.15):
-/// Xₖ → √A, Yₖ → 1/√A. Not by its product form (eq. 6.29), which begins with A + 1/A: near a half
-/// turn that keeps 1 + cos θ of the motion and loses sin θ, so the error grows as 1/(π − θ)².
+/// The principal square root by the iteration of Denman and Beavers (Higham 2008, eq. 6.15): Xₖ
+/// → √A, Yₖ → 1/√A. Not by its product form (eq. 6.29), which begins with A + 1/A: near a
+/// half turn that keeps 1 + cos θ of the motion and loses sin θ, so the error grows as 1/(π −
+/// θ)².
 fn square_root(a: &Matrix4<f64>) -> Result<Matrix4<f64>, LogarithmError> {
     let (mut x, mut y) = (*a, Matrix4::identity());
     let mut before = f64::INFINITY;
     for _ in 0..MAX_STEPS {
         let distance = one_norm(&(x * y - Matrix4::identity()));
-        // Convergence is quadratic in the end: what no longer shrinks there is rounding, which is as
-        // large as the two factors are.
+        // Convergence is quadratic in the end: what no longer shrinks there is rounding, which is
+        // as large as the two factors are.
         let rounding = 1e3 * f64::EPSILON * one_norm(&x) * one_norm(&y);
         if distance < rounding.clamp(1e-8, 1e-2) && distance >= 0.5 * before {
             return Ok(x);

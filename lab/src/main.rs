@@ -1,4 +1,5 @@
-//! `cargo run --release --manifest-path lab/Cargo.toml -- --out DIR` writes the report, `DIR/index.html`.
+//! `cargo run --release --manifest-path lab/Cargo.toml -- --out DIR` writes the report,
+//! `DIR/index.html`.
 
 use lab::report::{self, Section};
 use std::error::Error;

@@ -1,5 +1,5 @@
-//! Matrices as the sources write them, generic over the number: for operations that are counted, and
-//! for rounding in single precision that must be that of the textbook's sums.
+//! Matrices as the sources write them, generic over the number: for operations that are counted,
+//! and for rounding in single precision that must be that of the textbook's sums.
 
 use dq8::Real;
 
@@ -78,8 +78,8 @@ pub fn about_axes<R: Real>(angles: [R; 3]) -> [Matrix<R, 3, 3>; 3] {
     ]
 }
 
-/// The rotation by `angle` radians about the unit `axis` n: cos θ 1 + (1 − cos θ) nnᵀ + sin θ N,
-/// Nv = n × v (Rodrigues 1840).
+/// The rotation by `angle` radians about the unit `axis` n: cos θ 1 + (1 − cos θ) nnᵀ + sin
+/// θ N, Nv = n × v (Rodrigues 1840).
 pub fn about<R: Real>([x, y, z]: [R; 3], angle: R) -> Matrix<R, 3, 3> {
     let (sin, cos) = (angle.sin(), angle.cos());
     let rest = R::ONE - cos;
@@ -91,7 +91,8 @@ pub fn about<R: Real>([x, y, z]: [R; 3], angle: R) -> Matrix<R, 3, 3> {
 }
 
 /// The rows made orthonormal by Gram and Schmidt: the first keeps its direction, the second what is
-/// orthogonal to it, and the third is their cross product (Kenwright §3.5.2). Of a singular matrix, NaN.
+/// orthogonal to it, and the third is their cross product (Kenwright §3.5.2). Of a singular
+/// matrix, NaN.
 pub fn gram_schmidt<R: Real>([x, y, _]: Matrix<R, 3, 3>) -> Matrix<R, 3, 3> {
     let unit = |v: [R; 3]| {
         let reciprocal = R::ONE / sum_of_products(v, v).sqrt();
@@ -104,7 +105,8 @@ pub fn gram_schmidt<R: Real>([x, y, _]: Matrix<R, 3, 3>) -> Matrix<R, 3, 3> {
     [x, y, z]
 }
 
-/// AᵀA − 1, by which columns fail to be orthonormal: off the diagonal the skew, on it the scale.
+/// AᵀA − 1, by which columns fail to be orthonormal: off the diagonal the skew, on it the
+/// scale.
 pub fn distortion(a: Matrix<f64, 3, 3>) -> Matrix<f64, 3, 3> {
     core::array::from_fn(|i| {
         core::array::from_fn(|j| {
@@ -121,8 +123,8 @@ pub fn skew(a: Matrix<f64, 3, 3>) -> f64 {
     d[0][1].abs().max(d[0][2].abs()).max(d[1][2].abs())
 }
 
-/// The largest element of [`distortion`] on the diagonal: twice the relative change of a length along
-/// an axis.
+/// The largest element of [`distortion`] on the diagonal: twice the relative change of a length
+/// along an axis.
 pub fn stretch(a: Matrix<f64, 3, 3>) -> f64 {
     let d = distortion(a);
     d[0][0].abs().max(d[1][1].abs()).max(d[2][2].abs())

@@ -1,4 +1,5 @@
-//! Operation counts, measured by computing with [`Counted`] numbers, compared with those that are printed.
+//! Operation counts, measured by computing with [`Counted`] numbers, compared with those that are
+//! printed.
 
 mod measured;
 

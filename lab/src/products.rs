@@ -1,5 +1,5 @@
-//! Long products: what rounding does to a motion that many are multiplied onto, and what normalizing
-//! mends (Kenwright §8 and §12, Fabisch on mistakes).
+//! Long products: what rounding does to a motion that many are multiplied onto, and what
+//! normalizing mends (Kenwright §8 and §12, Fabisch on mistakes).
 
 use crate::report::{Section, Table, paragraph, scientific};
 use dq8::{DualQuat, batch};
@@ -33,8 +33,8 @@ pub const METHODS: [Method; 7] = [
     Method { name: "wrong: one Newton step, every product", keep: |product, _| newton(product) },
 ];
 
-/// Of |p| − 1, of p·q relative to the distance, of the rotation in radians, and of the translation
-/// relative to the distance, which is max(1, |t|).
+/// Of |p| − 1, of p·q relative to the distance, of the rotation in radians, and of the
+/// translation relative to the distance, which is max(1, |t|).
 pub type Errors = [f64; 4];
 
 fn every(product: DualQuat<f32>, n: usize, k: usize) -> DualQuat<f32> {
@@ -92,7 +92,8 @@ pub fn errors(lengths: &[usize]) -> Vec<[Errors; METHODS.len()]> {
             for (product, method) in products.iter_mut().zip(METHODS) {
                 *product = (method.keep)(*product * next, n);
             }
-            // The factors are unit to 2⁻²⁴ only, and the exact product is that of the motions they mean.
+            // The factors are unit to 2⁻²⁴ only, and the exact product is that of the motions
+            // they mean.
             exact = (exact * next.cast().normalize()).normalize();
             if let Some(row) = lengths.iter().position(|&length| length == n) {
                 for (sums, product) in sums[row].iter_mut().zip(products) {

@@ -1,4 +1,5 @@
-//! Times on this machine: products as plain code and on lanes, by the means of the compiler that built this.
+//! Times on this machine: products as plain code and on lanes, by the means of the compiler that
+//! built this.
 
 use crate::matrix::Matrix;
 use crate::report::{Section, Table, paragraph};

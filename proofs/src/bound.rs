@@ -1,9 +1,11 @@
-//! [`Analysis`]: running error analysis of a tape (Wilkinson 1963; Higham 2002, §3.3), in closed form.
+//! [`Analysis`]: running error analysis of a tape (Wilkinson 1963; Higham 2002, §3.3), in closed
+//! form.
 //!
-//! Of each node, the exact polynomial in the inputs, and one with coefficients ≥ 0 that its error stays below, in units of
-//! the roundoff u; products of errors are kept, so nothing is of first order only. The root of a sum of squares |x|² is a
-//! variable: the computed sum ŝ counts as exact while √ŝ and 1/ŝ go through the tape, so that their errors cancel, and what ŝ
-//! itself is off enters once, at the end.
+//! Of each node, the exact polynomial in the inputs, and one with coefficients ≥ 0 that its error
+//! stays below, in units of the roundoff u; products of errors are kept, so nothing is of first
+//! order only. The root of a sum of squares |x|² is a variable: the computed sum ŝ counts as
+//! exact while √ŝ and 1/ŝ go through the tape, so that their errors cancel, and what ŝ itself
+//! is off enters once, at the end.
 
 use crate::polynomial::{Lengths, Monomial, Polynomial, Sum, as_root, root};
 use crate::tape::{FIRST_INPUT, Node, Op, Tape};
@@ -16,7 +18,8 @@ pub const U: f64 = 1.0 / (1 << 24) as f64;
 /// The most factors of a term that is analysed.
 const DEGREE: usize = 6;
 
-/// A number without rounding, and what it is off by at most: in units of u, with coefficients ≥ 0.
+/// A number without rounding, and what it is off by at most: in units of u, with coefficients
+/// ≥ 0.
 #[derive(Clone, Debug)]
 pub(crate) struct Bounded {
     pub(crate) value: Polynomial,
@@ -51,7 +54,8 @@ impl Bounded {
 pub(crate) enum Rounding {
     /// In the normal range: relatively, by u.
     Normal,
-    /// Below it, what products add to that: no more than the half of the least number, the unit of these errors.
+    /// Below it, what products add to that: no more than the half of the least number, the unit of
+    /// these errors.
     Below,
 }
 
@@ -133,7 +137,8 @@ impl Analysis {
         self.known(node).map(|known| &known.value)
     }
 
-    /// One rounding, of a product or not: sums are never below, but whole multiples of the least number.
+    /// One rounding, of a product or not: sums are never below, but whole multiples of the least
+    /// number.
     fn rounded(&self, is_product: bool, of: Bounded) -> Bounded {
         match self.rounding {
             Rounding::Normal => of.rounded(),
@@ -193,7 +198,8 @@ impl Analysis {
         Some(Bounded { value, error })
     }
 
-    /// What the error of a node stays below, by the lengths of the arguments; `None` beyond what is analysed.
+    /// What the error of a node stays below, by the lengths of the arguments; `None` beyond what is
+    /// analysed.
     #[must_use]
     pub fn bound(&self, node: Node) -> Option<Lengths> {
         let Bounded { value: exact, error } = self.known(node)?;
@@ -220,8 +226,8 @@ impl Analysis {
 }
 
 impl Analysis {
-    /// How long the vector of some numbers is, and that of their errors: the largest sum of each times a number of a unit
-    /// vector, which is one more argument.
+    /// How long the vector of some numbers is, and that of their errors: the largest sum of each
+    /// times a number of a unit vector, which is one more argument.
     pub(crate) fn vector(&self, nodes: &[Node]) -> Option<(Lengths, Lengths)> {
         let first = (FIRST_INPUT + self.groups.len()) as u32;
         let last = self.groups.last().map_or(0, |last| last + 1);

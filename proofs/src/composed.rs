@@ -1,7 +1,9 @@
-//! Weighted sums that are normalized, or that move points without being: the bound of the whole, from those of both parts.
+//! Weighted sums that are normalized, or that move points without being: the bound of the whole,
+//! from those of both parts.
 //!
-//! With z + δ for the computed sum, of real part p and dual part q, N for the exact normalization and M(v) = Rv + t for what a
-//! motion of any length does to a point, which is the rotation by p/|p| and t = 2qp⁻¹,
+//! With z + δ for the computed sum, of real part p and dual part q, N for the exact normalization
+//! and M(v) = Rv + t for what a motion of any length does to a point, which is the rotation by
+//! p/|p| and t = 2qp⁻¹,
 //!
 //! ```text
 //! |N(z + δ) − N(z)|       ≤ |δp|/ℓ                                real, for 2|δ|/(|a| + |b|) of Dunkl and Williams (1964)
@@ -9,9 +11,10 @@
 //! |M(v) − M′(v)|          ≤ 2 (|δp||v|/ℓ + |δq|/ℓ + |δp||q|/ℓ²)   for a⁻¹ − b⁻¹ = a⁻¹(b − a)b⁻¹
 //! ```
 //!
-//! where ℓ is the least length of p on the way, and 2/√3 is of the largest slope of (1 − eeᵀ)/|p|, e = p/|p|. What the last step
-//! itself rounds is added. ℓ ≥ |p|(1 − 2⁻¹⁰) if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real part, or half that of a point
-//! or normal with |v| = 1, is below [`FAR`].
+//! where ℓ is the least length of p on the way, and 2/√3 is of the largest slope of (1 −
+//! eeᵀ)/|p|, e = p/|p|. What the last step itself rounds is added. ℓ ≥ |p|(1 − 2⁻¹⁰)
+//! if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real part, or half that of a
+//! point or normal with |v| = 1, is below [`FAR`].
 
 use crate::bound::{Analysis, U};
 use crate::polynomial::{Lengths, Sum};
@@ -39,7 +42,8 @@ pub(crate) fn given(
     each.collect()
 }
 
-/// The bound of each number, of which the length of the sum's real part is the group after the arguments.
+/// The bound of each number, of which the length of the sum's real part is the group after the
+/// arguments.
 pub(crate) fn of(record: &Record, precision: usize, analysis: &Analysis) -> Option<Vec<Lengths>> {
     let (last, sum) = record.last(precision)?;
     let z = record.operation.inputs.len();

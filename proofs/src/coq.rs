@@ -1,9 +1,11 @@
 //! Tapes as theorems for Coq: that each number of an answer is off by what `bounds.toml` says.
 //!
-//! A theorem is about any reals of which each rounded one is within u of its operation, relatively, for any u ≤ 2⁻²⁴: so it
-//! holds for `f32` and `f64`, where no product leaves the normal range (`near_f32`, `near_f64` in `coq/rounding.v`). Arguments
-//! are vectors of length at most 1, times a length. The proof is the running error analysis step by step, and at its end
-//! the inequality of Cauchy and Schwarz, term by term with weights, which are found here and checked there.
+//! A theorem is about any reals of which each rounded one is within u of its operation, relatively,
+//! for any u ≤ 2⁻²⁴: so it holds for `f32` and `f64`, where no product leaves the normal
+//! range (`near_f32`, `near_f64` in `coq/rounding.v`). Arguments are vectors of length at most 1,
+//! times a length. The proof is the running error analysis step by step, and at its end the
+//! inequality of Cauchy and Schwarz, term by term with weights, which are found here and checked
+//! there.
 
 use crate::bound::Rounding;
 use crate::fraction::{rational, weights};
@@ -46,7 +48,8 @@ pub fn is_proved(record: &Record) -> bool {
     record.precisions().all(|precision| theorems(record, precision).is_some())
 }
 
-/// Of all numbers that are rounded; `None` where none is, or where one is not a form of few factors.
+/// Of all numbers that are rounded; `None` where none is, or where one is not a form of few
+/// factors.
 fn theorems(record: &Record, precision: usize) -> Option<String> {
     let (operation, tape) = (record.operation, &record.tapes[precision]);
     let mut text = format!(

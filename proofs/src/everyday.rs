@@ -1,4 +1,5 @@
-//! What `everyday` asks of a number: the one place where this crate follows the forms that floats have.
+//! What `everyday` asks of a number: the one place where this crate follows the forms that floats
+//! have.
 
 use crate::lanes::Wide;
 use crate::number::Recorded;

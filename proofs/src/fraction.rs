@@ -3,8 +3,9 @@
 use crate::polynomial::{Matrix, Monomial, norm};
 use std::collections::BTreeMap;
 
-/// For each cell of a matrix M ≥ 0 a weight w with 2xy ≤ wx² + y²/w, so that the sums over a row and over a column are the
-/// norm of M: ratios of the entries of its singular vectors (Perron and Frobenius).
+/// For each cell of a matrix M ≥ 0 a weight w with 2xy ≤ wx² + y²/w, so that the sums over a
+/// row and over a column are the norm of M: ratios of the entries of its singular vectors (Perron
+/// and Frobenius).
 pub(crate) fn weights(matrix: &Matrix) -> Vec<((Monomial, Monomial), String)> {
     let mut columns: BTreeMap<&Monomial, f64> =
         matrix.keys().map(|(_, column)| (column, 1.0)).collect();

@@ -1,9 +1,10 @@
-//! Tapes as lemmas for Gappa, one per operation of a tape: from what is known of its operands, how far the rounded result is
-//! off from the exact one. Many are the same for many tapes, and are proved once.
+//! Tapes as lemmas for Gappa, one per operation of a tape: from what is known of its operands, how
+//! far the rounded result is off from the exact one. Many are the same for many tapes, and are
+//! proved once.
 //!
-//! Gappa sees intervals of single numbers. What it cannot see is that they are parts of vectors of a length, so each exact
-//! number comes with the bound that follows from that (Cauchy and Schwarz), as a hypothesis; `coq/` has it as a lemma. So do
-//! the comparisons that chose the path.
+//! Gappa sees intervals of single numbers. What it cannot see is that they are parts of vectors of
+//! a length, so each exact number comes with the bound that follows from that (Cauchy and Schwarz),
+//! as a hypothesis; `coq/` has it as a lemma. So do the comparisons that chose the path.
 
 use crate::bound::{Analysis, Rounding};
 use crate::interval::{Range, number, up, up_to};
@@ -168,7 +169,8 @@ impl Steps<'_> {
         Some(self.on_path(node, known))
     }
 
-    /// The lemma of one operation, and what it says: the same in numbers, which Gappa is to confirm.
+    /// The lemma of one operation, and what it says: the same in numbers, which Gappa is to
+    /// confirm.
     fn lemma(&mut self, node: Node, op: Op) -> Option<Known> {
         let operands = op.operands();
         let [rounds_product, rounds] = self.tape.roundings(node, self.fused, 0.0);

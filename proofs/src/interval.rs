@@ -39,7 +39,8 @@ impl Range {
     pub(crate) fn size(self) -> f64 {
         self.0.abs().max(self.1.abs())
     }
-    /// The result of an operation whose product is off by `slack` before it is added; `None` where 0 is divided by.
+    /// The result of an operation whose product is off by `slack` before it is added; `None` where
+    /// 0 is divided by.
     pub(crate) fn of(op: Op, n: &[Self], slack: f64) -> Option<Self> {
         let product = || match op {
             Op::Mul(a, b) | Op::Fma(a, b, _) | Op::Nfma(a, b, _) if a == b && n[0].0 < 0.0 => {

@@ -1,8 +1,9 @@
 //! Rounding errors of dq8: bounds, proved of the code that ships.
 //!
-//! A number that writes its operations on a tape ([`number`]) goes through dq8's own functions ([`operations`]). The tapes ([`record`])
-//! are compared with the compiled code bit by bit (`tests/same_bits.rs`), bounded in closed form ([`bound`], kept in
-//! `bounds.toml`), and written as scripts that Gappa and Coq check ([`gappa`], [`coq`], `run.sh`).
+//! A number that writes its operations on a tape ([`number`]) goes through dq8's own functions
+//! ([`operations`]). The tapes ([`record`]) are compared with the compiled code bit by bit
+//! (`tests/same_bits.rs`), bounded in closed form ([`bound`], kept in `bounds.toml`), and written
+//! as scripts that Gappa and Coq check ([`gappa`], [`coq`], `run.sh`).
 
 #[cfg(not(dq8_record))]
 compile_error!(

@@ -1,5 +1,5 @@
-//! [`Recorded`]: a number whose operations are written on a tape. It is a `Real`, a `Float` and one lane, so what dq8 has for
-//! single floats, for lanes and for slices records itself, unchanged.
+//! [`Recorded`]: a number whose operations are written on a tape. It is a `Real`, a `Float` and one
+//! lane, so what dq8 has for single floats, for lanes and for slices records itself, unchanged.
 
 use crate::lanes::Wide;
 use crate::tape::{Node, Op, Order, compare, push, value};

@@ -1,4 +1,5 @@
-//! The operations that are recorded: one line each, for single motions and for lanes alike, as dq8 has them.
+//! The operations that are recorded: one line each, for single motions and for lanes alike, as dq8
+//! has them.
 
 use dq8::batch::even;
 use dq8::geometry::{DualVector, Wrench};
@@ -40,7 +41,8 @@ pub enum Form {
     Lanes,
     /// A job over slices, on the packed lanes of one motion.
     Job,
-    /// Functions on lanes that have polynomials in them, in the range of these: of one number, and of motions.
+    /// Functions on lanes that have polynomials in them, in the range of these: of one number, and
+    /// of motions.
     Function,
 }
 
@@ -214,9 +216,10 @@ table! {
     quat_dot(p 4, r 4) -> (dot 1) = vec![quat(p).dot(quat(r))];
 }
 
-// Jobs over slices. A joint under its parent: what forward kinematics repeats; a model times its inverse bind, as a matrix;
-// skins of four joints, all of whose real parts are an argument, and all of whose dual parts; what such sums do to a point
-// and a normal; and the column of a hinge about z, on a body at p and v.
+// Jobs over slices. A joint under its parent: what forward kinematics repeats; a model times its
+// inverse bind, as a matrix; skins of four joints, all of whose real parts are an argument, and all
+// of whose dual parts; what such sums do to a point and a normal; and the column of a hinge about
+// z, on a body at p and v.
 operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dual, dq8::Motion;
     local_to_model(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
         let skeleton = Hierarchy::new(&[Hierarchy::ROOT, 0]).expect("a root, and its child");
@@ -391,7 +394,8 @@ fn planned<T: Scalar>(
     .expect("a model each");
 }
 
-/// Product number `i` of a chain of eight segments and one link more, of which two links are not the identity.
+/// Product number `i` of a chain of eight segments and one link more, of which two links are not
+/// the identity.
 fn chain<T: Scalar>(
     backend: Backend,
     a: dq8::DualQuat<T>,
@@ -428,7 +432,8 @@ fn skinned<T: Number>(
     backend: Backend,
     is_normal: bool,
 ) -> Vec<T> {
-    // Weights of either sign, for all that draws numbers; the last first, for the recorded one is the greatest.
+    // Weights of either sign, for all that draws numbers; the last first, for the recorded one is
+    // the greatest.
     let [d, c, b, a] = weights.map(|w| if w < T::ZERO { -w } else { w });
     let weights = [a, b, c, d];
     let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
@@ -448,7 +453,8 @@ fn about_z<T: Scalar>([cos, sin]: [T; 2]) -> dq8::DualQuat<T> {
     dq8::DualQuat::from_rotation(dq8::Quat::from_xyzw(T::ZERO, T::ZERO, sin, cos))
 }
 
-/// The pose of what a joint carries on a body that its first values place: of one configuration, or on lanes.
+/// The pose of what a joint carries on a body that its first values place: of one configuration, or
+/// on lanes.
 fn link<T: Number>(values: &[&[T]], joint: Joint<T>, backend: Option<Backend>) -> Vec<T> {
     let joints = [Joint::floating(None, dq8::DualQuat::IDENTITY), joint];
     let mut steps = [Step::default(); 2];
@@ -469,7 +475,8 @@ fn link<T: Number>(values: &[&[T]], joint: Joint<T>, backend: Option<Backend>) -
     pose.to_array().to_vec()
 }
 
-/// The last column of `jacobian`, of a hinge about z on a body: where that is and how the hinge stands are the values.
+/// The last column of `jacobian`, of a hinge about z on a body: where that is and how the hinge
+/// stands are the values.
 fn hinge<T: Number>(
     p: [T; 4],
     v: [T; 3],

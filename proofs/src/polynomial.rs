@@ -1,9 +1,10 @@
-//! [`Polynomial`]: what a tape computes, in its inputs, and how large that can be by the lengths of its arguments.
+//! [`Polynomial`]: what a tape computes, in its inputs, and how large that can be by the lengths of
+//! its arguments.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Variables of a monomial in rising order. Inputs are their nodes; a root that a tape computes of a sum of squares is a
-/// variable of its own, and so is one over it.
+/// Variables of a monomial in rising order. Inputs are their nodes; a root that a tape computes of
+/// a sum of squares is a variable of its own, and so is one over it.
 pub(crate) type Monomial = Vec<u32>;
 
 /// The variable √s of the `k`th sum of squares; the next is 1/√s.
@@ -132,7 +133,8 @@ impl Polynomial {
         kinds
     }
 
-    /// Bounds by powers of lengths: |self| ≤ Σ c·Π lengthᵏ, of the group of each input and of what each root is the length.
+    /// Bounds by powers of lengths: |self| ≤ Σ c·Π lengthᵏ, of the group of each input and
+    /// of what each root is the length.
     pub(crate) fn by_lengths(
         &self,
         group: &dyn Fn(u32) -> usize,
@@ -176,14 +178,15 @@ impl Lengths {
 /// A matrix by monomials of its rows and columns.
 pub(crate) type Matrix = BTreeMap<(Monomial, Monomial), f64>;
 
-/// No less than the largest value of a multilinear form on unit vectors, one per group: the least norm of its unfoldings to
-/// matrices, and the sum of its coefficients.
+/// No less than the largest value of a multilinear form on unit vectors, one per group: the least
+/// norm of its unfoldings to matrices, and the sum of its coefficients.
 fn form_norm(groups: &[usize], terms: &[(Monomial, f64)], group: &dyn Fn(u32) -> usize) -> f64 {
     let sum = terms.iter().map(|(_, c)| c.abs()).sum();
     unfoldings(groups, terms, group).map(|matrix| norm(&matrix)).fold(sum, f64::min)
 }
 
-/// The form as matrices: by which factors are rows. A vector is a matrix of one column, and a transpose has the same norm.
+/// The form as matrices: by which factors are rows. A vector is a matrix of one column, and a
+/// transpose has the same norm.
 pub(crate) fn unfoldings(
     groups: &[usize],
     terms: &[(Monomial, f64)],
@@ -215,8 +218,8 @@ fn orders(groups: &[usize], of: &[u32], group: &dyn Fn(u32) -> usize) -> BTreeSe
     each.collect()
 }
 
-/// No less than ‖M‖₂, by ‖M‖₂² = ‖MᵀM‖₂ ≤ ‖(MᵀM)ⁿ‖∞^(1/n), n = 2²⁰; but for the rounding of this computation, for
-/// which there is a margin.
+/// No less than ‖M‖₂, by ‖M‖₂² = ‖MᵀM‖₂ ≤ ‖(MᵀM)ⁿ‖∞^(1/n), n =
+/// 2²⁰; but for the rounding of this computation, for which there is a margin.
 pub(crate) fn norm(cells: &Matrix) -> f64 {
     let (mut rows, mut columns) = (BTreeMap::new(), BTreeMap::new());
     for (row, column) in cells.keys() {

@@ -1,8 +1,9 @@
 //! [`Proof`]: the running error analysis of one number, step by step, in the words of Coq.
 //!
-//! Where a length is divided by or a root is taken, everything is in units of the lengths: |p| = 1, and each rounded number
-//! is its unit times a number. The root of the computed |p|² is `h`, exact while roots and quotients go through the steps, so
-//! that their errors cancel; how far it is from 1 enters at the end ([`Proof::in_lengths`]), as in `bound.rs`.
+//! Where a length is divided by or a root is taken, everything is in units of the lengths: |p| = 1,
+//! and each rounded number is its unit times a number. The root of the computed |p|² is `h`, exact
+//! while roots and quotients go through the steps, so that their errors cancel; how far it is from
+//! 1 enters at the end ([`Proof::in_lengths`]), as in `bound.rs`.
 
 use crate::bound::{Analysis, Bounded};
 use crate::fraction::rational;
@@ -12,7 +13,8 @@ use crate::tape::{FIRST_INPUT, Node, Op, Tape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// How far the root of a computed |p|² = 1 is from 1 at most, as `root` of `coq/rounding.v` has it.
+/// How far the root of a computed |p|² = 1 is from 1 at most, as `root` of `coq/rounding.v` has
+/// it.
 const NEAR: f64 = 1.0 + 1e-6;
 
 /// What is known of a number.
@@ -206,7 +208,8 @@ impl<'a> Proof<'a> {
         Some(())
     }
 
-    /// Size and error as polynomials, in numbers that are not negative: what is made of them stays short.
+    /// Size and error as polynomials, in numbers that are not negative: what is made of them stays
+    /// short.
     fn shorten(&mut self, node: Node) {
         let Bounded { value, error } = &self.done[&node].most;
         let (size, error) = (up(value), up(error));
@@ -291,7 +294,8 @@ impl<'a> Proof<'a> {
         words.collect()
     }
 
-    /// Of a number that roots went into: what it is off from the exact one, beside the rounding of its steps, and that one.
+    /// Of a number that roots went into: what it is off from the exact one, beside the rounding of
+    /// its steps, and that one.
     pub(crate) fn in_lengths(&mut self, output: Node) -> Option<(Node, Polynomial, String)> {
         let relative =
             self.done[&self.root?.0].most.error.0.values().fold(0.0_f64, |w, c| w.max(*c));

@@ -1,4 +1,5 @@
-//! [`Range`]: for which sizes of the arguments a bound holds, and what it lacks below the normal numbers.
+//! [`Range`]: for which sizes of the arguments a bound holds, and what it lacks below the normal
+//! numbers.
 
 use crate::bound::{Analysis, Rounding};
 use crate::composed;
@@ -9,10 +10,11 @@ use crate::tape::{Node, Op, Tape};
 /// Where nothing overflows, and what underflow adds.
 #[derive(Clone, Debug)]
 pub struct Range {
-    /// For `f32` and `f64`, k: no number on the way overflows if no argument is longer than 2ᵏ, and, where it is divided by
-    /// its length, none is shorter than 2⁻ᵏ.
+    /// For `f32` and `f64`, k: no number on the way overflows if no argument is longer than 2ᵏ,
+    /// and, where it is divided by its length, none is shorter than 2⁻ᵏ.
     pub powers: [i32; 2],
-    /// Of any number of the answer, in units of half the least number: 2⁻¹⁵⁰ or 2⁻¹⁰⁷⁵. `None` where a root is taken.
+    /// Of any number of the answer, in units of half the least number: 2⁻¹⁵⁰ or
+    /// 2⁻¹⁰⁷⁵. `None` where a root is taken.
     pub underflow: Option<Lengths>,
 }
 

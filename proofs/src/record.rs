@@ -32,7 +32,8 @@ impl Record {
             for form in Form::ALL {
                 for operation in form.operations() {
                     let tapes = [tape::<true>(operation, form), tape::<false>(operation, form)];
-                    // What computes one configuration takes no backend, and fuses nothing in builds for any CPU.
+                    // What computes one configuration takes no backend, and fuses nothing in builds
+                    // for any CPU.
                     let may_fuse = !operation.name.starts_with("link_");
                     for fused in [false, true] {
                         if !fused || may_fuse && tapes.iter().any(Tape::fuses) {

@@ -40,7 +40,8 @@ pub fn ordinary(operation: &Operation) -> Vec<f64> {
         let single = |number: f64| f64::from(number as f32);
         Some(match operation.inputs[group].1 {
             1 => single(0.6 * factor),
-            // A cosine and a sine, which are unit to the last digit: else mechanisms normalize them.
+            // A cosine and a sine, which are unit to the last digit: else mechanisms normalize
+            // them.
             2 => [0.6, 0.8][*at],
             _ => single(four[*at % 4] * factor),
         })

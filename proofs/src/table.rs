@@ -18,7 +18,8 @@ pub struct Part {
     pub bound: Option<Lengths>,
 }
 
-/// The bounds of a record, by the lengths of its arguments; the larger where the two precisions have code of their own.
+/// The bounds of a record, by the lengths of its arguments; the larger where the two precisions
+/// have code of their own.
 #[must_use]
 pub fn bounds(record: &Record) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];

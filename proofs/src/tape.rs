@@ -98,7 +98,8 @@ pub struct Tape {
     pub outputs: Vec<Node>,
 }
 
-/// 0, 1, 2, ½, π, ε of `f32`, ε of `f64`, NaN: the first nodes of every tape, for constants of traits.
+/// 0, 1, 2, ½, π, ε of `f32`, ε of `f64`, NaN: the first nodes of every tape, for constants of
+/// traits.
 const CONSTANTS: [f64; 8] =
     [0.0, 1.0, 2.0, 0.5, core::f64::consts::PI, f32::EPSILON as f64, f64::EPSILON, f64::NAN];
 
@@ -140,8 +141,8 @@ fn holds<F: PartialOrd>(a: &F, order: Order, b: &F) -> bool {
     }
 }
 
-/// An operation, written down. What changes no finite number but in the sign of a zero is none: sums with 0, products
-/// with ±1, and what is on the tape already.
+/// An operation, written down. What changes no finite number but in the sign of a zero is none:
+/// sums with 0, products with ±1, and what is on the tape already.
 pub(crate) fn push(op: Op) -> Node {
     TAPE.with_borrow_mut(|tape| {
         let constant = |node: Node| match tape.ops[node as usize] {
@@ -239,7 +240,8 @@ fn compute<F: Computed>(op: Op, numbers: &[F], fused: bool) -> F {
 }
 
 impl Tape {
-    /// All numbers of the tape for these inputs, into `numbers`; false where the inputs take another path.
+    /// All numbers of the tape for these inputs, into `numbers`; false where the inputs take
+    /// another path.
     pub fn run<F: Computed>(&self, inputs: &[F], fused: bool, numbers: &mut Vec<F>) -> bool {
         numbers.clear();
         let mut inputs = inputs.iter();
@@ -306,7 +308,8 @@ impl Tape {
         needed
     }
 
-    /// What this tape gives to `inner` where it ends in it: its nodes that stand for the inputs of the other.
+    /// What this tape gives to `inner` where it ends in it: its nodes that stand for the inputs of
+    /// the other.
     #[must_use]
     pub fn ends_in(&self, inner: &Self) -> Option<Vec<Node>> {
         let mut given = vec![None; inner.ops.len()];
@@ -343,8 +346,8 @@ impl Tape {
         (0..self.ops.len() as Node).filter(is_input).collect()
     }
 
-    /// Whether an operation rounds a product before it is added to something, and whether it rounds the result.
-    /// Products with ±2ᵏ, no smaller than `least`, are exact.
+    /// Whether an operation rounds a product before it is added to something, and whether it rounds
+    /// the result. Products with ±2ᵏ, no smaller than `least`, are exact.
     #[must_use]
     pub fn roundings(&self, node: Node, fused: bool, least: f64) -> [bool; 2] {
         let is_power = |node: Node| {

@@ -1,5 +1,5 @@
-//! `bounds.toml` says what the tapes of today's code say: with no tool installed, a body fails here whose error grows, or
-//! whose operations are others than those that were proved.
+//! `bounds.toml` says what the tapes of today's code say: with no tool installed, a body fails here
+//! whose error grows, or whose operations are others than those that were proved.
 
 use dq8_proofs::table;
 use std::sync::LazyLock;

@@ -1,5 +1,5 @@
-//! Errors of `f32` from the exact value (the same tape in `f64`), on random inputs and climbing from the worst: each below its
-//! bound, and bounds not much larger than what is found.
+//! Errors of `f32` from the exact value (the same tape in `f64`), on random inputs and climbing
+//! from the worst: each below its bound, and bounds not much larger than what is found.
 
 use dq8_fixtures::random::Random;
 use dq8_proofs::composed::FAR;
@@ -9,7 +9,8 @@ use dq8_proofs::sample::draw;
 use dq8_proofs::table::{Part, bounds};
 use dq8_proofs::tape::Node;
 
-/// How many times the worst error found a bound may be, of what has been found after this many inputs.
+/// How many times the worst error found a bound may be, of what has been found after this many
+/// inputs.
 const INPUTS: usize = 20_000;
 /// The same of what is in [`LOOSE`].
 const MANY: usize = 400_000;
@@ -94,7 +95,8 @@ impl Search {
         ratios.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// The most that is found in `count` inputs, of those whose products are below the normal numbers or of the others.
+    /// The most that is found in `count` inputs, of those whose products are below the normal
+    /// numbers or of the others.
     fn worst(&mut self, is_below: bool, count: usize) -> f64 {
         let mut random = Random(1);
         let (mut worst, mut at) = (0.0, vec![]);
@@ -149,7 +151,8 @@ fn errors_stay_below_the_bounds_and_come_near() {
     }
 }
 
-/// Found by an audit: what a crowd in blocks computes is no step of a plain skeleton, whose bound it passes.
+/// Found by an audit: what a crowd in blocks computes is no step of a plain skeleton, whose bound
+/// it passes.
 #[test]
 fn a_step_in_blocks_keeps_its_own_bound_where_it_passes_that_of_plain_ones() {
     let inputs = [

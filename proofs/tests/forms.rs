@@ -1,4 +1,5 @@
-//! Each form that a job can take has its record, or a reason why it has none: the list of forms is read from the sources of the jobs.
+//! Each form that a job can take has its record, or a reason why it has none: the list of forms is
+//! read from the sources of the jobs.
 
 use dq8_proofs::operations::Form;
 use dq8_proofs::record::Record;
@@ -111,7 +112,8 @@ fn source(path: &Path) -> String {
     text.split("#[cfg(test)]").next().unwrap_or_default().to_string()
 }
 
-/// All that is written as `what` and a name: kernels are the loops of jobs, locals what a joint adds.
+/// All that is written as `what` and a name: kernels are the loops of jobs, locals what a joint
+/// adds.
 fn forms() -> BTreeSet<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut found = BTreeSet::new();
@@ -185,8 +187,8 @@ fn each_form_of_a_job_has_its_record_or_says_why_not() {
     }
 }
 
-/// The chain of `coq/chain.v` stands on the bounds of today's steps: twice as long as each of four components, plain ones or in
-/// blocks.
+/// The chain of `coq/chain.v` stands on the bounds of today's steps: twice as long as each of four
+/// components, plain ones or in blocks.
 #[test]
 fn the_numbers_of_the_chain_are_those_of_the_bounds() {
     let theorem = include_str!("../coq/chain.v");

@@ -1,5 +1,5 @@
-//! A tape is the code: it computes, to the last bit, what the compiled functions do; unfused as single floats, one lane and
-//! portable lanes, fused as AVX2.
+//! A tape is the code: it computes, to the last bit, what the compiled functions do; unfused as
+//! single floats, one lane and portable lanes, fused as AVX2.
 
 use dq8::{Backend, Kernel, Level, Real};
 use dq8_fixtures::random::Random;
@@ -72,7 +72,8 @@ fn check<F: Number + Lanes + Computed>(record: &Record) {
         let recorded: Vec<F> = outputs.map(|&output| numbers[output as usize]).collect();
         assert!(recorded == answer, "{name} of {input:?}: tape {recorded:?}, code {answer:?}");
     }
-    // The book's norm has a path for each order of four components, and blends one for each sign of a motion or weight.
+    // The book's norm has a path for each order of four components, and blends one for each sign of
+    // a motion or weight.
     let part = match record.operation.name {
         "norm" | "nlerp" | "dlb" | "dlb_running" | "linear_skin" | "linear_normal" => 40,
         // And each sign of three products of motions.

@@ -1,23 +1,26 @@
-//! The kernels of dq8 on NumPy arrays: the module `dq8._core`. What users import is in `package/dq8`.
+//! The kernels of dq8 on NumPy arrays: the module `dq8._core`. What users import is in
+//! `package/dq8`.
 //!
 //! Functions on arrays are in `arrays`, skeletons and meshes in `figures`, mechanisms in `robots`.
 
 use dq8::Backend;
 use pyo3::prelude::*;
 
-/// The instructions that compute, found at run time: ``"portable"``, ``"AVX2"`` or ``"AVX-512"``, with ``", unfused"`` where
-/// they are `set_reproducible`.
+/// The instructions that compute, found at run time: ``"portable"``, ``"AVX2"`` or ``"AVX-512"``,
+/// with ``", unfused"`` where they are `set_reproducible`.
 #[pyfunction]
 fn backend() -> String {
     Backend::best().to_string()
 }
 
-/// Whether results have the same bits on every machine, from now on and in all threads, for 1.0 to 1.5 times the time; where
-/// dq8 was built from source without lanes for it, for about twice the time. Not those of `dlb` and `mean` over many
-/// motions, which are sums over the lanes of whatever there is.
+/// Whether results have the same bits on every machine, from now on and in all threads, for 1.0 to
+/// 1.5 times the time; where dq8 was built from source without lanes for it, for about twice the
+/// time. Not those of `dlb` and `mean` over many motions, which are sums over the lanes of whatever
+/// there is.
 #[pyfunction]
 fn set_reproducible(reproducible: bool) {
-    // Without lanes of its own, SSE2, which fuses nothing (`Cargo.toml` adds them where portable lanes do).
+    // Without lanes of its own, SSE2, which fuses nothing (`Cargo.toml` adds them where portable
+    // lanes do).
     #[cfg(all(
         not(feature = "reproducible"),
         target_arch = "x86_64",

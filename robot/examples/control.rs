@@ -1,4 +1,5 @@
-//! A control loop as firmware has it: no heap, no panic, every number in memory of a size that is known.
+//! A control loop as firmware has it: no heap, no panic, every number in memory of a size that is
+//! known.
 //!
 //! ```sh
 //! cargo run --release --example control
@@ -14,7 +15,8 @@ const TOOL: usize = AXES;
 /// Memory for one goal of the tool.
 const SCRATCH: usize = Reach::<f32>::chain_scratch_bound(AXES, 1);
 
-/// Makes the angles follow a target, one tick after the other. How far off it was at worst, in metres.
+/// Makes the angles follow a target, one tick after the other. How far off it was at worst, in
+/// metres.
 fn run(
     ticks: u16,
     target: impl Fn(u16) -> DualQuat<f32>,

@@ -4,9 +4,9 @@
 //! cargo run --release --example reach
 //! ```
 //!
-//! Targets are from random joint values within the limits, random starts, and the
-//! default options: 10⁻⁵ m, 10⁻⁵ rad, at most 100 iterations of which restarts are a part. Its last column is
-//! the worst error of those that were reached, found by nalgebra.
+//! Targets are from random joint values within the limits, random starts, and the default options:
+//! 10⁻⁵ m, 10⁻⁵ rad, at most 100 iterations of which restarts are a part. Its last column
+//! is the worst error of those that were reached, found by nalgebra.
 
 use dq8::{Backend, Real, simd::Float};
 use dq8_arms::{Plan, Random, exact, gantry, puma, rounded, ur5};

@@ -1,4 +1,5 @@
-//! A robot from a file, on a rail and with a tool: where the tool can get to, how it moves, and a straight way for it.
+//! A robot from a file, on a rail and with a tool: where the tool can get to, how it moves, and a
+//! straight way for it.
 //!
 //! ```sh
 //! cargo run --release --example urdf
@@ -17,7 +18,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (mechanism, drill) = (robot.mechanism(), robot.link("drill").ok_or("no drill")?);
     let (size, rates) = (mechanism.values(), mechanism.rates());
 
-    // 10,000 configurations spread over the limits (radians, metres), a row of values each, on the lanes of the CPU.
+    // 10,000 configurations spread over the limits (radians, metres), a row of values each, on the
+    // lanes of the CPU.
     let limits = robot.value_limits();
     let value = |i: usize| {
         let [low, high] = limits[i % size].unwrap_or([-3.1, 3.1]);
@@ -31,7 +33,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let fastest = columns.iter().map(|c| dq8::scalar::vector::norm(c.linear)).fold(0.0, f64::max);
     println!("{}: up to {highest:.2} m, {fastest:.2} m/s at 1 rad/s", robot.name());
 
-    // From one of them half a metre along the rail in a second: a hundred targets on the screw between two poses.
+    // From one of them half a metre along the rail in a second: a hundred targets on the screw
+    // between two poses.
     let (start, mut now) = (poses[3], values[3 * size..4 * size].to_vec());
     let end = DualQuat::from_translation([0.0, 0.5, 0.0]) * start;
     let mut reach = OwnedReach::new(robot.cast()?, [Goal::pose(drill)])?;

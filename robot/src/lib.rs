@@ -1,7 +1,8 @@
-//! Robots: from joint values to poses of links, Jacobians and velocities, and back by inverse kinematics.
+//! Robots: from joint values to poses of links, Jacobians and velocities, and back by inverse
+//! kinematics.
 //!
-//! Motions are dual quaternions of [`dq8`], one configuration at a time in any [`Real`](dq8::Real) number, or many on
-//! the lanes of the CPU.
+//! Motions are dual quaternions of [`dq8`], one configuration at a time in any [`Real`](dq8::Real)
+//! number, or many on the lanes of the CPU.
 //!
 //! The `guide` (feature `urdf`) goes from a file to inverse kinematics, and says which array is
 //! indexed by what.
@@ -19,8 +20,9 @@
 //! | [`SixAxisArm`](ik::SixAxisArm) | all ways in which an arm of six hinges reaches a target: elbow up and down, shoulder left and right, wrist flipped or not |
 //! | `urdf` | robots from files (feature `urdf`) |
 //!
-//! Everything is there twice: for one configuration and any [`Real`](dq8::Real), by the book, as a method
-//! of [`Mechanism`]; and for many on lanes, as a method of its [`Job`], or of a [`ReachJob`](ik::ReachJob).
+//! Everything is there twice: for one configuration and any [`Real`](dq8::Real), by the book, as a
+//! method of [`Mechanism`]; and for many on lanes, as a method of its [`Job`], or of a
+//! [`ReachJob`](ik::ReachJob).
 //!
 //! | one configuration | many |
 //! |---|---|
@@ -35,16 +37,17 @@
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //! | [`Mechanism::link_points`] | [`Job::points`] |
 //!
-//! An angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero; beyond, poses, velocities and
-//! accelerations are NaN, of one configuration as on lanes. Sine and cosine of half an `f32` angle, taken as
-//! exact, are off by at most 2.71 and 3.35 units of 2⁻²⁴ at any angle up to there, the cosine by 2.19 up to π.
-//! All floats were tried.
+//! An angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero; beyond, poses,
+//! velocities and accelerations are NaN, of one configuration as on lanes. Sine and cosine of half
+//! an `f32` angle, taken as exact, are off by at most 2.71 and 3.35 units of 2⁻²⁴ at any angle
+//! up to there, the cosine by 2.19 up to π. All floats were tried.
 //!
 //! # Firmware
 //!
-//! Without default features and with `libm` nothing is allocated and only `core` is linked; a mechanism borrows the
-//! caller's memory. [`dq8::guide::firmware`](https://docs.rs/dq8/latest/dq8/guide/firmware) says what is proved of it. An arm
-//! of two joints and a tool:
+//! Without default features and with `libm` nothing is allocated and only `core` is linked; a
+//! mechanism borrows the caller's memory.
+//! [`dq8::guide::firmware`](https://docs.rs/dq8/latest/dq8/guide/firmware) says what is proved of
+//! it. An arm of two joints and a tool:
 //!
 //! ```
 //! use dq8::DualQuat;

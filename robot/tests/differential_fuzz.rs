@@ -1,7 +1,8 @@
-//! Mechanisms and searches: the same bits for many at once, split, one by one, and in blocks of any width.
+//! Mechanisms and searches: the same bits for many at once, split, one by one, and in blocks of any
+//! width.
 //!
-//! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what is found names the seed of
-//! its round.
+//! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what
+//! is found names the seed of its round.
 
 use dq8::simd::Row;
 use dq8::storage::{Block, Element};
@@ -24,8 +25,8 @@ fn number<R: Scalar>(random: &mut Random) -> R {
     from(random.number(R::SINGLE, 0.01))
 }
 
-/// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as placements do, so that motions are
-/// at right angles, and has zeros of both signs.
+/// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as placements
+/// do, so that motions are at right angles, and has zeros of both signs.
 fn motion<R: Scalar>(random: &mut Random) -> DualQuat<R> {
     if random.below(3) == 0 {
         return random.turned();
@@ -116,7 +117,8 @@ struct Moving<R> {
     ends: [usize; 2],
 }
 
-/// Poses, velocities and accelerations of links, poses and Jacobians of two of them, and places of points.
+/// Poses, velocities and accelerations of links, poses and Jacobians of two of them, and places of
+/// points.
 type Moved = [Vec<u64>; 6];
 
 impl<R: Scalar> Moving<R> {
@@ -181,7 +183,8 @@ impl<R: Scalar> Moving<R> {
         all.concat()
     }
 
-    /// All again and again, as many as more than one thread takes; threads may part in the midst of a turn.
+    /// All again and again, as many as more than one thread takes; threads may part in the midst of
+    /// a turn.
     #[cfg(feature = "rayon")]
     fn on_threads(&self) -> Vec<u64>
     where
@@ -354,7 +357,8 @@ fn reach<R: Scalar>(random: &mut Random, backend: Backend) -> Entries {
     vec![("together", of_numbers(&together)), ("one by one", of_numbers(&alone))]
 }
 
-/// All entries have the same bits with each of the machine's backends, and with all that fuse nothing.
+/// All entries have the same bits with each of the machine's backends, and with all that fuse
+/// nothing.
 fn round<R, const W: usize>(seed: u64) -> u64
 where
     [R; 4]: Row<Real = R>,

@@ -1,5 +1,6 @@
-//! Files with a few bytes changed: an error that says where, or a robot whose links have poses, and never a panic.
-//! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where.
+//! Files with a few bytes changed: an error that says where, or a robot whose links have poses, and
+//! never a panic. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED`
+//! from where.
 
 use dq8::DualQuat;
 use dq8_fixtures::fuzz;

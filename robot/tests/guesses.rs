@@ -1,4 +1,5 @@
-//! Lines that somebody would type who knows other robot libraries. They compile, and mean what they seem to.
+//! Lines that somebody would type who knows other robot libraries. They compile, and mean what they
+//! seem to.
 
 use dq8::DualQuat;
 use dq8_robot::ik::{Goal, Options, OwnedReach};

@@ -1,4 +1,5 @@
-//! How deep the stack of a debug build gets, as in `tests/stack.rs` of dq8: `dq8::guide::firmware` states the bounds.
+//! How deep the stack of a debug build gets, as in `tests/stack.rs` of dq8: `dq8::guide::firmware`
+//! states the bounds.
 #![cfg(not(target_family = "wasm"))]
 
 use dq8_fixtures::stack::{pose, within};

@@ -26,8 +26,9 @@ pub struct Block<A, const C: usize>(
 // zero as well.
 unsafe impl<A: Row, const C: usize> Zeroable for Block<A, C> {}
 
-/// Blocks without padding, for casts to slices of numbers (to a GPU, say). Rows are 16, 32 or 64 bytes, so
-/// four, eight, twelve or sixteen of any fill whole cache lines; of the longer rows, other counts do as well.
+/// Blocks without padding, for casts to slices of numbers (to a GPU, say). Rows are 16, 32 or 64
+/// bytes, so four, eight, twelve or sixteen of any fill whole cache lines; of the longer rows,
+/// other counts do as well.
 macro_rules! plain {
     ($($count:literal of any;)*) => {$(
         plain! { $count of f32 4, f32 8, f32 16, f64 2, f64 4, f64 8; }
@@ -36,8 +37,8 @@ macro_rules! plain {
         const _: () = assert!(
             size_of::<Block<[$real; $lanes], $count>>() == $count * size_of::<[$real; $lanes]>()
         );
-        // SAFETY: an array of plain numbers, of which any bits are valid, and the assertion above shows
-        // that the alignment adds no padding.
+        // SAFETY: an array of plain numbers, of which any bits are valid, and the assertion above
+        // shows that the alignment adds no padding.
         unsafe impl Pod for Block<[$real; $lanes], $count> {}
     )*)*};
 }
@@ -120,8 +121,8 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// One part of every component; nothing beyond the last part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        // A loop that is handed registers of 16 bytes by value keeps them in memory; handed larger ones by reference, the
-        // compiler orders what was before it worse.
+        // A loop that is handed registers of 16 bytes by value keeps them in memory; handed larger
+        // ones by reference, the compiler orders what was before it worse.
         if size_of::<Native<A, V>>() > 16 {
             for (row, component) in self.0.iter_mut().zip(components) {
                 if let Some(array) = part_of::<A, V>(row, part) {
@@ -147,8 +148,8 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// Fills `to` past the caches: `each` computes one part of a block, and its first `None` ends the
-    /// loop. Faster where the caches could not hold `to` anyway, slower where they could.
+    /// Fills `to` past the caches: `each` computes one part of a block, and its first `None` ends
+    /// the loop. Faster where the caches could not hold `to` anyway, slower where they could.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn stream<V: Level>(
         level: V,

@@ -1,12 +1,13 @@
-//! [`CheckedSchedule`]: results that need earlier results, in an order whose indices have been checked.
+//! [`CheckedSchedule`]: results that need earlier results, in an order whose indices have been
+//! checked.
 
 use crate::index::saturated;
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 
-/// Pairs `[to, from]`: element `to` is computed from element `from`. All indices lie below a bound. This
-/// is checked once and not in the loop, where a step takes seven cycles and a check would add half a
-/// cycle. `S` is where the pairs are: a slice, or a box, which is borrowed to run.
+/// Pairs `[to, from]`: element `to` is computed from element `from`. All indices lie below a bound.
+/// This is checked once and not in the loop, where a step takes seven cycles and a check would add
+/// half a cycle. `S` is where the pairs are: a slice, or a box, which is borrowed to run.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedSchedule<S> {
     /// Invariant: no number in it reaches `bound`.
@@ -44,8 +45,8 @@ impl CheckedSchedule<&[[u32; 2]]> {
         self.bound
     }
 
-    /// `outputs[to] = step(&outputs[from], &inputs[to])`, pair by pair. `None` if the slices have not
-    /// [`bound`](Self::bound) elements; nothing is written then.
+    /// `outputs[to] = step(&outputs[from], &inputs[to])`, pair by pair. `None` if the slices have
+    /// not [`bound`](Self::bound) elements; nothing is written then.
     #[inline(always)]
     pub fn run<T>(
         &self,
@@ -67,8 +68,8 @@ impl CheckedSchedule<&[[u32; 2]]> {
         Some(())
     }
 
-    /// `elements[to] = step(&elements[from], &elements[to])`, pair by pair. `None` if the slice has not
-    /// [`bound`](Self::bound) elements; nothing is written then.
+    /// `elements[to] = step(&elements[from], &elements[to])`, pair by pair. `None` if the slice has
+    /// not [`bound`](Self::bound) elements; nothing is written then.
     #[inline(always)]
     pub fn run_in_place<T>(
         &self,

@@ -18,7 +18,8 @@ pub(crate) fn avx512() -> bool {
     avx512_f_vl_dq::get()
 }
 
-/// Whether 512 bits are shuffled as quickly as 256: on AMD's CPUs. Intel's have one port for that, and two for 256 bits.
+/// Whether 512 bits are shuffled as quickly as 256: on AMD's CPUs. Intel's have one port for that,
+/// and two for 256 bits.
 #[inline]
 pub(crate) fn shuffles_wide() -> bool {
     static KNOWN: AtomicU8 = AtomicU8::new(UNKNOWN);

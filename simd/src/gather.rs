@@ -4,7 +4,8 @@ use crate::MAX_LANES;
 use crate::index::saturated;
 use crate::lanes::Lanes;
 
-/// A row of a table for each lane: row `frames[i]` holds the records `frames[i] · pitch` and following.
+/// A row of a table for each lane: row `frames[i]` holds the records `frames[i] · pitch` and
+/// following.
 ///
 /// The greatest of them is found once, so that a load of any lanes needs one comparison to be safe.
 ///
@@ -41,8 +42,8 @@ impl<'f> Gather<'f> {
         self.frames
     }
 
-    /// The rows that so many lanes read, of records of `C` numbers: those of the frames from number `first` on; lanes beyond
-    /// the last frame have its row too. `None` if there is no frame.
+    /// The rows that so many lanes read, of records of `C` numbers: those of the frames from number
+    /// `first` on; lanes beyond the last frame have its row too. `None` if there is no frame.
     #[must_use]
     #[inline(always)]
     pub fn rows<L: Lanes, const C: usize>(self, first: usize) -> Option<GatheredRows<C>> {
@@ -53,8 +54,8 @@ impl<'f> Gather<'f> {
             frames = &padded;
         }
         let mut starts = [0; MAX_LANES];
-        // `LANES` of them, a constant: for a count that it does not know the compiler makes masked stores, and the loads after
-        // them wait for memory.
+        // `LANES` of them, a constant: for a count that it does not know the compiler makes masked
+        // stores, and the loads after them wait for memory.
         for (start, &frame) in starts.iter_mut().zip(frames.get(..L::LANES)?) {
             // What wraps lies beyond every table, and so does the greatest.
             *start = (frame as usize).wrapping_mul(self.pitch.wrapping_mul(C));
@@ -69,7 +70,8 @@ impl<'f> Gather<'f> {
     }
 }
 
-/// The rows of a [`Gather`] that the lanes of a vector read, found once for all columns of records of `C` numbers.
+/// The rows of a [`Gather`] that the lanes of a vector read, found once for all columns of records
+/// of `C` numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct GatheredRows<const C: usize> {
     /// Where each begins, in numbers.

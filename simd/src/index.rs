@@ -2,8 +2,9 @@
 
 use core::ops::Not;
 
-/// The index as a `usize`, or the greatest one, which no memory has, where `usize` has fewer bits. Cut off, it would be
-/// another index, and the greatest of all not the greatest of what is left of each. Generic for the tests.
+/// The index as a `usize`, or the greatest one, which no memory has, where `usize` has fewer bits.
+/// Cut off, it would be another index, and the greatest of all not the greatest of what is left of
+/// each. Generic for the tests.
 #[inline(always)]
 pub(crate) fn saturated<U: TryFrom<u32> + Default + Not<Output = U>>(index: u32) -> U {
     U::try_from(index).unwrap_or(!U::default())

@@ -1,6 +1,6 @@
 //! Numbers, vectors of them, and instruction sets: [`Float`], [`Lanes`] and [`Mask`], [`Level`],
-//! [`PackedDualQuat`]. They name each other: a number has vectors, a vector belongs to an instruction set,
-//! and an instruction set has vectors of each number.
+//! [`PackedDualQuat`]. They name each other: a number has vectors, a vector belongs to an
+//! instruction set, and an instruction set has vectors of each number.
 
 use crate::sealed::Sealed;
 use bytemuck::{Pod, Zeroable};
@@ -16,10 +16,11 @@ pub const MAX_LANES: usize = 16;
 /// [`neg_mul_add`](Self::neg_mul_add) may differ between types: they round once where the hardware
 /// fuses, twice elsewhere.
 ///
-/// A constant needs a [`Level`] or another value of the type ([`constant`](Self::constant)): a value of
-/// the type is itself proof that the CPU can compute with it.
+/// A constant needs a [`Level`] or another value of the type ([`constant`](Self::constant)): a
+/// value of the type is itself proof that the CPU can compute with it.
 ///
-/// Sealed: [`Records`](crate::Records) takes the word of an implementation for how much it reads and writes.
+/// Sealed: [`Records`](crate::Records) takes the word of an implementation for how much it reads
+/// and writes.
 pub trait Lanes:
     Sealed
     + Copy
@@ -117,7 +118,8 @@ pub trait Lanes:
         let [x, y, z, w] = &rows;
         [Self::load(level, x), Self::load(level, y), Self::load(level, z), Self::load(level, w)]
     }
-    /// Transposes on the way out: lane `i` of four vectors goes to the four numbers at `to + i · stride`.
+    /// Transposes on the way out: lane `i` of four vectors goes to the four numbers at
+    /// `to + i · stride`.
     ///
     /// # Safety
     /// All those numbers may be written, and nothing else reads or writes them.
@@ -136,9 +138,10 @@ pub trait Lanes:
         unsafe { store_rows(components, to, 3) };
     }
 
-    /// Lane `i` of four vectors is 2¹⁴((1−t)a + tb), exact but for the last rounding, of the four numbers of the records
-    /// a and b of `from` whose places are `place(i)`. t is cut to [0, 1], NaN to 0, and rounded to a multiple of 2⁻¹⁴.
-    /// The bits are the same on every target. `place` must be `#[inline(always)]`.
+    /// Lane `i` of four vectors is 2¹⁴((1−t)a + tb), exact but for the last rounding, of the
+    /// four numbers of the records a and b of `from` whose places are `place(i)`. t is cut to [0,
+    /// 1], NaN to 0, and rounded to a multiple of 2⁻¹⁴. The bits are the same on every target.
+    /// `place` must be `#[inline(always)]`.
     ///
     /// # Safety
     /// All those records may be read.
@@ -149,8 +152,9 @@ pub trait Lanes:
         t: Self,
     ) -> [Self; 4];
 
-    /// In each group of four lanes, lane `i` is the sum of the group's numbers of vector `i`, as (0 + 2) + (1 + 3):
-    /// four dot products whose products are there. For vectors of four lanes or a multiple of that.
+    /// In each group of four lanes, lane `i` is the sum of the group's numbers of vector `i`, as
+    /// (0 + 2) + (1 + 3): four dot products whose products are there. For vectors of four lanes or
+    /// a multiple of that.
     #[inline(always)]
     #[must_use]
     fn sum_quads(vectors: [Self; 4]) -> Self {
@@ -230,7 +234,8 @@ pub trait Mask:
 ///
 /// [`Portable`](crate::Portable) is free to construct, because its lanes use what the build target
 /// already promises. A level whose instructions are found at run time has a private field, so that
-/// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too. Sealed.
+/// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too.
+/// Sealed.
 pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f32`.
     type F32x4: Lanes<Real = f32, Level = Self, Array = [f32; 4]>;
@@ -254,23 +259,26 @@ pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     #[inline(always)]
     fn fence(self) {}
 
-    /// Asks for the cache lines of `value`, which will be read or written soon. For what is read one after
-    /// the other over more memory than the first cache holds: the CPU guesses that too, but later.
+    /// Asks for the cache lines of `value`, which will be read or written soon. For what is read
+    /// one after the other over more memory than the first cache holds: the CPU guesses that too,
+    /// but later.
     #[inline(always)]
     fn prefetch<T>(self, value: &T) {
         let _ = value;
     }
 
-    /// Asks for where `count` values begin, `stride` apart, of which the first is the first of `memory`; for
-    /// lanes that lie apart. Those beyond its end are asked for too, which harms nobody and saves the question.
+    /// Asks for where `count` values begin, `stride` apart, of which the first is the first of
+    /// `memory`; for lanes that lie apart. Those beyond its end are asked for too, which harms
+    /// nobody and saves the question.
     #[inline(always)]
     fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
         let _ = (memory, stride, count);
     }
 
     /// `value`, whose address is in a register of its own. For values of which single numbers are
-    /// multiplied into every lane: AVX-512 loads, multiplies and adds in one step from such an address,
-    /// and in two from a sum of registers, which a compiler would take to save an instruction.
+    /// multiplied into every lane: AVX-512 loads, multiplies and adds in one step from such an
+    /// address, and in two from a sum of registers, which a compiler would take to save an
+    /// instruction.
     #[inline(always)]
     fn locate<T>(self, value: &T) -> &T {
         value
@@ -282,7 +290,8 @@ pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R;
 }
 
-/// `f32` or `f64`, as far as a kernel must tell them apart: to write constants and to find its lanes. Sealed.
+/// `f32` or `f64`, as far as a kernel must tell them apart: to write constants and to find its
+/// lanes. Sealed.
 pub trait Float:
     Pod
     + Send
@@ -341,7 +350,8 @@ impl Float for f64 {
     }
 }
 
-/// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in memory.
+/// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in
+/// memory.
 ///
 /// Products of such vectors serve where there is only one thing to compute at a time: a child waits
 /// for its parent. Two rearrangements are all that they need in addition to [`Lanes`].

@@ -10,7 +10,8 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
-/// The memory of `Pair<L>` for lanes of `[R; N]`: `[R; 2N]`, which generic code cannot name. Sealed.
+/// The memory of `Pair<L>` for lanes of `[R; N]`: `[R; 2N]`, which generic code cannot name.
+/// Sealed.
 pub trait Doubled: Pod + crate::sealed::Sealed {
     /// `[R; 2N]`
     type Twice: Pod + core::fmt::Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;

@@ -1,5 +1,6 @@
-//! [`CheckedIndices`], checked once; [`PickRows`]: which records of a table each lane takes by them, in place or from
-//! [`Picks`]; [`Picked`]: with that table; [`PickedInPlace`]: any number of rows in place, with their table.
+//! [`CheckedIndices`], checked once; [`PickRows`]: which records of a table each lane takes by
+//! them, in place or from [`Picks`]; [`Picked`]: with that table; [`PickedInPlace`]: any number of
+//! rows in place, with their table.
 
 use crate::index::saturated;
 use crate::lanes::{Lanes, MAX_LANES};
@@ -39,8 +40,8 @@ mod sealed {
     impl Sealed for u32 {}
 }
 
-/// Indices of records of a table, none of them beyond a bound: rows of some columns, a row every so many indices.
-/// What lies between rows is something else, and never read.
+/// Indices of records of a table, none of them beyond a bound: rows of some columns, a row every so
+/// many indices. What lies between rows is something else, and never read.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedIndices<'a, J> {
     indices: &'a [J],
@@ -50,8 +51,8 @@ pub struct CheckedIndices<'a, J> {
 }
 
 impl<'a, J: Index> CheckedIndices<'a, J> {
-    /// For tables of `bound` records. There are as many rows as `indices` has whole; none if a row has no columns, or
-    /// more than there are indices from a row to the next.
+    /// For tables of `bound` records. There are as many rows as `indices` has whole; none if a row
+    /// has no columns, or more than there are indices from a row to the next.
     ///
     /// # Errors
     /// The row and the column of the first index that is not below `bound`.
@@ -99,7 +100,8 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     #[inline(always)]
     #[must_use]
     pub fn row(self, row: usize) -> &'a [J] {
-        // Whole rows have been checked, and nothing else; a product that wraps is the beginning of none.
+        // Whole rows have been checked, and nothing else; a product that wraps is the beginning of
+        // none.
         let from = row.checked_mul(self.stride).and_then(|from| self.indices.get(from..));
         from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
@@ -111,16 +113,17 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         self.bound
     }
 
-    /// The indices of as many lanes as any vector has, in place: a row for each from row `first` on. `None` if there are
-    /// not as many, or rows have not four columns, or something lies between them.
+    /// The indices of as many lanes as any vector has, in place: a row for each from row `first`
+    /// on. `None` if there are not as many, or rows have not four columns, or something lies
+    /// between them.
     #[inline(always)]
     #[must_use]
     pub fn in_place(self, first: usize) -> Option<PickRows<'a, J>> {
         Some(PickRows { rows: self.fours(first)?.first_chunk()?, bound: self.bound })
     }
 
-    /// Some rows of four indices, from row `first` on, in `table`. `None` if there are not as many, rows have not four
-    /// columns, something lies between them, or the table is too short.
+    /// Some rows of four indices, from row `first` on, in `table`. `None` if there are not as many,
+    /// rows have not four columns, something lies between them, or the table is too short.
     #[inline(always)]
     #[must_use]
     pub fn all_in_place<'t, R, const C: usize>(
@@ -141,8 +144,8 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     }
 }
 
-/// Rows of four indices in place, one after the other, none of them beyond a bound, with a table that has all those
-/// records.
+/// Rows of four indices in place, one after the other, none of them beyond a bound, with a table
+/// that has all those records.
 #[derive(Clone, Copy, Debug)]
 pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
     rows: &'a [[J; GROUP]],
@@ -196,8 +199,8 @@ impl<'a, J: Index> Picks<'a, J> {
         Self { rows: [[J::default(); GROUP]; MAX_LANES], checked }
     }
 
-    /// The first lanes take the four indices of a row each, from row `first` on. False if there are not as many rows, or
-    /// rows of another number; lanes may have been written then.
+    /// The first lanes take the four indices of a row each, from row `first` on. False if there are
+    /// not as many rows, or rows of another number; lanes may have been written then.
     #[inline(always)]
     pub fn set_rows(&mut self, lanes: usize, first: usize) -> bool {
         let CheckedIndices { indices, columns, stride, .. } = self.checked;
@@ -214,8 +217,8 @@ impl<'a, J: Index> Picks<'a, J> {
         true
     }
 
-    /// A lane takes the indices of a row from column `from` on; for those that are not there the first of the row, and
-    /// the first record, and false, if there is no such row.
+    /// A lane takes the indices of a row from column `from` on; for those that are not there the
+    /// first of the row, and the first record, and false, if there is no such row.
     #[inline(always)]
     pub fn set_row(&mut self, lane: usize, row: usize, from: usize) -> bool {
         let (row, given) = (self.checked.row(row), self.checked.columns.saturating_sub(from));
@@ -264,8 +267,8 @@ impl<'a, J: Index> PickRows<'a, J> {
 
 /// Records of a table, four for each lane, with all indices checked.
 ///
-/// Indices are read where they lie, number by number or four at a time, and make addresses at once: offsets that a vector
-/// multiplied and stored before took a third longer.
+/// Indices are read where they lie, number by number or four at a time, and make addresses at once:
+/// offsets that a vector multiplied and stored before took a third longer.
 #[derive(Clone, Copy, Debug)]
 pub struct Picked<'p, 't, J, R, const C: usize> {
     rows: &'p [[J; GROUP]; MAX_LANES],
@@ -280,12 +283,13 @@ impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
     #[inline(always)]
     #[must_use]
     pub fn records(&self, lane: usize) -> [&'t [R; C]; GROUP] {
-        // SAFETY: a checked index is below a bound that the table has; others are 0, and the table has a record.
+        // SAFETY: a checked index is below a bound that the table has; others are 0, and the table
+        // has a record.
         unsafe { records(self.rows[lane], self.table) }
     }
 
-    /// Transposes on the way in: component `c` of record `which` of lane `i` becomes lane `i` of vector `c`,
-    /// for the four components from `from` on.
+    /// Transposes on the way in: component `c` of record `which` of lane `i` becomes lane `i` of
+    /// vector `c`, for the four components from `from` on.
     ///
     /// # Panics
     /// If there are no such components, or `which` is not below four.
@@ -296,8 +300,8 @@ impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
         // `from + 4` may wrap.
         assert!(from <= C - 4 && which < GROUP, "no such components");
         let first = self.table.as_flattened().as_ptr();
-        // SAFETY: each index is that of a record of the table, as in `records`, of which four numbers begin at
-        // `from`; there are as many as any register has lanes.
+        // SAFETY: each index is that of a record of the table, as in `records`, of which four
+        // numbers begin at `from`; there are as many as any register has lanes.
         unsafe {
             L::load_quads(
                 level,

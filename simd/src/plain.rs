@@ -1,10 +1,11 @@
 //! [`plain!`](crate::plain!): the promise that a struct is numbers and nothing else.
 
-/// What is numbers `T` and nothing else, one after the other: no padding, and any bits are valid where any
-/// bits of `T` are.
+/// What is numbers `T` and nothing else, one after the other: no padding, and any bits are valid
+/// where any bits of `T` are.
 ///
 /// # Safety
-/// The size must be a multiple of that of `T`, the alignment that of `T`, and every byte part of a `T`.
+/// The size must be a multiple of that of `T`, the alignment that of `T`, and every byte part of a
+/// `T`.
 #[doc(hidden)]
 pub unsafe trait Numbers<T> {}
 
@@ -28,22 +29,24 @@ pub const fn zeroed<P: Zeroable>() -> P {
     unsafe { core::mem::MaybeUninit::zeroed().assume_init() }
 }
 
-/// Checks the finished struct, whatever the attributes have done to it: it lies as close as bytes do, and its fields fill
-/// it.
+/// Checks the finished struct, whatever the attributes have done to it: it lies as close as bytes
+/// do, and its fields fill it.
 #[doc(hidden)]
 pub const fn check_padding<P>(size_of_fields: usize) {
     assert!(align_of::<P>() == 1, "an attribute gives this struct an alignment of its own");
     assert!(size_of::<P>() == size_of_fields, "an attribute gives this struct padding");
 }
 
-/// Defines a struct that is generic over its number, and makes it `bytemuck::Pod`, which bytemuck derives for structs of
-/// one field only. All fields are numbers, arrays of numbers, or plain themselves; anything else does not compile.
+/// Defines a struct that is generic over its number, and makes it `bytemuck::Pod`, which bytemuck
+/// derives for structs of one field only. All fields are numbers, arrays of numbers, or plain
+/// themselves; anything else does not compile.
 ///
-/// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. It takes documentation, `must_use`,
-/// derives and, for a feature, derives and what `serde` reads: no other attribute, for one may change the layout or take the
-/// struct away. Where it is called, `derive` and `serde` may be attributes that somebody else wrote; so the finished struct
-/// is checked: one that has an alignment or padding of its own does not compile. No other name that the macro uses is looked
-/// up there.
+/// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. It takes
+/// documentation, `must_use`, derives and, for a feature, derives and what `serde` reads: no other
+/// attribute, for one may change the layout or take the struct away. Where it is called, `derive`
+/// and `serde` may be attributes that somebody else wrote; so the finished struct is checked: one
+/// that has an alignment or padding of its own does not compile. No other name that the macro uses
+/// is looked up there.
 ///
 /// ```
 /// dq8_simd::plain! {
@@ -114,9 +117,10 @@ macro_rules! plain {
             let plain = $crate::plain::zeroed::<$name<$crate::plain::Byte>>();
             $crate::plain::check_padding::<$name<$crate::plain::Byte>>(size_of_fields(&plain));
         };
-        // SAFETY: `size_of_fields` compiles, so the finished struct has the fields above and no other, and every one is numbers
-        // and nothing else: all have the alignment of a number, and no padding lies between or behind them. Nor does an
-        // attribute add any, for the struct of bytes, whose alignment and padding would be the same, has none.
+        // SAFETY: `size_of_fields` compiles, so the finished struct has the fields above and no
+        // other, and every one is numbers and nothing else: all have the alignment of a number, and
+        // no padding lies between or behind them. Nor does an attribute add any, for the struct of
+        // bytes, whose alignment and padding would be the same, has none.
         unsafe impl<$number> $crate::plain::Numbers<$number> for $name<$number> {}
         // SAFETY: all fields are zeroable where a number is.
         unsafe impl<$number: $crate::plain::Zeroable> $crate::plain::Zeroable for $name<$number> {}
@@ -141,8 +145,8 @@ pub type Byte = u8;
 #[doc(hidden)]
 pub type Size = usize;
 
-/// Programs of safe code that once made `Pod` of what has padding, or of a layout that nothing promises. Those with
-/// attributes of their own are in `tests/attributes`.
+/// Programs of safe code that once made `Pod` of what has padding, or of a layout that nothing
+/// promises. Those with attributes of their own are in `tests/attributes`.
 ///
 /// The struct only named, and `align_of` or `assert!` another one where the macro is called:
 ///

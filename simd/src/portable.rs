@@ -28,8 +28,8 @@ impl Level for Portable {
     }
 }
 
-/// The registers of the build target: 256 bits with AVX, 128 with SSE2, NEON or simd128, and one number
-/// where packed types would be emulated. The largest that fit, by lanes.
+/// The registers of the build target: 256 bits with AVX, 128 with SSE2, NEON or simd128, and one
+/// number where packed types would be emulated. The largest that fit, by lanes.
 mod part {
     #[cfg(not(any(
         target_feature = "avx",
@@ -59,8 +59,8 @@ mod part {
 #[derive(Clone, Copy, Debug)]
 pub struct WideMask<V>(V);
 
-/// Multiply-adds of relaxed-simd, which round once where the machine has such an instruction; those of `wide` round twice
-/// on wasm.
+/// Multiply-adds of relaxed-simd, which round once where the machine has such an instruction; those
+/// of `wide` round twice on wasm.
 #[cfg(target_feature = "relaxed-simd")]
 mod relaxed {
     use core::arch::wasm32::{
@@ -170,7 +170,8 @@ macro_rules! wide_lanes {
                 }
             )?
             $(
-                // Left to sum number by number, the compiler goes through memory: five times as slow with SSE2.
+                // Left to sum number by number, the compiler goes through memory: five times as
+                // slow with SSE2.
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
                     let halves = vectors.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));

@@ -4,8 +4,8 @@ use crate::gather::GatheredRows;
 use crate::lanes::Lanes;
 use bytemuck::Zeroable;
 
-/// Transposes between `C` vectors and records of `C` numbers: component `c` of record `i` is lane `i` of
-/// vector `c`.
+/// Transposes between `C` vectors and records of `C` numbers: component `c` of record `i` is lane
+/// `i` of vector `c`.
 pub trait Records: Lanes {
     /// Transposes on the way in: record `i` of `from` becomes lane `i` of `C` vectors.
     /// Lanes without a record take `padding`.
@@ -17,16 +17,16 @@ pub trait Records: Lanes {
     ) -> [Self; C] {
         Self::load_strided(level, from, None, &padding)
     }
-    /// Transposes on the way in of four numbers from each of `LANES` rows that begin `apart` numbers from
-    /// each other, the first of them at the beginning of `from`; for rows whose length is known at run
-    /// time. `None` if `from` ends before the last of these numbers.
+    /// Transposes on the way in of four numbers from each of `LANES` rows that begin `apart`
+    /// numbers from each other, the first of them at the beginning of `from`; for rows whose length
+    /// is known at run time. `None` if `from` ends before the last of these numbers.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_rows(level: Self::Level, from: &[Self::Real], apart: usize) -> Option<[Self; 4]> {
         if from.len() < reach(Self::LANES, apart, 4) {
             return None;
         }
-        // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four numbers
-        // from there on are part of `from`: checked above.
+        // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and
+        // four numbers from there on are part of `from`: checked above.
         Some(unsafe {
             Self::load_quads(
                 level,
@@ -36,9 +36,10 @@ pub trait Records: Lanes {
             )
         })
     }
-    /// Transposes on the way out of `4 · Q` numbers to each of `LANES` rows that begin `apart` numbers from each other, the
-    /// first of them at the beginning of `to`: what [`load_rows`](Self::load_rows) reads. `false`, and nothing is written,
-    /// if `to` ends before the last of these numbers.
+    /// Transposes on the way out of `4 · Q` numbers to each of `LANES` rows that begin `apart`
+    /// numbers from each other, the first of them at the beginning of `to`: what
+    /// [`load_rows`](Self::load_rows) reads. `false`, and nothing is written, if `to` ends before
+    /// the last of these numbers.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_rows<const Q: usize>(
         quads: [[Self; 4]; Q],
@@ -49,8 +50,8 @@ pub trait Records: Lanes {
             return false;
         }
         for (index, quad) in quads.into_iter().enumerate() {
-            // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and the numbers of each quad
-            // from there on are part of `to`: checked above.
+            // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and
+            // the numbers of each quad from there on are part of `to`: checked above.
             unsafe { Self::store_quads(quad, to.as_mut_ptr().add(4 * index), apart) };
         }
         true
@@ -61,8 +62,8 @@ pub trait Records: Lanes {
     fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
         Self::store_strided(components, to, None);
     }
-    /// [`load_records`](Self::load_records) of every `stride`-th record; `None` is 1, which the compiler
-    /// can see.
+    /// [`load_records`](Self::load_records) of every `stride`-th record; `None` is 1, which the
+    /// compiler can see.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_strided<const C: usize>(
         level: Self::Level,
@@ -101,8 +102,8 @@ pub trait Records: Lanes {
             }
             return components;
         }
-        // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and the numbers of
-        // each, or, of three, a fourth one, are there: checked above.
+        // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and
+        // the numbers of each, or, of three, a fourth one, are there: checked above.
         unsafe {
             load_all(
                 level,
@@ -112,8 +113,8 @@ pub trait Records: Lanes {
             )
         }
     }
-    /// Lane `i` of `C` vectors is the record `column` of its row. `None` if a row of the [`Gather`](crate::Gather) or the
-    /// column does not exist. `C` must be at least four.
+    /// Lane `i` of `C` vectors is the record `column` of its row. `None` if a row of the
+    /// [`Gather`](crate::Gather) or the column does not exist. `C` must be at least four.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_gathered<const C: usize>(
         level: Self::Level,
@@ -125,8 +126,8 @@ pub trait Records: Lanes {
         if rows.greatest.saturating_add(column) >= from.len() {
             return None;
         }
-        // SAFETY: there are as many rows as any vector has lanes; the record of the greatest is there, and no other lies
-        // beyond it.
+        // SAFETY: there are as many rows as any vector has lanes; the record of the greatest is
+        // there, and no other lies beyond it.
         Some(unsafe {
             load_all(
                 level,
@@ -136,8 +137,8 @@ pub trait Records: Lanes {
             )
         })
     }
-    /// Four components of the first records, from component `first` on. `None` if there are not as many
-    /// records as lanes, or no such components.
+    /// Four components of the first records, from component `first` on. `None` if there are not as
+    /// many records as lanes, or no such components.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_four<const C: usize>(
         level: Self::Level,
@@ -199,8 +200,8 @@ pub trait Records: Lanes {
 
 impl<L: Lanes> Records for L {}
 
-/// Where four of `C` components begin, the fours one after the other; the last begin earlier where `C` is not a multiple of
-/// four.
+/// Where four of `C` components begin, the fours one after the other; the last begin earlier where
+/// `C` is not a multiple of four.
 #[cfg_attr(not(opt_level_0), inline(always))]
 const fn four<const C: usize>(number: usize) -> usize {
     if 4 * number + 4 <= C { 4 * number } else { C.saturating_sub(4) }
@@ -208,9 +209,10 @@ const fn four<const C: usize>(number: usize) -> usize {
 
 /// Does something for each four of `C` components.
 ///
-/// Written four times where a loop would do, which is left to matrices of six rows: whether the compiler unrolls a loop depends
-/// on how it weighs bytes, and one that it leaves goes through memory, which takes 1.4 of the time in WebAssembly. What an
-/// instance has no fours for is decided by a constant, and no code of it: a program has dozens of instances.
+/// Written four times where a loop would do, which is left to matrices of six rows: whether the
+/// compiler unrolls a loop depends on how it weighs bytes, and one that it leaves goes through
+/// memory, which takes 1.4 of the time in WebAssembly. What an instance has no fours for is decided
+/// by a constant, and no code of it: a program has dozens of instances.
 macro_rules! fours {
     ($C:ident, |$first:ident| $each:expr) => {
         fours!(@ $C, |$first| $each, 0 1 2 3);
@@ -230,8 +232,8 @@ macro_rules! fours {
 }
 
 /// # Safety
-/// Of the `C` numbers, or of the four if `C` is three, that begin `place(lane)` numbers after `from`, all
-/// may be read, for each lane.
+/// Of the `C` numbers, or of the four if `C` is three, that begin `place(lane)` numbers after
+/// `from`, all may be read, for each lane.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn load_all<L: Lanes, const C: usize>(
     level: L::Level,
@@ -240,8 +242,8 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 ) -> [L; C] {
     let mut components = [L::splat(level, L::Real::default()); C];
     fours!(C, |first| {
-        // SAFETY: the numbers may be read, as promised. `first` is at most C − 4, or 0 where C is less, so neither place holds
-        // less than is copied.
+        // SAFETY: the numbers may be read, as promised. `first` is at most C − 4, or 0 where C is
+        // less, so neither place holds less than is copied.
         unsafe {
             let quad = L::load_quads(level, from.add(first), place);
             let to = components.as_mut_ptr().add(first);
@@ -252,11 +254,13 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 }
 
 /// # Safety
-/// `C`, four or more, numbers that begin `i · stride` numbers after `to` may be written, for each lane `i`.
+/// `C`, four or more, numbers that begin `i · stride` numbers after `to` may be written, for each
+/// lane `i`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Real, stride: usize) {
     fours!(C, |first| {
-        // SAFETY: `first` is at most C − 4, and C at least four, so four components are there; the rest is promised.
+        // SAFETY: `first` is at most C − 4, and C at least four, so four components are there;
+        // the rest is promised.
         unsafe {
             let quad = components.as_ptr().add(first).cast::<[L; 4]>().read();
             L::store_quads(quad, to.add(first), stride);

@@ -1,7 +1,7 @@
 //! [`Sealed`]: what only this crate makes lanes, levels and numbers of.
 
-/// Of safe code with lanes of its own, whose `LANES` is not the length of `Array`, four records would be
-/// written where there are two:
+/// Of safe code with lanes of its own, whose `LANES` is not the length of `Array`, four records
+/// would be written where there are two:
 ///
 /// ```compile_fail
 /// use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,5 +1,5 @@
-//! What lies between two records of short numbers: the body of [`Lanes::between_shorts`] for lanes without an
-//! instruction for it, and that of four portable lanes.
+//! What lies between two records of short numbers: the body of [`Lanes::between_shorts`] for lanes
+//! without an instruction for it, and that of four portable lanes.
 
 use crate::lanes::{Float, Lanes};
 use bytemuck::Zeroable;
@@ -26,7 +26,8 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     place: impl Fn(usize) -> [usize; 2],
     t: L,
 ) -> [L; 4] {
-    // A sum of 1.5·2²³, or 1.5·2⁵² in `f64`, and a number has the number's integer in its last bits.
+    // A sum of 1.5·2²³, or 1.5·2⁵² in `f64`, and a number has the number's integer in its
+    // last bits.
     let single = L::Real::SINGLE;
     let last_bits = t.constant(if single { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
     let (zero, one) = (t.constant(0.0), t.constant(1.0));

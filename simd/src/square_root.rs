@@ -1,7 +1,7 @@
 //! The square root of one number, which `core` does not have: the instruction where there is one.
 
-/// Whether the narrowest vector of `wide` has the instruction: wherever there are vectors, and on all
-/// targets with `std`. Without both, `wide` computes with `f64` in integers.
+/// Whether the narrowest vector of `wide` has the instruction: wherever there are vectors, and on
+/// all targets with `std`. Without both, `wide` computes with `f64` in integers.
 pub(crate) const VECTORS: bool = cfg!(any(
     not(feature = "libm"),
     feature = "std",
@@ -40,12 +40,12 @@ mod without_vectors {
     #[inline(always)]
     pub(super) fn f32(value: f32) -> f32 {
         let root: f32;
-        // SAFETY: the target passes floats in FPU registers, so there is an FPU, and each has a square
-        // root in single precision. Nothing but the registers named here is read or written.
+        // SAFETY: the target passes floats in FPU registers, so there is an FPU, and each has a
+        // square root in single precision. Nothing but the registers named here is read or written.
         unsafe {
             core::arch::asm!(
-                // By way of a core register, because the compiler takes an FPU without double precision
-                // for none when it looks for a register of it (`sreg`).
+                // By way of a core register, because the compiler takes an FPU without double
+                // precision for none when it looks for a register of it (`sreg`).
                 "vmov s0, {value}",
                 "vsqrt.f32 s0, s0",
                 "vmov {root}, s0",

@@ -1,5 +1,5 @@
-//! [`Tracks`]: keys of many clips, checked once; [`TrackPlace`]: between which two frames of a clip something is;
-//! [`PlacedTracks`]: both, checked together. [`OwnedTracks`] owns its bytes.
+//! [`Tracks`]: keys of many clips, checked once; [`TrackPlace`]: between which two frames of a clip
+//! something is; [`PlacedTracks`]: both, checked together. [`OwnedTracks`] owns its bytes.
 
 use crate::index::saturated;
 use crate::lanes::{Lanes, Level, MAX_LANES};
@@ -18,19 +18,22 @@ const PER_LINE: usize = 8;
 /// So many keys do not fit into the second cache.
 const FAR: usize = 1 << 17;
 
-/// Clips of the same columns: records of four short numbers ([`Shorts`]), one for each frame where a column moves in a
-/// clip, and one in all where it does not. Numbers are written with the lower byte first, and nothing is aligned.
+/// Clips of the same columns: records of four short numbers ([`Shorts`]), one for each frame where
+/// a column moves in a clip, and one in all where it does not. Numbers are written with the lower
+/// byte first, and nothing is aligned.
 ///
-/// What says where columns begin counts from the clip's own first key: clips in which the same columns move share a row of
-/// it, and it stays in the first cache where keys come from far away.
+/// What says where columns begin counts from the clip's own first key: clips in which the same
+/// columns move share a row of it, and it stays in the first cache where keys come from far away.
 ///
 /// All keys that the table leads to are there: checked once, and not in the loop.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
-    /// Of each clip: its first key, how many frames, how many keys from one frame to the next, and its row.
+    /// Of each clip: its first key, how many frames, how many keys from one frame to the next, and
+    /// its row.
     clips: &'a [[Word; 4]],
-    /// `[row][column]`: twice how far the first key is from the clip's, and one more if there is one for each frame.
+    /// `[row][column]`: twice how far the first key is from the clip's, and one more if there is
+    /// one for each frame.
     rows: &'a [Entry],
     columns: usize,
 }
@@ -39,8 +42,9 @@ impl<'a> Tracks<'a> {
     /// Of bytes; what is left of the last number of each slice is not read.
     ///
     /// # Errors
-    /// The first clip with an entry that leads beyond the keys, and which of all entries; none if it is the clip that has
-    /// more frames, or keys from one to the next, than it can have, or no row.
+    /// The first clip with an entry that leads beyond the keys, and which of all entries; none if
+    /// it is the clip that has more frames, or keys from one to the next, than it can have, or no
+    /// row.
     pub fn new(
         keys: &'a [u8],
         clips: &'a [u8],
@@ -60,7 +64,8 @@ impl<'a> Tracks<'a> {
             let within = |&entry: &Entry| {
                 let entry = u16::from_le_bytes(entry);
                 let from = saturated::<usize>(if entry & 1 == 0 { first } else { last });
-                // Without a step nothing moves: frames would be as many as 32 bits count, of one key.
+                // Without a step nothing moves: frames would be as many as 32 bits count, of one
+                // key.
                 (entry & 1 == 0 || step > 0)
                     && from.saturating_add((entry >> 1).into()) < tracks.keys.len()
             };
@@ -117,8 +122,8 @@ impl<'a> Tracks<'a> {
         Some((key, numbers(*self.keys.get(key)?)))
     }
 
-    /// Between a frame of a clip and the next one; in a clip of one frame at that. `None` if there is no such clip, or no
-    /// frame after it.
+    /// Between a frame of a clip and the next one; in a clip of one frame at that. `None` if there
+    /// is no such clip, or no frame after it.
     #[must_use]
     #[inline]
     pub fn place(&self, clip: usize, frame: u32) -> Option<TrackPlace> {
@@ -155,8 +160,8 @@ struct Clip {
     row: u32,
 }
 
-/// A clip and a frame, as [`Tracks::place`] makes them: where they lie. Any bits are a place that [`Tracks::placed`]
-/// accepts or refuses.
+/// A clip and a frame, as [`Tracks::place`] makes them: where they lie. Any bits are a place that
+/// [`Tracks::placed`] accepts or refuses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct TrackPlace {
@@ -188,8 +193,8 @@ impl<'a> PlacedTracks<'a, '_> {
         Self { places: self.places.get(places).unwrap_or_default(), ..self }
     }
 
-    /// [`Lanes::between_shorts`] of a column, lane `i` at place `first + i`; lanes beyond the last place are there too.
-    /// `None` if there is no place, or no such column.
+    /// [`Lanes::between_shorts`] of a column, lane `i` at place `first + i`; lanes beyond the last
+    /// place are there too. `None` if there is no place, or no such column.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between<L: Lanes>(
         self,
@@ -212,8 +217,8 @@ impl<'a> PlacedTracks<'a, '_> {
         if column >= columns {
             return None;
         }
-        // SAFETY: there are as many places as lanes, each with a row, which has the column; by the check of the rows a key
-        // and the next one are there.
+        // SAFETY: there are as many places as lanes, each with a row, which has the column; by the
+        // check of the rows a key and the next one are there.
         Some(unsafe {
             L::between_shorts(
                 level,
@@ -228,8 +233,9 @@ impl<'a> PlacedTracks<'a, '_> {
         })
     }
 
-    /// Asks for what the lanes from place `first` on will read of a column, where a cache line may begin with it, or if it is the
-    /// `last` one, if the keys do not fit into the second cache. Rows are too short for the CPU to foresee where they go on.
+    /// Asks for what the lanes from place `first` on will read of a column, where a cache line may
+    /// begin with it, or if it is the `last` one, if the keys do not fit into the second cache.
+    /// Rows are too short for the CPU to foresee where they go on.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn prefetch<V: Level>(
         self,
@@ -252,7 +258,8 @@ impl<'a> PlacedTracks<'a, '_> {
         }
     }
 
-    /// [`between`](Self::between) of one place, lane `i` of column `first + i`; lanes beyond the last column are that.
+    /// [`between`](Self::between) of one place, lane `i` of column `first + i`; lanes beyond the
+    /// last column are that.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between_columns<L: Lanes>(
         self,
@@ -275,8 +282,8 @@ impl<'a> PlacedTracks<'a, '_> {
             };
         }
         let from = self.tracks.keys.as_ptr();
-        // SAFETY: there are as many entries as lanes, all of the row of the place; by the check of the rows a key and the
-        // next one are there.
+        // SAFETY: there are as many entries as lanes, all of the row of the place; by the check of
+        // the rows a key and the next one are there.
         unsafe {
             let first = *lanes.get_unchecked(0);
             let mut differ = [0; MAX_LANES];

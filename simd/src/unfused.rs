@@ -1,7 +1,8 @@
 //! [`Unfused`]: the lanes of another level, whose `mul_add` rounds twice.
 //!
-//! IEEE 754 fixes every bit of +, −, ×, ÷ and √, and the compiler never fuses a product with a sum by itself. So lanes
-//! that do not fuse either have the same bits with every instruction set and every width (NaN aside, of which there are many).
+//! IEEE 754 fixes every bit of +, −, ×, ÷ and √, and the compiler never fuses a product with
+//! a sum by itself. So lanes that do not fuse either have the same bits with every instruction set
+//! and every width (NaN aside, of which there are many).
 
 use crate::lanes::{Lanes, Level, PackedDualQuat};
 use crate::shorts::Shorts;

@@ -19,7 +19,8 @@ fn only_indices_that_were_checked_are_read() {
     for (columns, stride) in [(2, 1), (1, 0), (0, 4)] {
         assert_eq!(CheckedIndices::new(&indices, columns, stride, 3).unwrap().rows(), 0);
     }
-    // A lane takes what its row has, and its first for what it has not; the first record without a row.
+    // A lane takes what its row has, and its first for what it has not; the first record without a
+    // row.
     let mut picks = Picks::new(checked);
     assert!(!picks.set_rows(1, 0), "two columns are not four");
     for (lane, row, from) in [(0, 0, 0), (1, 1, 1), (2, 3, 0), (3, 0, usize::MAX)] {

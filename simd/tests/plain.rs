@@ -6,7 +6,8 @@
 extern crate dq8_simd as core;
 extern crate dq8_simd as std;
 
-/// All fit for a lie about a struct: alignments of one, traits that everything has, checks that check nothing.
+/// All fit for a lie about a struct: alignments of one, traits that everything has, checks that
+/// check nothing.
 mod names_in_the_way {
     pub(super) const fn align_of<T>() -> usize {
         usize

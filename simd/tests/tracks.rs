@@ -1,4 +1,5 @@
-//! Keys of 16 bits between which lanes interpolate, against plain integers, and what their rows may say.
+//! Keys of 16 bits between which lanes interpolate, against plain integers, and what their rows may
+//! say.
 #![forbid(unsafe_code)]
 
 use dq8_simd::{Float, Lanes, Level, OwnedTracks, Portable, TrackPlace, Tracks};
@@ -16,7 +17,8 @@ fn words<const N: usize>(words: [u32; N]) -> Vec<u8> {
     words.into_iter().flat_map(u32::to_le_bytes).collect()
 }
 
-/// Three clips of three columns, among 32 keys: one clip moves in two columns, one in all, one has a single frame.
+/// Three clips of three columns, among 32 keys: one clip moves in two columns, one in all, one has
+/// a single frame.
 struct Bytes {
     keys: Vec<u8>,
     clips: Vec<u8>,
@@ -54,7 +56,8 @@ fn by_the_book(a: [i16; 4], b: [i16; 4], t: f64) -> [i32; 4] {
     })
 }
 
-/// Every lane of every column, each lane at a place and a parameter of its own; and one place, lanes of columns.
+/// Every lane of every column, each lane at a place and a parameter of its own; and one place,
+/// lanes of columns.
 fn check<L: Lanes>(level: L::Level, parameters: &[f64]) {
     level.run(
         #[inline(always)]
@@ -165,11 +168,13 @@ fn a_key_that_is_not_there_is_refused_at_its_clip_and_entry() {
     assert_eq!(with_entry(0, 2 * 24 + 1), Err((0, Some(0))));
     assert_eq!(with_entry(8, 2 * 32), Err((2, Some(8))));
     assert_eq!(with_entry(4, u16::MAX), Err((1, Some(4))));
-    // From the clip's first key: three frames on, three keys each, from the third after that, is the last.
+    // From the clip's first key: three frames on, three keys each, from the third after that, is
+    // the last.
     assert_eq!((with(4, 20), with(4, 21)), (Ok(()), Err((1, Some(5)))));
     // Moves without a step.
     assert_eq!(with_entry(6, 1), Err((2, Some(6))));
-    // No frame; a step without a next frame; more keys than 32 bits count, after the first or with it; no such row.
+    // No frame; a step without a next frame; more keys than 32 bits count, after the first or with
+    // it; no such row.
     assert_eq!(with(1, 0), Err((0, None)));
     assert_eq!(with(10, 1), Err((2, None)));
     assert_eq!(with(5, u32::MAX), Err((1, None)));

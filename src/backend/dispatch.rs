@@ -1,4 +1,5 @@
-//! [`Backend`]: which instructions compute, and [`Kernel`]: what they compute. The only place that chooses.
+//! [`Backend`]: which instructions compute, and [`Kernel`]: what they compute. The only place that
+//! chooses.
 
 use core::fmt;
 #[cfg(feature = "reproducible")]
@@ -13,12 +14,13 @@ use dq8_simd::Unfused;
 use dq8_simd::x86_64::{Avx2, Avx512};
 use dq8_simd::{Level, Portable};
 
-/// A computation for any instructions, to [`run`](Backend::run) on a [`Backend`]. Write it once: the
-/// compiler makes one version of it for each instruction set.
+/// A computation for any instructions, to [`run`](Backend::run) on a [`Backend`]. Write it once:
+/// the compiler makes one version of it for each instruction set.
 ///
-/// Whatever `run` calls must be `#[inline(always)]`, closures included: what the compiler keeps out of
-/// line is compiled without the instructions of its level, and there every lane operation becomes a
-/// call, 10 to 45 times slower. [The guide](crate::guide::kernel) lists what that forbids, and how to tell.
+/// Whatever `run` calls must be `#[inline(always)]`, closures included: what the compiler keeps out
+/// of line is compiled without the instructions of its level, and there every lane operation
+/// becomes a call, 10 to 45 times slower. [The guide](crate::guide::kernel) lists what that
+/// forbids, and how to tell.
 ///
 /// A kernel of your own, for motions in any layout and of any precision:
 ///
@@ -51,19 +53,19 @@ pub trait Kernel {
     type Output;
     /// Whether it gains from AVX-512. If not, it is not compiled for it, and runs with AVX2 there.
     const WIDE: bool = true;
-    /// Whether most of it are shuffles, as in transposes of plain arrays. Then it runs with AVX-512 only where the CPU
-    /// shuffles 512 bits as quickly as 256: AMD's do, Intel's do not.
+    /// Whether most of it are shuffles, as in transposes of plain arrays. Then it runs with AVX-512
+    /// only where the CPU shuffles 512 bits as quickly as 256: AMD's do, Intel's do not.
     const SHUFFLES: bool = false;
     /// Computes with the lanes of `level`. Must be `#[inline(always)]`.
     fn run<V: Level>(self, level: V) -> Self::Output;
 }
 
-/// Instructions that this CPU has, to compute with. A value is the proof that it has them, so that a
-/// call asks once, when it takes the [`best`](Self::best), and never again.
+/// Instructions that this CPU has, to compute with. A value is the proof that it has them, so that
+/// a call asks once, when it takes the [`best`](Self::best), and never again.
 ///
 /// Jobs take the best unless they are given another; the kernels over slices
-/// ([`slices`](crate::slices)) are methods of the backend itself. With the feature `rayon` it may also have
-/// `threads`.
+/// ([`slices`](crate::slices)) are methods of the backend itself. With the feature `rayon` it may
+/// also have `threads`.
 ///
 /// ```
 /// use dq8::Backend;
@@ -78,7 +80,8 @@ pub struct Backend {
     pub(crate) threads: core::num::NonZeroUsize,
 }
 
-/// In rising order. The proof of AVX-512 holds that of AVX2, for kernels that gain nothing from more.
+/// In rising order. The proof of AVX-512 holds that of AVX2, for kernels that gain nothing from
+/// more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Proof {
     Portable,
@@ -103,9 +106,9 @@ static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 static UNFUSED: AtomicBool = AtomicBool::new(false);
 
 impl Backend {
-    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm. It fuses
-    /// multiply-add on aarch64 and in builds with `fma`, and not elsewhere, so its last bits are not the same on all
-    /// machines.
+    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm.
+    /// It fuses multiply-add on aarch64 and in builds with `fma`, and not elsewhere, so its last
+    /// bits are not the same on all machines.
     pub const PORTABLE: Self = Self::of(Proof::Portable);
 
     /// On the thread that calls.
@@ -138,8 +141,9 @@ impl Backend {
         return None;
     }
 
-    /// The fastest instructions of this CPU without a fused multiply-add: the same bits on every machine, for 1.0 to 1.5
-    /// times the time of the [`best`](Self::best). [The guide](crate::guide::reproducible) says for what.
+    /// The fastest instructions of this CPU without a fused multiply-add: the same bits on every
+    /// machine, for 1.0 to 1.5 times the time of the [`best`](Self::best). [The
+    /// guide](crate::guide::reproducible) says for what.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat, Quat};
@@ -160,7 +164,8 @@ impl Backend {
         self == self.unfused()
     }
 
-    /// The same instructions but for fused ones. For tests of one CPU, which hold all levels to each other's bits.
+    /// The same instructions but for fused ones. For tests of one CPU, which hold all levels to
+    /// each other's bits.
     #[cfg(feature = "reproducible")]
     #[doc(hidden)]
     #[inline]
@@ -197,16 +202,16 @@ impl Backend {
         best
     }
 
-    /// From now on, in all threads, whether [`best`](Self::best) is [reproducible](Self::reproducible). For C and Python,
-    /// which have no backends to pass.
+    /// From now on, in all threads, whether [`best`](Self::best) is
+    /// [reproducible](Self::reproducible). For C and Python, which have no backends to pass.
     #[cfg(feature = "reproducible")]
     #[doc(hidden)]
     pub fn set_reproducible(reproducible: bool) {
         UNFUSED.store(reproducible, Ordering::Relaxed);
     }
 
-    /// From now on, in all threads, [`best`](Self::best) is at most `limit`; `None` removes the limit.
-    /// For the C ABI, which has no backends to pass.
+    /// From now on, in all threads, [`best`](Self::best) is at most `limit`; `None` removes the
+    /// limit. For the C ABI, which has no backends to pass.
     #[doc(hidden)]
     pub fn limit(limit: Option<Self>) {
         let limit = match limit.map(|backend| backend.proof) {
@@ -220,8 +225,8 @@ impl Backend {
 
     /// Runs `kernel` with these instructions, on the thread that calls.
     ///
-    /// (The closures must be inlined as well. Otherwise the compiler keeps a large one out of line, without
-    /// the instructions of its level: 35 times slower.)
+    /// (The closures must be inlined as well. Otherwise the compiler keeps a large one out of line,
+    /// without the instructions of its level: 35 times slower.)
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.proof {

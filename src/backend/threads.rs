@@ -25,7 +25,8 @@ impl Choice {
     }
 }
 
-/// The options of a job that hold a [`Choice`], for its `impl`; and what the documentation of `threads` shows besides.
+/// The options of a job that hold a [`Choice`], for its `impl`; and what the documentation of
+/// `threads` shows besides.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __options {
@@ -36,8 +37,9 @@ macro_rules! __options {
             self
         }
 
-        /// Runs on at most so many threads of rayon's current pool, whole instances, configurations or vertices to each;
-        /// `usize::MAX` for all of them. Every bit of the result is the same for any number of threads.
+        /// Runs on at most so many threads of rayon's current pool, whole instances, configurations
+        /// or vertices to each; `usize::MAX` for all of them. Every bit of the result is the same
+        /// for any number of threads.
         $(#[$example])*
         #[cfg(feature = "rayon")]
         pub fn threads(mut self, threads: usize) -> Self {
@@ -75,11 +77,13 @@ mod many {
     use core::num::NonZeroUsize;
 
     impl Backend {
-        /// The same instructions on at most so many threads of rayon's current pool; `usize::MAX` for all of them, and 1,
-        /// which is the default, for the one that calls. Every bit of a result is the same for any number of threads.
+        /// The same instructions on at most so many threads of rayon's current pool; `usize::MAX`
+        /// for all of them, and 1, which is the default, for the one that calls. Every bit of a
+        /// result is the same for any number of threads.
         ///
         /// Short slices stay on one thread: a task has a few microseconds of work. Chains
-        /// ([`chain_products`](Self::chain_products)) and kernels of your own ([`run`](Self::run)) do so always.
+        /// ([`chain_products`](Self::chain_products)) and kernels of your own ([`run`](Self::run))
+        /// do so always.
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -102,8 +106,9 @@ mod many {
             self.threads > NonZeroUsize::MIN
         }
 
-        /// Calls `work` with parts of `outputs` and the number of the first thing in each, on the threads; on one, with all
-        /// of them. A part has a multiple of `grain` things, but for the last.
+        /// Calls `work` with parts of `outputs` and the number of the first thing in each, on the
+        /// threads; on one, with all of them. A part has a multiple of `grain` things, but for the
+        /// last.
         #[doc(hidden)]
         pub fn share<O: Outputs>(
             self,
@@ -115,7 +120,8 @@ mod many {
                 return work(0, outputs);
             }
             let grains = outputs.things().div_ceil(grain.max(1));
-            // Where no thread of the pool may be left out, those that are done sooner take from the others.
+            // Where no thread of the pool may be left out, those that are done sooner take from the
+            // others.
             let all = self.threads.get() >= rayon::current_num_threads();
             let tasks = if all { grains } else { grains.min(self.threads.get()) };
             share(tasks, grains, grain, 0, outputs, work);

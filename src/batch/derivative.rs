@@ -49,8 +49,8 @@ impl<L: Lanes> DualQuat<L> {
         }
     }
 
-    /// ½ωr + ½ε(ṫr + ½tωr), `angular` ω in fixed axes and `linear` ṫ; σ must be unit. Here as ½ξσ with
-    /// the spatial twist ξ = ω + ε(ṫ + t × ω).
+    /// ½ωr + ½ε(ṫr + ½tωr), `angular` ω in fixed axes and `linear` ṫ; σ must be unit.
+    /// Here as ½ξσ with the spatial twist ξ = ω + ε(ṫ + t × ω).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn derivative_from_velocity(self, angular: [L; 3], linear: [L; 3]) -> Self {
         let at_origin = vector::cross_onto(self.translation(), angular, linear);
@@ -66,8 +66,8 @@ impl<L: Lanes> DualQuat<L> {
         (twist.angular, linear)
     }
 
-    /// exp(½ξ), the motion that a constant twist makes in unit time. NaN where |ω| is beyond 2¹⁷ radians
-    /// (`f32`; `f64`: 2⁴⁶), and so for the integrals.
+    /// exp(½ξ), the motion that a constant twist makes in unit time. NaN where |ω| is beyond
+    /// 2¹⁷ radians (`f32`; `f64`: 2⁴⁶), and so for the integrals.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_twist(twist: Twist<L>) -> Self {
         Self::exp(half(twist))

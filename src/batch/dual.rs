@@ -42,7 +42,8 @@ impl<L: Lanes> Dual<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
-        // One after the other: the square may overflow, or vanish, where the product with b does not.
+        // One after the other: the square may overflow, or vanish, where the product with b does
+        // not.
         Self::new(recip, -(self.dual * recip) * recip)
     }
 

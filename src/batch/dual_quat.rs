@@ -6,8 +6,8 @@ use dq8_simd::{Block, Lanes, Level, Records, Row};
 
 /// Dual quaternions σ = p + εq, one per lane: [`DualQuat`](crate::DualQuat) on lanes.
 ///
-/// Conventions and laws are those of [`Motion`](crate::Motion); formulas, sources and examples stand
-/// on the scalar type.
+/// Conventions and laws are those of [`Motion`](crate::Motion); formulas, sources and examples
+/// stand on the scalar type.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct DualQuat<L> {

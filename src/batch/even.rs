@@ -1,9 +1,9 @@
 //! The analytic functions behind the screw operations, on dual numbers.
 //!
 //! Half the angle of a motion, Θ, enters only through functions that are even in it. Taken as
-//! functions of a *square* they are analytic, also at Θ = 0: no axis, no branch and no division by a
-//! vanishing sine. On a dual argument they give value and derivative, f(a) + ε b f′(a) (Jia eq. 10),
-//! the second from the derivative of the polynomial.
+//! functions of a *square* they are analytic, also at Θ = 0: no axis, no branch and no division by
+//! a vanishing sine. On a dual argument they give value and derivative, f(a) + ε b f′(a) (Jia
+//! eq. 10), the second from the derivative of the polynomial.
 //!
 //! The polynomials and their errors are in `even_coefficients.rs`, found by `scripts/fit_even.py`.
 
@@ -24,15 +24,15 @@ pub fn arc_over_chord<L: Lanes>(c: Dual<L>) -> Dual<L> {
 
 /// cos √v and sin(√v)/√v for any v ≥ 0.
 ///
-/// The derivatives are −½ sin(√v)/√v and (cos √v − sin(√v)/√v)/(2v); the second cancels for small v
-/// and comes from the polynomial there.
+/// The derivatives are −½ sin(√v)/√v and (cos √v − sin(√v)/√v)/(2v); the second
+/// cancels for small v and comes from the polynomial there.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
     let minus_half = v.real.constant(-0.5);
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
     let (sinc, slope) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, v.real);
-    // Half angles up to a quarter turn, which is what the shorter way and the logarithm give. One branch per register:
-    // only registers with an angle beyond it pay for the reduction.
+    // Half angles up to a quarter turn, which is what the shorter way and the logarithm give. One
+    // branch per register: only registers with an angle beyond it pay for the reduction.
     let ordinary = v.real.le(v.real.constant(ORDINARY));
     if ordinary.all() {
         return (v.apply(cos, minus_half * sinc), v.apply(sinc, slope));
@@ -44,8 +44,8 @@ pub fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
     (v.apply(cos, minus_half * sinc), v.apply(sinc, slope))
 }
 
-/// (1 − cos √u)/u and (√u − sin √u)/√u³ for any u ≥ 0: the integrals of sin and of 1 − cos in the
-/// left Jacobian of SE(3).
+/// (1 − cos √u)/u and (√u − sin √u)/√u³ for any u ≥ 0: the integrals of sin and of 1
+/// − cos in the left Jacobian of SE(3).
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
     let one = u.real.constant(1.0);
@@ -85,18 +85,20 @@ fn select<L: Lanes>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
 
 /// The largest half angle that has a sine and a cosine, radians: 2¹⁶ (`f32`), 2⁴⁵ (`f64`).
 ///
-/// Beyond it a float is known to no more than 2⁻⁸ radians, and soon not even to a turn; and what π in
-/// three parts leaves is no longer within the range of the polynomials, so that rotations would not
-/// be unit.
+/// Beyond it a float is known to no more than 2⁻⁸ radians, and soon not even to a turn; and
+/// what π in three parts leaves is no longer within the range of the polynomials, so that
+/// rotations would not be unit.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn farthest<L: Lanes>() -> f64 {
     if L::Real::SINGLE { 65_536.0 } else { 35_184_372_088_832.0 }
 }
 
-/// cos √v, sin(√v)/√v and the derivative of the latter, for v > (π/2)²; NaN beyond [`farthest`].
+/// cos √v, sin(√v)/√v and the derivative of the latter, for v > (π/2)²; NaN beyond
+/// [`farthest`].
 ///
-/// Errors grow with √v as those of √v itself do: a float of size y is only known to y/2²⁴ (2⁵³).
+/// Errors grow with √v as those of √v itself do: a float of size y is only known to y/2²⁴
+/// (2⁵³).
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
     let root = v.sqrt();
@@ -116,8 +118,9 @@ pub fn cos_sin<L: Lanes>(x: L) -> (L, L) {
     let square = rest * rest;
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, square);
     let (sinc, _) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
-    // (−1)ᵏ: k/2 is a whole number or half way between two, so `odd` is 0 or ½, and 1 − 4·odd is the sign. Lanes
-    // have no parity of their own, and integers would need another type of vector.
+    // (−1)ᵏ: k/2 is a whole number or half way between two, so `odd` is 0 or ½, and 1 −
+    // 4·odd is the sign. Lanes have no parity of their own, and integers would need another type
+    // of vector.
     let half_turns = turns * x.constant(0.5);
     let odd = (half_turns - round(half_turns)).abs();
     let sign = odd.neg_mul_add(x.constant(4.0), x.constant(1.0));
@@ -141,8 +144,9 @@ pub fn half_turns<L: Lanes>(x: L) -> (L, L) {
     (turns, rest)
 }
 
-/// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction, and taking it off again is exact. The
-/// factor 1.5 keeps negative numbers within the same binade. Right for |x| below 2²² (2⁵¹).
+/// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction, and taking
+/// it off again is exact. The factor 1.5 keeps negative numbers within the same binade. Right
+/// for |x| below 2²² (2⁵¹).
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn round<L: Lanes>(x: L) -> L {
     let shift = x.constant(if L::Real::SINGLE { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
@@ -163,13 +167,15 @@ fn value_and_slope<L: Lanes, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (
 
 /// The derivative of this order, 0 or 1.
 ///
-/// Even and odd powers from the third term on are summed in a Horner chain each: one chain of all powers
-/// would wait twice as long for its own results. The first two terms, by far the largest, come last and
-/// one after the other, as in Horner's scheme, so that nearly all rounding is that of the result.
+/// Even and odd powers from the third term on are summed in a Horner chain each: one chain of all
+/// powers would wait twice as long for its own results. The first two terms, by far the largest,
+/// come last and one after the other, as in Horner's scheme, so that nearly all rounding is that of
+/// the result.
 ///
-/// For six terms: (((c₃ + c₅x²)x + (c₂ + c₄x²))x + c₁)x + c₀. A chain begins with one of the last two
-/// coefficients and takes every second one below it; which of the two ends with c₂ depends on whether the number of
-/// terms is even. The derivative has the coefficients (k + 1)cₖ₊₁, computed at compile time after unrolling.
+/// For six terms: (((c₃ + c₅x²)x + (c₂ + c₄x²))x + c₁)x + c₀. A chain begins with one
+/// of the last two coefficients and takes every second one below it; which of the two ends with
+/// c₂ depends on whether the number of terms is even. The derivative has the coefficients (k +
+/// 1)cₖ₊₁, computed at compile time after unrolling.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn two_chains<L: Lanes, C: Copy + Into<f64>>(
     coefficients: &[C],

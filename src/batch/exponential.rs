@@ -1,7 +1,7 @@
 //! eˣ and ln x.
 //!
-//! Lanes have no integers. So powers of two are put together from 2, 4, 16, 256 …, one comparison each, and
-//! taken apart in the same way: all of that is exact.
+//! Lanes have no integers. So powers of two are put together from 2, 4, 16, 256 …, one comparison
+//! each, and taken apart in the same way: all of that is exact.
 
 use super::Dual;
 use super::even::round;
@@ -80,8 +80,8 @@ fn exp<L: Lanes>(x: L) -> L {
     sum * two_to_the(first) * two_to_the(k - first)
 }
 
-/// ln x = k ln 2 + 2 artanh((m − 1)/(m + 1)) of x = 2ᵏm, m in [1/√2, √2], by its power series; −∞ at 0, NaN
-/// below.
+/// ln x = k ln 2 + 2 artanh((m − 1)/(m + 1)) of x = 2ᵏm, m in [1/√2, √2], by its power
+/// series; −∞ at 0, NaN below.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn ln<L: Lanes>(x: L) -> L {
     let (zero, one) = (x.constant(0.0), x.constant(1.0));

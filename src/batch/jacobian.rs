@@ -53,7 +53,8 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// J_l⁻¹(x) as 6×6 matrices, in the order of [`left_jacobian_matrix`](Self::left_jacobian_matrix).
+    /// J_l⁻¹(x) as 6×6 matrices, in the order of
+    /// [`left_jacobian_matrix`](Self::left_jacobian_matrix).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<L>) -> [[L; 6]; 6] {
@@ -65,8 +66,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// The matrix of a linear map: its columns are what it does to the unit twists, on the lanes of `any`. (The name of a
-/// function for the map is a call that is not inlined.)
+/// The matrix of a linear map: its columns are what it does to the unit twists, on the lanes of
+/// `any`. (The name of a function for the map is a call that is not inlined.)
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn matrix<L: Lanes>(map: impl Fn(Twist<L>) -> Twist<L>, any: Twist<L>) -> [[L; 6]; 6] {
     let mut rows = [any.to_array(); 6];

@@ -4,8 +4,9 @@ use dq8_simd::{Float, Lanes, Mask};
 
 /// The length of a vector in each lane, and division by it.
 ///
-/// Squares overflow for components beyond about 2⁶⁴ (`f32`) and vanish below 2⁻⁶⁴, so where any
-/// lane is out of the ordinary, all are stretched by a power of two, which is 1 for ordinary lanes.
+/// Squares overflow for components beyond about 2⁶⁴ (`f32`) and vanish below 2⁻⁶⁴, so
+/// where any lane is out of the ordinary, all are stretched by a power of two, which is 1 for
+/// ordinary lanes.
 #[derive(Clone, Copy)]
 pub(super) struct Length<L> {
     /// The length of the stretched vector.
@@ -28,8 +29,9 @@ impl<L: Lanes> Length<L> {
         }
     }
 
-    /// The vector divided by its length: as [`of`](Self::of) and [`divide_all`](Self::divide_all) have it, but both ways meet
-    /// before the last product. Where they meet after it, the compiler computes both for each component, and selects.
+    /// The vector divided by its length: as [`of`](Self::of) and [`divide_all`](Self::divide_all)
+    /// have it, but both ways meet before the last product. Where they meet after it, the compiler
+    /// computes both for each component, and selects.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn unit<const N: usize>(vector: [L; N], one: L) -> [L; N] {
         let (vector, factor) = match Squared::of(vector, one) {
@@ -47,8 +49,9 @@ impl<L: Lanes> Length<L> {
         let (half, up, down) = bounds::<L>();
         let stretch = power_by_size(small, fits, one, up, down);
         let root = sum_of_squares(scaled(vector, stretch), one).sqrt();
-        // The stretch times the reciprocal in two factors: short vectors are divided by two that are no less than
-        // 1, long ones by two that are no greater, so nothing on the way is beyond both ends of the quotient.
+        // The stretch times the reciprocal in two factors: short vectors are divided by two that
+        // are no less than 1, long ones by two that are no greater, so nothing on the way is beyond
+        // both ends of the quotient.
         let balance = power_by_size(small, fits, one, up - half, down + half);
         let first = one / root * balance;
         let second = power_by_size(small, fits, one, half, -half);
@@ -110,13 +113,14 @@ impl<L: Lanes> Squared<L> {
     }
 }
 
-/// Of ordinary lengths the greatest power of two, and those by which short and long vectors are stretched: then the squares
-/// of all numbers there are fit, and so do the quotients on the way.
+/// Of ordinary lengths the greatest power of two, and those by which short and long vectors are
+/// stretched: then the squares of all numbers there are fit, and so do the quotients on the way.
 const fn bounds<L: Lanes>() -> (i64, i64, i64) {
     if L::Real::SINGLE { (40, 88, -66) } else { (400, 564, -514) }
 }
 
-/// 2 to one power where a vector is `small`, to another where its squares do not fit, and 1 elsewhere.
+/// 2 to one power where a vector is `small`, to another where its squares do not fit, and 1
+/// elsewhere.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn power_by_size<L: Lanes>(small: L::Mask, fits: L::Mask, one: L, short: i64, long: i64) -> L {
     let long = L::select(fits, one, one.constant(power_of_two(long)));

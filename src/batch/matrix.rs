@@ -19,8 +19,8 @@ impl<L: Lanes> Quat<L> {
         ]
     }
 
-    /// The unit quaternions of rotation matrices, w ≥ 0 (Shepperd 1978): all four forms, one of which
-    /// divides by the largest component.
+    /// The unit quaternions of rotation matrices, w ≥ 0 (Shepperd 1978): all four forms, one of
+    /// which divides by the largest component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3(rows: [[L; 3]; 3]) -> Self {
         let rotation = Self::some_of_matrix3(rows).normalize();
@@ -46,9 +46,9 @@ impl<L: Lanes> Quat<L> {
         Self::from_array(vector::select(w_largest, [wx, wy, wz, w2], not_w))
     }
 
-    /// [`from_matrix3`](Self::from_matrix3), and the lanes whose matrix is no rotation: it differs from one by
-    /// more than `tolerance` in a product of its rows (it scales, shears or mirrors), or an element is not
-    /// finite. Those are NaN.
+    /// [`from_matrix3`](Self::from_matrix3), and the lanes whose matrix is no rotation: it differs
+    /// from one by more than `tolerance` in a product of its rows (it scales, shears or mirrors),
+    /// or an element is not finite. Those are NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3_checked(rows: [[L; 3]; 3], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c] = rows;
@@ -116,7 +116,8 @@ impl<L: Lanes> DualQuat<L> {
         (Self::from_array(vector::select(failed, nan, motion)), failed)
     }
 
-    /// As [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must be 0 0 0 1.
+    /// As [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must be 0 0
+    /// 0 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix4_checked(rows: [[L; 4]; 4], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c, [x, y, z, w]] = rows;
@@ -129,7 +130,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// `true` if a difference is within a tolerance. An infinite one forgives all but what is not finite.
+/// `true` if a difference is within a tolerance. An infinite one forgives all but what is not
+/// finite.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn is_close<L: Lanes>(difference: L, tolerance: L) -> L::Mask {
     vector::is_finite(difference) & difference.abs().le(tolerance)

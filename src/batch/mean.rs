@@ -6,8 +6,8 @@ use crate::geometry::{DualVector, Mean};
 use dq8_simd::{Lanes, Mask};
 
 impl<L: Lanes> DualQuat<L> {
-    /// Σ wᵢ log(b*σᵢ) = 0, from the linear blend by b ← b exp(Σ wᵢ log(b*σᵢ) / Σ wᵢ), a step of at
-    /// most `tolerance` being none; `None` without influences.
+    /// Σ wᵢ log(b*σᵢ) = 0, from the linear blend by b ← b exp(Σ wᵢ log(b*σᵢ) / Σ
+    /// wᵢ), a step of at most `tolerance` being none; `None` without influences.
     ///
     /// A lane that has arrived is left as it is while its neighbours go on, and counts its own
     /// iterations: neither its mean nor its count depends on them.

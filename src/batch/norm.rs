@@ -11,8 +11,8 @@ impl<L: Lanes> Quat<L> {
         Self::from_array(length.divide_all(length.divide_all(self.conjugate().to_array())))
     }
 
-    /// q/|q|, and the lanes that have none: q zero, or a component of q or its length not finite. Those are
-    /// NaN.
+    /// q/|q|, and the lanes that have none: q zero, or a component of q or its length not finite.
+    /// Those are NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         let length = self.length();
@@ -107,14 +107,15 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹, and the lanes that have none: p zero, or a component of σ or of the
-    /// result not finite. In those, every component is NaN.
+    /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹, and the lanes that have none: p zero, or a component
+    /// of σ or of the result not finite. In those, every component is NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn inverse_checked(self) -> (Self, L::Mask) {
         self.inverse().checked()
     }
 
-    /// Fills every lane that has a component which is not finite with NaN; and the mask of those lanes.
+    /// Fills every lane that has a component which is not finite with NaN; and the mask of those
+    /// lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn checked(self) -> (Self, L::Mask) {
         let components = self.to_array();

@@ -37,8 +37,8 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(rotation, Quat::from_parts(dual, -vector::dot(half, r)))
     }
 
-    /// σ(r + ½εtr) = (p + ε(q + ½pt))r, in 47 operations. Joining r and t first takes 15, and a product 48
-    /// more.
+    /// σ(r + ½εtr) = (p + ε(q + ½pt))r, in 47 operations. Joining r and t first takes 15, and
+    /// a product 48 more.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn mul_rotation_translation(self, rotation: Quat<L>, translation: [L; 3]) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));

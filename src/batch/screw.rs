@@ -1,27 +1,32 @@
 //! Screws: parameters, logarithm, exponential, powers and screw interpolation.
 //!
-//! Half the dual angle of a motion, Θ, enters its logarithm, powers and interpolation only through functions that are
-//! even in it; as functions of a *square* these are analytic at Θ = 0. With the squared chord of Θ, C = 4 sin²(Θ/2), and
-//! the arc over the chord, K(C) = arcsin(√C/2)/(√C/2) on [0, 2],
+//! Half the dual angle of a motion, Θ, enters its logarithm, powers and interpolation only through
+//! functions that are even in it; as functions of a *square* these are analytic at Θ = 0. With the
+//! squared chord of Θ, C = 4 sin²(Θ/2), and the arc over the chord, K(C) =
+//! arcsin(√C/2)/(√C/2) on [0, 2],
 //!
 //! ```text
 //! Θ² = C K²      Θ / sin Θ = K / cos(Θ/2)
 //! ```
 //!
-//! on dual numbers, f(a + εb) = f(a) + ε b f′(a): value and derivative from one polynomial ([`even`](super::even)). There
-//! is no axis, no branch on the angle and no division by a sine. The obvious form would be slerp weights of the dual
-//! cosine X = ⟨a, b⟩; this one is better in two ways:
+//! on dual numbers, f(a + εb) = f(a) + ε b f′(a): value and derivative from one polynomial
+//! ([`even`](super::even)). There is no axis, no branch on the angle and no division by a sine. The
+//! obvious form would be slerp weights of the dual cosine X = ⟨a, b⟩; this one is better in two
+//! ways:
 //!
-//! - **C is not computed from 1 − X.** For poses that almost agree, 1 − X has lost the angle, which does no harm between
-//!   the poses but ruins extrapolation (t = 1000 along a tiny screw). `log` and `pow` take C from the vector part, ScLERP
-//!   from the difference b − a, which is exact there.
-//! - **ScLERP is centred on the midpoint.** With m = (a+b)/2 and h = (b−a)/2, which are orthogonal, and τ = 2t − 1,
-//!   σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h. Weights of a and b cancel outside [0, 1]; those of m and h do
-//!   not, and their arguments are half as large.
+//! - **C is not computed from 1 − X.** For poses that almost agree, 1 − X has lost the angle,
+//!   which does no harm between the poses but ruins extrapolation (t = 1000 along a tiny screw).
+//!   `log` and `pow` take C from the vector part, ScLERP from the difference b − a, which is
+//!   exact there.
+//! - **ScLERP is centred on the midpoint.** With m = (a+b)/2 and h = (b−a)/2, which are
+//!   orthogonal, and τ = 2t − 1, σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h.
+//!   Weights of a and b cancel outside [0, 1]; those of m and h do not, and their arguments are
+//!   half as large.
 //!
-//! Beyond (π/2)² the argument of cos √v is reduced, but only if some lane needs it; lanes that do not need it keep their
-//! bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad (`f64`). Beyond, a float is known to no more than
-//! 2⁻⁸ rad, and every component is NaN rather than a motion that is not unit.
+//! Beyond (π/2)² the argument of cos √v is reduced, but only if some lane needs it; lanes that
+//! do not need it keep their bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad
+//! (`f64`). Beyond, a float is known to no more than 2⁻⁸ rad, and every component is NaN rather
+//! than a motion that is not unit.
 
 use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;
@@ -31,8 +36,8 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// The screw of unit σ, angle in [0, π]. A pure translation has angle 0, its own direction as
-    /// axis and moment 0; the identity has the axis (1, 0, 0). The moment is not finite where |t| over the
-    /// angle overflows.
+    /// axis and moment 0; the identity has the axis (1, 0, 0). The moment is not finite where |t|
+    /// over the angle overflows.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn to_screw(self) -> Screw<L> {
         let sigma = self.canonical();
@@ -65,9 +70,9 @@ impl<L: Lanes> DualQuat<L> {
 
     /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm); the axis must have length 1.
     ///
-    /// NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`: 2⁴⁵), as it is for
-    /// [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and what is built on them: such
-    /// a number is known to no more than a 256th of a radian.
+    /// NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`: 2⁴⁵), as it is
+    /// for [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and what is built on
+    /// them: such a number is known to no more than a 256th of a radian.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_screw(screw: Screw<L>) -> Self {
         let half = screw.angle.constant(0.5);
@@ -77,15 +82,16 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(axis, half_angle * sinc))
     }
 
-    /// (θ̂/2)(l + εm) of the [canonical](Self::canonical) one of ±σ: the vector part of σ times Θ/sin Θ.
+    /// (θ̂/2)(l + εm) of the [canonical](Self::canonical) one of ±σ: the vector part of σ
+    /// times Θ/sin Θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn log(self) -> DualVector<L> {
         let sigma = self.canonical();
         times_dual(sigma.dual_vector(), HalfAngle::of(sigma).over_sine())
     }
 
-    /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b. NaN where |a| is beyond 2¹⁶ (`f32`) or
-    /// 2⁴⁵ (`f64`).
+    /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b. NaN where |a| is beyond
+    /// 2¹⁶ (`f32`) or 2⁴⁵ (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn exp(log: DualVector<L>) -> Self {
         let across = vector::dot(log.real, log.dual);
@@ -94,8 +100,9 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(log, sinc))
     }
 
-    /// σᵗ of the [canonical](Self::canonical) one of ±σ; `t` may differ from lane to lane. NaN where t times half the
-    /// angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹ or 10¹⁵⁴, where its square is.
+    /// σᵗ of the [canonical](Self::canonical) one of ±σ; `t` may differ from lane to lane. NaN
+    /// where t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond
+    /// 10¹⁹ or 10¹⁵⁴, where its square is.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn pow(self, t: L) -> Self {
         let sigma = self.canonical();
@@ -105,7 +112,8 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
     }
 
-    /// √σ of the [canonical](Self::canonical) one of ±σ: cos(Θ/2) and the vector part over 2 cos(Θ/2).
+    /// √σ of the [canonical](Self::canonical) one of ±σ: cos(Θ/2) and the vector part over 2
+    /// cos(Θ/2).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sqrt(self) -> Self {
         let sigma = self.canonical();
@@ -114,12 +122,13 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
     }
 
-    /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane. NaN so far beyond the ends that
-    /// t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹ or 10¹⁵⁴, where its square is.
-    /// Beyond the ends, what they lack of unit length counts |2t − 1| times, until the turn is a radian.
+    /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane. NaN so far beyond the ends
+    /// that t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹
+    /// or 10¹⁵⁴, where its square is. Beyond the ends, what they lack of unit length
+    /// counts |2t − 1| times, until the turn is a radian.
     ///
-    /// Slerp about the middle of the way. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal for
-    /// unit a and b, and τ = 2t − 1:
+    /// Slerp about the middle of the way. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal
+    /// for unit a and b, and τ = 2t − 1:
     ///
     /// ```text
     /// σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h
@@ -132,8 +141,8 @@ impl<L: Lanes> DualQuat<L> {
         Way::between(self, other, apart).at(t)
     }
 
-    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`. The way from σ
-    /// to −σ has no axis: NaN.
+    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`. The way from
+    /// σ to −σ has no axis: NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp_long(self, other: Self, t: L) -> Self {
         let zero = t.constant(0.0);
@@ -141,9 +150,9 @@ impl<L: Lanes> DualQuat<L> {
         let way = Way::between(self, other, apart);
         let short = way.at(t);
 
-        // The longer way is π − Θ. Its m and h are −h and −m of the shorter way, its cos(Θ/2) and
-        // sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter. h over its dual length is a motion,
-        // however short h is; its length would have no inverse.
+        // The longer way is π − Θ. Its m and h are −h and −m of the shorter way, its
+        // cos(Θ/2) and sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter. h over its dual
+        // length is a motion, however short h is; its length would have no inverse.
         let half_sine = way.back.norm().scale(t.constant(0.5));
         let right_angle = Dual::new(t.constant(core::f64::consts::FRAC_PI_2), zero);
         let tau = t + t - t.constant(1.0);
@@ -175,8 +184,8 @@ pub(super) struct HalfAngle<L> {
 }
 
 impl<L: Lanes> HalfAngle<L> {
-    /// From cos²(Θ/2) = (1 + w)/2 and C = sin²Θ/cos²(Θ/2). Not from 1 − w, which is all rounding
-    /// for small angles, where the vector part still has its full relative precision.
+    /// From cos²(Θ/2) = (1 + w)/2 and C = sin²Θ/cos²(Θ/2). Not from 1 − w, which is all
+    /// rounding for small angles, where the vector part still has its full relative precision.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of(sigma: DualQuat<L>) -> Self {
         let w = sigma.dual_scalar();
@@ -184,7 +193,8 @@ impl<L: Lanes> HalfAngle<L> {
         let cosine_squared = Dual::new(w.real.mul_add(half, half), w.dual * half);
         let v = sigma.dual_vector();
         let across = vector::dot(v.real, v.dual);
-        // An infinite w would divide every other component away and leave no turn; 0·w makes it NaN.
+        // An infinite w would divide every other component away and leave no turn; 0·w makes it
+        // NaN.
         let squared = w.real.mul_add(w.real.constant(0.0), vector::dot(v.real, v.real));
         let sine_squared = Dual::new(squared, across + across);
         let chord_squared = sine_squared / cosine_squared;
@@ -208,8 +218,8 @@ impl<L: Lanes> HalfAngle<L> {
     }
 }
 
-/// The shorter way from a to ±b. Twice m and −2h, so that each is eight fused operations; the halves
-/// are in the weights.
+/// The shorter way from a to ±b. Twice m and −2h, so that each is eight fused operations; the
+/// halves are in the weights.
 struct Way<L> {
     /// 2m = a ± b
     sum: DualQuat<L>,
@@ -245,7 +255,8 @@ impl<L: Lanes> Way<L> {
     fn at(&self, t: L) -> DualQuat<L> {
         // −τK/2: of −2h, and (τΘ/2)² is its square times C.
         let weight = self.arc_over_chord.scale(t.constant(0.5) - t);
-        // The square first: infinite, and so is the angle, before C is below the normal numbers at an angle of any size.
+        // The square first: infinite, and so is the angle, before C is below the normal numbers at
+        // an angle of any size.
         let (cos, sinc) = cos_sinc(self.chord_squared * (weight * weight));
         let middle = self.sum.scale_dual(cos * self.half_secant);
         self.back.scale_dual_onto(weight * sinc, middle)

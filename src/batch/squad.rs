@@ -5,8 +5,8 @@ use crate::geometry::DualVector;
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`; `t` may differ
-    /// from lane to lane.
+    /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`; `t`
+    /// may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: L) -> Self {
         let along_keys = self.sclerp(end, t);

@@ -22,8 +22,9 @@ impl<L: Lanes> DualQuat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn half_displacement(self, point: [L; 3]) -> [L; 3] {
         let (p, q) = (self.real(), self.dual());
-        // With r the vector part of p, Rv − v = 2(w_p(r × v) + r × (r × v)) and t = 2(w_p q + r × q − w_q r): the one
-        // with r × v in the place of q, and without a scalar part, is the other.
+        // With r the vector part of p, Rv − v = 2(w_p(r × v) + r × (r × v)) and t = 2(w_p q +
+        // r × q − w_q r): the one with r × v in the place of q, and without a scalar part, is
+        // the other.
         let q = Quat::from_parts(vector::cross_onto(p.xyz(), point, q.xyz()), q.w());
         Self::new(p, q).half_translation()
     }

@@ -1,7 +1,7 @@
 //! Sine, cosine and tangent, and the angles back.
 //!
-//! All angles are arcs of at most an eighth of a turn, put together: the sine by its polynomial of the
-//! square, the arc by that of [`arc_over_chord`](super::even::arc_over_chord).
+//! All angles are arcs of at most an eighth of a turn, put together: the sine by its polynomial of
+//! the square, the arc by that of [`arc_over_chord`](super::even::arc_over_chord).
 
 use super::Dual;
 use super::even::{arc_over_chord, cos_sinc, farthest, round};
@@ -31,13 +31,15 @@ impl<L: Lanes> Dual<L> {
         self.apply(tan, tan.mul_add(tan, tan.constant(1.0)))
     }
 
-    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at
+    /// ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn asin(self) -> Self {
         self.apply(asin(self.real), self.real.constant(1.0) / cathetus(self.real))
     }
 
-    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite
+    /// at ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn acos(self) -> Self {
         self.apply(acos(self.real), self.real.constant(-1.0) / cathetus(self.real))
@@ -50,8 +52,8 @@ impl<L: Lanes> Dual<L> {
         self.apply(atan(self.real), one / self.real.mul_add(self.real, one))
     }
 
-    /// The angle of the point (`x`, `self`), radians, with the derivative (x dy − y dx)/(x² + y²), by
-    /// ratios to the larger of the two: squares might vanish.
+    /// The angle of the point (`x`, `self`), radians, with the derivative (x dy − y dx)/(x² +
+    /// y²), by ratios to the larger of the two: squares might vanish.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn atan2(self, x: Self) -> Self {
         let (up, along) = (self.real.abs(), x.real.abs());
@@ -63,8 +65,9 @@ impl<L: Lanes> Dual<L> {
     }
 }
 
-/// sin x and cos x, radians; NaN beyond [`farthest`]. Both keep their relative precision where they vanish (in `f64`
-/// up to 2²⁶ quarter turns): the turns taken off are quarters, so that the one which vanishes is always a sine.
+/// sin x and cos x, radians; NaN beyond [`farthest`]. Both keep their relative precision where they
+/// vanish (in `f64` up to 2²⁶ quarter turns): the turns taken off are quarters, so that the one
+/// which vanishes is always a sine.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let near = x.abs().le(x.constant(farthest::<L>()));
@@ -84,9 +87,9 @@ fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     (up, L::select(is_half | turns.eq(quarter), -across, across))
 }
 
-/// x − kπ/2, with π/2 in five parts whose products with k are exact, but for the last (Cody and Waite 1980): of eight
-/// bits in `f32`, where k is up to 2¹⁶; of 27 in `f64`, exact up to 2²⁶. So many, because the `f32` nearest to a quarter
-/// turn is 2·10⁻⁸ away from one.
+/// x − kπ/2, with π/2 in five parts whose products with k are exact, but for the last (Cody and
+/// Waite 1980): of eight bits in `f32`, where k is up to 2¹⁶; of 27 in `f64`, exact up to
+/// 2²⁶. So many, because the `f32` nearest to a quarter turn is 2·10⁻⁸ away from one.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn without_quarters<L: Lanes>(x: L, k: L) -> L {
     let [first, second, third, fourth, fifth] = if L::Real::SINGLE {
@@ -108,7 +111,8 @@ fn without_quarters<L: Lanes>(x: L, k: L) -> L {
     };
     // No bit of this is too low for the numbers: it is exact.
     let before = k.neg_mul_add(x.constant(second), k.neg_mul_add(x.constant(first), x));
-    // The rest is exact where little is left. Where much is left, what rounding adds goes with the last part.
+    // The rest is exact where little is left. Where much is left, what rounding adds goes with the
+    // last part.
     let third = x.constant(third);
     let rest = k.neg_mul_add(third, before);
     let added = k.mul_add(third, rest - before);
@@ -157,8 +161,8 @@ fn atan<L: Lanes>(x: L) -> L {
     atan2(x, x.constant(1.0))
 }
 
-/// The angle of the point (`x`, `y`), radians in [−π, π], signs of zeros and infinite coordinates as in IEEE
-/// 754.
+/// The angle of the point (`x`, `y`), radians in [−π, π], signs of zeros and infinite
+/// coordinates as in IEEE 754.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn atan2<L: Lanes>(y: L, x: L) -> L {

@@ -22,10 +22,10 @@ impl<L: Lanes> TwoBone<L> {
     /// Roots, lengths, targets and poles as [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) has
     /// them: of what that refuses nothing is promised.
     ///
-    /// No angle is computed on the way. With S = a + b + D and the three sums p = D + a − b, q = D
-    /// − a + b, r = a + b − D, each without cancellation beyond that of its own (Kahan 2014), the
-    /// halves of the angles at the root and at the end have the tangents √(qr/(Sp)) and √(pr/(Sq)):
-    /// roots alone, of which a quaternion is made and normalized.
+    /// No angle is computed on the way. With S = a + b + D and the three sums p = D + a − b, q =
+    /// D − a + b, r = a + b − D, each without cancellation beyond that of its own (Kahan 2014),
+    /// the halves of the angles at the root and at the end have the tangents √(qr/(Sp)) and
+    /// √(pr/(Sq)): roots alone, of which a quaternion is made and normalized.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn reach(root: [L; 3], lengths: [L; 2], target: [L; 3], pole: [L; 3]) -> Self {
         let [a, b] = lengths;
@@ -97,8 +97,8 @@ fn share<L: Lanes>(d: L, side: L, other: L, sum: L, straight: L::Mask) -> L {
     L::select(straight, one, L::select(zero.lt(part), part, zero) / sum)
 }
 
-/// Some multiple of the rotation that takes x to the unit vector `along`, and −y to the side of the
-/// pole. Where the target is at the root there is no `along`.
+/// Some multiple of the rotation that takes x to the unit vector `along`, and −y to the side of
+/// the pole. Where the target is at the root there is no `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Mask) -> Quat<L> {
     let (zero, one) = (along[0].constant(0.0), along[0].constant(1.0));

@@ -1,4 +1,5 @@
-//! Vectors of lanes as plain arrays, most of them of three: for kernels of your own. Products and sums are fused.
+//! Vectors of lanes as plain arrays, most of them of three: for kernels of your own. Products and
+//! sums are fused.
 
 use super::length::Length;
 use dq8_simd::{Float, Lanes};

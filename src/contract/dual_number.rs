@@ -22,8 +22,8 @@ shared_trait! {
     /// | sin(arcsin x) = x, cos(arccos x) = x, tan(arctan x) = x | in their domains |
     /// | atan2(r sin x, r cos x) = x | r > 0, \|a\| < π |
     ///
-    /// The documentation of each operation, with formula and source, stands on the scalar type. No other type
-    /// can implement the trait.
+    /// The documentation of each operation, with formula and source, stands on the scalar type. No
+    /// other type can implement the trait.
     trait DualNumber: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Div<Output = Self>,
         Neg<Output = Self>;
 
@@ -52,7 +52,8 @@ shared_trait! {
         fn powi(self, n: i32) -> Self;
         /// √a + εb/(2√a)
         fn sqrt(self) -> Self;
-        /// sin a + εb cos a. On lanes NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), as cosine and tangent.
+        /// sin a + εb cos a. On lanes NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), as
+        /// cosine and tangent.
         fn sin(self) -> Self;
         /// cos a − εb sin a
         fn cos(self) -> Self;

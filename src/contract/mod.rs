@@ -1,5 +1,5 @@
-//! What the scalar reference and the lanes share: the contracts of motions, rotations and dual numbers, each written as one
-//! list of methods.
+//! What the scalar reference and the lanes share: the contracts of motions, rotations and dual
+//! numbers, each written as one list of methods.
 
 mod dual_number;
 mod motion;

@@ -13,7 +13,8 @@ shared_trait! {
     ///
     /// # Conventions
     ///
-    /// - ε² = 0; p and q are quaternions. σ is *unit*, and then a rigid motion, if |p| = 1 and p·q = 0.
+    /// - ε² = 0; p and q are quaternions. σ is *unit*, and then a rigid motion, if |p| = 1 and
+    ///   p·q = 0.
     /// - The motion is *rotate by r, then translate by t*: σ = r + ½εtr, so r = p and t = 2qp*.
     /// - `a * b` lets `b` act first: `(a * b).transform_point(v)` is
     ///   `a.transform_point(b.transform_point(v))`, as with matrices on column vectors.
@@ -50,30 +51,35 @@ shared_trait! {
     ///
     /// # Where unit length is a precondition
     ///
-    /// The promises of the laws above for *unit* σ need |p| = 1 and p·q = 0 within rounding: rotation and translation,
-    /// matrices, screws, `log`, `pow`, `sclerp`, points, directions, lines, planes, twists, distances, and `conjugate` as
-    /// an inverse. `from_axis_angle` needs a unit axis, and `from_rotation` and its kin need a unit rotation. Products,
-    /// sums, conjugates, `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ with p ≠ 0.
+    /// The promises of the laws above for *unit* σ need |p| = 1 and p·q = 0 within rounding:
+    /// rotation and translation, matrices, screws, `log`, `pow`, `sclerp`, points, directions,
+    /// lines, planes, twists, distances, and `conjugate` as an inverse. `from_axis_angle` needs a
+    /// unit axis, and `from_rotation` and its kin need a unit rotation. Products, sums, conjugates,
+    /// `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ with p ≠ 0.
     ///
-    /// No build checks it unless it is asked to: a kernel never panics, and a test per motion would cost more than most
-    /// operations. Debug builds with `RUSTFLAGS="--cfg dq8_debug_assert_unit"` do for one motion at a time: methods of
-    /// [`DualQuat`](crate::DualQuat) and [`Quat`](crate::Quat) that need unit input panic at the caller's line where
+    /// No build checks it unless it is asked to: a kernel never panics, and a test per motion would
+    /// cost more than most operations. Debug builds with `RUSTFLAGS="--cfg dq8_debug_assert_unit"`
+    /// do for one motion at a time: methods of [`DualQuat`](crate::DualQuat) and
+    /// [`Quat`](crate::Quat) that need unit input panic at the caller's line where
     /// ||p|² − 1| > 0.1 or |p·q| > 0.1 max(1, |q|). A σ of norm 1 + δ gives results that are off by up to about 2δ, relatively; nothing else happens, and how they
-    /// are off far from 1 may differ between implementations. What comes from outside is checked where it comes in:
-    /// `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs, `try_from_matrix3x4` and its kin refuse, and
-    /// `ik` and `dq8-robot` refuse joints and targets that are not unit.
+    /// are off far from 1 may differ between implementations. What comes from outside is checked
+    /// where it comes in: `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs,
+    /// `try_from_matrix3x4` and its kin refuse, and `ik` and `dq8-robot` refuse joints and targets
+    /// that are not unit.
     ///
-    /// Constructors and interpolations return unit motions. Each product adds about a rounding to the norm
-    /// (`needs_renormalization`).
+    /// Constructors and interpolations return unit motions. Each product adds about a rounding to
+    /// the norm (`needs_renormalization`).
     ///
-    /// The documentation of each operation, with formula and source, stands on the scalar type. Users need not import this
-    /// trait, because both types have every operation as a method of their own. No other type can implement it.
+    /// The documentation of each operation, with formula and source, stands on the scalar type.
+    /// Users need not import this trait, because both types have every operation as a method of
+    /// their own. No other type can implement it.
     trait Motion: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Neg<Output = Self>;
 
     delegate by delegate_motion;
 
     types {
-        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
+        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has
+        /// the lanes.
         type Level: Copy;
         /// A real number, or one per lane.
         type Real: Copy
@@ -93,9 +99,11 @@ shared_trait! {
     by_hand {
         /// The identity motion, 1 + ε0.
         fn identity(level: Self::Level) -> Self;
-        /// σ/√(σσ*), and where that failed: p zero, or a component not finite. There the result is NaN.
+        /// σ/√(σσ*), and where that failed: p zero, or a component not finite. There the
+        /// result is NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
-        /// σ⁻¹, and where that failed: p zero, or a component not finite. There the result is NaN.
+        /// σ⁻¹, and where that failed: p zero, or a component not finite. There the result is
+        /// NaN.
         fn inverse_checked(self) -> (Self, Self::Mask);
     }
 
@@ -167,7 +175,8 @@ shared_trait! {
         fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
         /// normalize(Σ ±wᵢσᵢ), signs toward the sum so far; `None` without influences.
         fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
-        /// b with Σ wᵢ log(b*σᵢ) = 0, steps of at most `tolerance` being none; `None` without influences.
+        /// b with Σ wᵢ log(b*σᵢ) = 0, steps of at most `tolerance` being none; `None` without
+        /// influences.
         fn dib(
             influences: &[(Self, Self::Real)],
             tolerance: Self::Real,
@@ -178,8 +187,9 @@ shared_trait! {
 
         /// (θ̂/2)(l + εm)
         fn log(self) -> DualVector<Self::Real>;
-        /// cos ĥ + sin ĥ (l + εm). On lanes, and for `f32` and `f64`, NaN beyond a half angle of 2¹⁶ rad
-        /// (`f32`) or 2⁴⁵ rad (`f64`), as are the powers and interpolations that go so far.
+        /// cos ĥ + sin ĥ (l + εm). On lanes, and for `f32` and `f64`, NaN beyond a half angle of
+        /// 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), as are the powers and interpolations that go
+        /// so far.
         fn exp(log: DualVector<Self::Real>) -> Self;
         /// σᵗ
         fn pow(self, t: Self::Real) -> Self;

@@ -6,7 +6,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 shared_trait! {
     /// Quaternions q = w + xi + yj + zk, one ([`Quat`](crate::Quat)) or many at a time
-    /// ([`batch::Quat`](crate::batch::Quat)): the rotations of [`Motion`](crate::Motion), with its conventions.
+    /// ([`batch::Quat`](crate::batch::Quat)): the rotations of [`Motion`](crate::Motion), with its
+    /// conventions.
     ///
     /// # Laws
     ///
@@ -23,14 +24,15 @@ shared_trait! {
     /// | angle_to does not see the sign of q | unit |
     /// | from_rotation_arc(v, w) takes the direction of v to that of w | v, w ≠ 0 |
     ///
-    /// The documentation of each operation, with formula and source, stands on the scalar type. No other type
-    /// can implement the trait.
+    /// The documentation of each operation, with formula and source, stands on the scalar type. No
+    /// other type can implement the trait.
     trait Quaternion: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Neg<Output = Self>;
 
     delegate by delegate_quaternion;
 
     types {
-        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
+        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has
+        /// the lanes.
         type Level: Copy;
         /// A real number, or one per lane.
         type Real: Copy + Debug;
@@ -41,7 +43,8 @@ shared_trait! {
     by_hand {
         /// 1, no turn.
         fn identity(level: Self::Level) -> Self;
-        /// q/|q|, and where that failed: q zero, or a component not finite. There the result is NaN.
+        /// q/|q|, and where that failed: q zero, or a component not finite. There the result is
+        /// NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
     }
 

@@ -1,8 +1,8 @@
-//! How a trait of both implementations is written: one list of methods makes the trait, and the delegation to
-//! the inherent methods of each type.
+//! How a trait of both implementations is written: one list of methods makes the trait, and the
+//! delegation to the inherent methods of each type.
 
-/// Writes the trait, and the macro `$delegate` for the types that have every method of the list as an
-/// inherent one: there `Self::name` finds that one first.
+/// Writes the trait, and the macro `$delegate` for the types that have every method of the list as
+/// an inherent one: there `Self::name` finds that one first.
 macro_rules! shared_trait {
     (
         $(#[$about:meta])*
@@ -39,8 +39,8 @@ macro_rules! shared_trait {
             )*
         }
 
-        /// The methods of the list for an `impl` of the trait, where the types of `geometry` that it names
-        /// must be imported.
+        /// The methods of the list for an `impl` of the trait, where the types of `geometry` that
+        /// it names must be imported.
         macro_rules! $delegate {
             () => { $(
                 #[inline(always)]

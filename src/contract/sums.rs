@@ -1,4 +1,5 @@
-//! How sums, differences and negatives are written of what is two parts, a real and a dual one: part by part.
+//! How sums, differences and negatives are written of what is two parts, a real and a dual one:
+//! part by part.
 
 macro_rules! sums {
     ($(#[$of_sum:meta])* [$($number:tt)+] #[$inlined:meta] $Thing:ty: ($($real:tt)+) ($($dual:tt)+)) => {

@@ -1,13 +1,13 @@
-//! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with one
-//! quaternion per register, and several polynomials in the lanes of one register.
+//! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with
+//! one quaternion per register, and several polynomials in the lanes of one register.
 
 use super::quad::{dots, halves, join, load, sum, sums, turn_toward};
 use super::{Four, Number};
 use crate::batch::even_coefficients as coefficients;
 use dq8_simd::Lanes;
 
-/// cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h, τ = 2t − 1, of m = (a ± b)/2 and h = (±b − a)/2; nothing
-/// outside [−½, 3/2].
+/// cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h, τ = 2t − 1, of m = (a ± b)/2 and h = (±b
+/// − a)/2; nothing outside [−½, 3/2].
 #[inline]
 pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let ([p, q], [r, s]) = (halves(a), halves(b));
@@ -43,9 +43,10 @@ struct Weights<F> {
 }
 
 impl<F: Number> Weights<F> {
-    /// cos √v/√(4 − C) and w sin(√v)/√v, of w = (½ − t)K(C) and v = Cw² = (τΘ/2)², where C is the squared chord
-    /// of Θ, `chord` + 2ε`across`. What the polynomials wait for comes first, and what need not wait for them is
-    /// multiplied before: the two are the longest way through an interpolation.
+    /// cos √v/√(4 − C) and w sin(√v)/√v, of w = (½ − t)K(C) and v = Cw² = (τΘ/2)²,
+    /// where C is the squared chord of Θ, `chord` + 2ε`across`. What the polynomials wait for
+    /// comes first, and what need not wait for them is multiplied before: the two are the longest
+    /// way through an interpolation.
     #[inline(always)]
     fn of(chord: F, across: F, t: F) -> Option<Self> {
         let (half, one) = (t.constant(0.5), t.constant(1.0));
@@ -76,8 +77,8 @@ impl<F: Number> Weights<F> {
     }
 }
 
-/// Two polynomials, a row for each power of x⁴: fewer steps wait for each other, but more are taken, which pays where
-/// terms are many.
+/// Two polynomials, a row for each power of x⁴: fewer steps wait for each other, but more are
+/// taken, which pays where terms are many.
 #[inline(always)]
 fn long_polynomials<V: Four>([a, b]: [&[[V::Number; 4]]; 2], x: V::Number) -> V {
     let square = x * x;

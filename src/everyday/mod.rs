@@ -1,16 +1,17 @@
 //! The quicker forms that `f32` and `f64` have of what the scalar reference computes.
 //!
-//! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most callers hold
-//! floats and want speed, so the reference first asks for the operations below:
-//! `R::quick(everyday::Product(a, b))`. Only these two numbers answer: a wrapper of a float takes the
-//! reference's own path, and the tests compare the two.
+//! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most
+//! callers hold floats and want speed, so the reference first asks for the operations below:
+//! `R::quick(everyday::Product(a, b))`. Only these two numbers answer: a wrapper of a float takes
+//! the reference's own path, and the tests compare the two.
 //!
 //! - `quad`: one quaternion in the four lanes of a register, or of two.
 //! - `between`: interpolation on a screw, in such registers.
 //! - `one_lane`: operations of [`batch`](crate::batch) at one lane: what has no better form.
 //!
-//! Nothing is fused, and no form depends on the target: the bits are the same on all of them. So products and sums
-//! are written as such, because `mul_add` of these registers fuses where the target does.
+//! Nothing is fused, and no form depends on the target: the bits are the same on all of them. So
+//! products and sums are written as such, because `mul_add` of these registers fuses where the
+//! target does.
 
 #[cfg(not(dq8_record))]
 mod between;
@@ -23,8 +24,8 @@ use crate::geometry::DualVector;
 use core::ops::BitXor;
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
 
-/// An operation that `f32` and `f64` compute in another way than by the book. `None` where they too go by
-/// the book, for this input.
+/// An operation that `f32` and `f64` compute in another way than by the book. `None` where they too
+/// go by the book, for this input.
 pub trait Quick<R> {
     /// The result.
     type Output;
@@ -34,8 +35,8 @@ pub trait Quick<R> {
         R: Number;
 }
 
-/// The operations by name. Where a number is any `Real`, a function over [`Number`] cannot be named, but what it
-/// is to be called with can.
+/// The operations by name. Where a number is any `Real`, a function over [`Number`] cannot be
+/// named, but what it is to be called with can.
 macro_rules! operations {
     ($($name:ident($($argument:ident: $of:ty),*) -> $output:ty = $home:ident::$function:ident;)*) => {$(
         #[derive(Debug)]

@@ -1,5 +1,5 @@
-//! Operations of [`batch`] at one lane. Screw motions gain because they call no library for a sine or an arccosine and
-//! have no singularity (see `batch/even.rs`).
+//! Operations of [`batch`] at one lane. Screw motions gain because they call no library for a sine
+//! or an arccosine and have no singularity (see `batch/even.rs`).
 
 use super::Number;
 use crate::batch;
@@ -60,7 +60,8 @@ fn first<L: Lanes>(lanes: L) -> L::Real {
     lanes.to_array().as_ref().first().copied().unwrap_or_default()
 }
 
-/// Exact normalization of any length, or all NaN. Out of line: hardly anything is so long or so short.
+/// Exact normalization of any length, or all NaN. Out of line: hardly anything is so long or so
+/// short.
 #[cold]
 #[inline(never)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> [F; 8] {

@@ -18,8 +18,8 @@ pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 
     Some(sum_of_products(each(a), turned(b)).to_array())
 }
 
-/// v + 2(w_p s + p × s − w_q p) with s = q + p × v, the translation with s in the place of q: the rotation is
-/// v + 2(w_p(p × v) + p × (p × v)).
+/// v + 2(w_p s + p × s − w_q p) with s = q + p × v, the translation with s in the place of q:
+/// the rotation is v + 2(w_p(p × v) + p × (p × v)).
 #[inline(always)]
 pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> {
     let [p, q] = halves(motion);
@@ -33,7 +33,8 @@ pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
 pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
-    // Two registers of `f64` take longer than four numbers: of these, one in four is of no use here.
+    // Two registers of `f64` take longer than four numbers: of these, one in four is of no use
+    // here.
     if !F::SINGLE {
         return None;
     }
@@ -52,8 +53,8 @@ pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
     Some([x, y, z])
 }
 
-/// The rows of [R | t]: 1 − 2(y² + z²) and so on in one register, 2(xy − wz), 2(yz − wx), 2(zx − wy) in
-/// another and their partners in a third.
+/// The rows of [R | t]: 1 − 2(y² + z²) and so on in one register, 2(xy − wz), 2(yz − wx),
+/// 2(zx − wy) in another and their partners in a third.
 #[inline(always)]
 pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
     let [p, q] = halves(motion);
@@ -130,8 +131,8 @@ pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 #[inline(always)]
 fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     let [squared, along] = moderate(p, q)?;
-    // The quotient need not wait for the root; and what is nearly a unit comes out nearer to one, off by 0.42 units of
-    // roundoff (root mean square, `f32`) instead of 0.77 by one over the root.
+    // The quotient need not wait for the root; and what is nearly a unit comes out nearer to one,
+    // off by 0.42 units of roundoff (root mean square, `f32`) instead of 0.77 by one over the root.
     let over_squared = squared.constant(1.0) / squared;
     let over_norm = squared.sqrt() * over_squared;
     Some(join(p * over_norm, (q - p * (along * over_squared)) * over_norm))
@@ -152,8 +153,8 @@ pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
 fn moderate<V: Four>(p: V, q: V) -> Option<[V; 2]> {
     let sums = dots(p, p, q);
     let [squared, ..] = sums.to_array();
-    // p·q is rounded to steps of the smallest number there is, if to no others. Of a |p| of a half or more that changes q by a
-    // few such steps; of a smaller one by many.
+    // p·q is rounded to steps of the smallest number there is, if to no others. Of a |p| of a half
+    // or more that changes q by a few such steps; of a smaller one by many.
     let fits = squared.is_between(squared.constant(0.25), squared.constant(1e6))
         && q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
     fits.then(|| [pick(sums, [0; 4]), pick(sums, [1; 4])])
@@ -216,7 +217,8 @@ fn turned<V: Four>(b: V) -> [V; 4] {
     ]
 }
 
-/// a_x ib + a_y jb + a_z kb + a_w b, in the pairs of the reference: the two are the same to the last bit.
+/// a_x ib + a_y jb + a_z kb + a_w b, in the pairs of the reference: the two are the same to the
+/// last bit.
 #[inline(always)]
 fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
     let ([x, y, z, w], [i, j, k, one]) = (a, b);
@@ -240,8 +242,8 @@ pub(super) fn load<V: Four>(numbers: [V::Number; 4]) -> V {
     V::load(Portable, &numbers)
 }
 
-/// Three numbers, and a zero. The copy stays in registers; of the numbers by name, the compiler makes each order
-/// that [`pick`] asks for anew, with twice as many shuffles.
+/// Three numbers, and a zero. The copy stays in registers; of the numbers by name, the compiler
+/// makes each order that [`pick`] asks for anew, with twice as many shuffles.
 #[inline(always)]
 fn load_three<V: Four>(numbers: [V::Number; 3]) -> V {
     let mut four = [V::Number::default(); 4];

@@ -56,8 +56,8 @@ pub struct Fit<R> {
 }
 
 impl<R: Real> Fit<R> {
-    /// The place that the map brings a point to: s·r (p − c) r* + d. Far from the origin it keeps
-    /// digits that [`motion`](Self::motion) rounds away, whose translation may be long.
+    /// The place that the map brings a point to: s·r (p − c) r* + d. Far from the origin it
+    /// keeps digits that [`motion`](Self::motion) rounds away, whose translation may be long.
     #[must_use]
     pub fn transform_point(&self, point: [R; 3]) -> [R; 3] {
         vector::add(self.to, self.turned(point))
@@ -79,10 +79,10 @@ pub struct Quality<R> {
     /// The number of singular values of Σ w y xᵀ, from the means, are more than rounding: 3 for
     /// points in space, 2 in a plane, 1 on a line, 0 in a point.
     pub rank: usize,
-    /// (σ₁ + σ₂)/(σ₂ ± σ₃) of these singular values, minus where the determinant is negative: how
-    /// many times more stiffly the pairs hold against the turn that they hold against most than
-    /// against the one that they hold against least. It is infinite where many rotations fit
-    /// equally well.
+    /// (σ₁ + σ₂)/(σ₂ ± σ₃) of these singular values, minus where the determinant is
+    /// negative: how many times more stiffly the pairs hold against the turn that they hold against
+    /// most than against the one that they hold against least. It is infinite where many rotations
+    /// fit equally well.
     pub condition: R,
 }
 
@@ -172,9 +172,9 @@ impl<'a, R: Real> PointPairs<'a, R> {
         Ok(Self { pairs, centers, products, squares: squares[0], rounding })
     }
 
-    /// The motion with least Σ w|y − f(x)|² (Horn 1987; Umeyama 1991). Where the best orthogonal
-    /// matrix mirrors, as noise makes it for half of all sets in a plane, the smallest axis is
-    /// turned over and the answer is a rotation all the same.
+    /// The motion with least Σ w|y − f(x)|² (Horn 1987; Umeyama 1991). Where the best
+    /// orthogonal matrix mirrors, as noise makes it for half of all sets in a plane, the smallest
+    /// axis is turned over and the answer is a rotation all the same.
     ///
     /// # Errors
     /// If many rotations fit equally well within rounding: one of the sets is on a line or in a
@@ -226,8 +226,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
             return Err(FitError::Axis { length: length.into() });
         }
         let axis = vector::direction(axis, length);
-        // The sum of the products depends on the angle ψ by (uMu + vMv) cos ψ + (vMu − uMv) sin ψ,
-        // in coordinates u, v across the axis, so what lies along it cannot drown them.
+        // The sum of the products depends on the angle ψ by (uMu + vMv) cos ψ + (vMu − uMv) sin
+        // ψ, in coordinates u, v across the axis, so what lies along it cannot drown them.
         let u = vector::any_across(axis);
         let v = vector::cross(axis, u);
         let [to_u, to_v] = [u, v].map(|of| self.products.map(|row| vector::dot(row, of)));

@@ -2,13 +2,14 @@ use super::{Line, vector};
 use core::ops::{Add, Mul, Neg, Sub};
 
 crate::plain::plain! {
-    /// A dual vector a + εb (Jia, *Dual Quaternions*, §3): the vector part of a dual quaternion, and
-    /// the logarithm of a unit one.
+    /// A dual vector a + εb (Jia, *Dual Quaternions*, §3): the vector part of a dual quaternion,
+    /// and the logarithm of a unit one.
     ///
-    /// The logarithm of a screw is (θ̂/2)(l + εm): `real` = l·θ/2 and `dual` = m·θ/2 + l·d/2.
+    /// The logarithm of a screw is (θ̂/2)(l + εm): `real` = l·θ/2 and `dual` = m·θ/2 +
+    /// l·d/2.
     ///
-    /// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4): the products below are
-    /// those of vectors, over dual numbers, and keep their laws.
+    /// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4): the products
+    /// below are those of vectors, over dual numbers, and keep their laws.
     ///
     /// ```
     /// use dq8::{Line, geometry::DualVector};
@@ -54,8 +55,9 @@ impl<T: Copy> DualVector<T> {
         }
     }
 
-    /// The inner product (a + εb)·(c + εd) = a·c + ε(a·d + b·c), a dual number, as `[real, dual]`
-    /// (Jia eq. 8). For unit lines it is cos θ̂ = cos θ − ε d sin θ of their dual angle θ̂ = θ + εd.
+    /// The inner product (a + εb)·(c + εd) = a·c + ε(a·d + b·c), a dual number, as
+    /// `[real, dual]` (Jia eq. 8). For unit lines it is cos θ̂ = cos θ − ε d sin θ of their
+    /// dual angle θ̂ = θ + εd.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dot(self, other: Self) -> [T; 2]
@@ -66,8 +68,8 @@ impl<T: Copy> DualVector<T> {
         [vector::dot(self.real, other.real), ends]
     }
 
-    /// The cross product (a + εb) × (c + εd) = a × c + ε(a × d + b × c) (Jia eq. 9). For unit lines
-    /// it is sin θ̂ times their common perpendicular.
+    /// The cross product (a + εb) × (c + εd) = a × c + ε(a × d + b × c) (Jia eq. 9). For
+    /// unit lines it is sin θ̂ times their common perpendicular.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn cross(self, other: Self) -> Self
     where

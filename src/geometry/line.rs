@@ -4,12 +4,13 @@ use core::ops::{Add, Mul, Sub};
 crate::plain::plain! {
     /// A line in Plücker coordinates l + εm: every point x of it has x × l = m.
     ///
-    /// The length of l is free; with |l| = 1, |m| is the distance from the origin and l × m the closest
-    /// point (Jia, *Dual Quaternions*, §8.1). Lines have a sense: −l − εm is the same points, passed
-    /// the other way.
+    /// The length of l is free; with |l| = 1, |m| is the distance from the origin and l × m the
+    /// closest point (Jia, *Dual Quaternions*, §8.1). Lines have a sense: −l − εm is the same
+    /// points, passed the other way.
     ///
-    /// Here is what needs no division, for floats and lanes alike. What may fail, and what measures, is
-    /// for [`Real`](crate::Real) numbers: [`from_points`](Line::from_points), [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
+    /// Here is what needs no division, for floats and lanes alike. What may fail, and what
+    /// measures, is for [`Real`](crate::Real) numbers: [`from_points`](Line::from_points),
+    /// [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
     /// [`common_perpendicular`](Line::common_perpendicular) and others.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -57,8 +58,8 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
         vector::add(self.closest_point_to_origin(), along)
     }
 
-    /// l₁·m₂ + m₁·l₂, the dual part of the inner product: zero if and only if the lines lie in one
-    /// plane, so that they meet or are parallel. For unit lines it is −d sin θ.
+    /// l₁·m₂ + m₁·l₂, the dual part of the inner product: zero if and only if the lines
+    /// lie in one plane, so that they meet or are parallel. For unit lines it is −d sin θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn reciprocal_product(self, other: Self) -> T {

@@ -22,8 +22,8 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Plane<T> {
         Self { normal, offset: vector::dot(normal, point) }
     }
 
-    /// n·x − d, the distance of x from the plane, positive on the side of n. n must have length 1;
-    /// otherwise it is |n| times that.
+    /// n·x − d, the distance of x from the plane, positive on the side of n. n must have length
+    /// 1; otherwise it is |n| times that.
     ///
     /// ```
     /// use dq8::Plane;

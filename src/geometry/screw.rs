@@ -1,10 +1,11 @@
 use super::Line;
 
 crate::plain::plain! {
-    /// A screw: turn by θ about an axis and slide by d along it. Every rigid motion is one (Chasles).
+    /// A screw: turn by θ about an axis and slide by d along it. Every rigid motion is one
+    /// (Chasles).
     ///
-    /// The unit dual quaternion is σ = cos(θ̂/2) + sin(θ̂/2)(l + εm) with the dual angle θ̂ = θ + εd
-    /// (Jia, *Dual Quaternions*, eq. 43).
+    /// The unit dual quaternion is σ = cos(θ̂/2) + sin(θ̂/2)(l + εm) with the dual angle
+    /// θ̂ = θ + εd (Jia, *Dual Quaternions*, eq. 43).
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
@@ -19,8 +20,8 @@ crate::plain::plain! {
 }
 
 impl<T: Copy + core::ops::Div<Output = T>> Screw<T> {
-    /// The pitch d / θ, length per radian (Jia §8.2); infinite for a pure translation, NaN for the
-    /// identity.
+    /// The pitch d / θ, length per radian (Jia §8.2); infinite for a pure translation, NaN for
+    /// the identity.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn pitch(&self) -> T {

@@ -4,8 +4,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 crate::plain::plain! {
     /// A twist ω + εv: the velocity of a rigid body as a dual vector, an element of se(3).
     ///
-    /// `angular` is ω in radians per unit of time. `linear` is v, the velocity of *the point of the body
-    /// that is at the origin of the frame*, in lengths per unit of time. Which frame depends on the twist:
+    /// `angular` is ω in radians per unit of time. `linear` is v, the velocity of *the point of
+    /// the body that is at the origin of the frame*, in lengths per unit of time. Which frame
+    /// depends on the twist:
     ///
     /// - *spatial*: both in the axes and about the origin of the fixed frame, σ̇ = ½ξσ;
     /// - *body*: both in the axes and about the origin of the moving frame, σ̇ = ½σξ.

@@ -4,8 +4,8 @@ use core::ops::{Add, Mul};
 crate::plain::plain! {
     /// A wrench f + ετ: force and torque on a rigid body, dual to a [`Twist`].
     ///
-    /// `torque` is taken about the origin of the frame; both vectors are in its axes. As with twists, the
-    /// frame is *spatial* (fixed) or *body* (moving), and
+    /// `torque` is taken about the origin of the frame; both vectors are in its axes. As with
+    /// twists, the frame is *spatial* (fixed) or *body* (moving), and
     /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes the one to the other.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -20,8 +20,8 @@ crate::plain::plain! {
 }
 
 impl<T: Copy + Add<Output = T> + Mul<Output = T>> Wrench<T> {
-    /// The product f·v + τ·ω, the power of this wrench on a body that moves with `twist`: the same number in
-    /// every frame, as long as both are in the same one.
+    /// The product f·v + τ·ω, the power of this wrench on a body that moves with `twist`: the
+    /// same number in every frame, as long as both are in the same one.
     ///
     /// ```
     /// use dq8::{Twist, geometry::Wrench};

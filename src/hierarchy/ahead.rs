@@ -40,7 +40,8 @@ impl<E: Element<8>, V: Level> Ahead<E, V> {
         Some(load(level, rows.get(at % GROUP)?))
     }
 
-    /// The locals of a slot of a block and of so many joints from it on go where their models will be.
+    /// The locals of a slot of a block and of so many joints from it on go where their models will
+    /// be.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place<L: Locals<E>>(
         &mut self,

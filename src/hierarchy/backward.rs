@@ -1,5 +1,5 @@
-//! local(j) = model(parent(j))* · model(j). Children first, so that in place every parent is still a
-//! model when its children need it.
+//! local(j) = model(parent(j))* · model(j). Children first, so that in place every parent is still
+//! a model when its children need it.
 
 use super::locals::motions;
 use super::run::Run;
@@ -75,7 +75,8 @@ fn plain<E: Element<8>, V: Level>(
     let root = run.root_of(instance);
     let lanes = E::Layout::records::<V>();
     let nothing = root.unwrap_or(identity());
-    // One array of both: of two that begin alike, the compiler would copy one from the other by a call.
+    // One array of both: of two that begin alike, the compiler would copy one from the other by a
+    // call.
     let mut both = [nothing; 2 * MAX_LANES];
     let (own, parents) = both.split_at_mut(MAX_LANES);
     let mut end = run.joints.end;

@@ -17,11 +17,11 @@ impl Backend {
     /// `products[i] = links[0] · links[1] ⋯ links[i]`: the models of a chain from its locals.
     ///
     /// A product cannot begin before the one before it has ended, and single motions leave lanes
-    /// empty; but products are associative. So the chain is cut into segments of equal length, one to a
-    /// lane. First the products of whole segments are computed, on all lanes at once; then what comes
-    /// before each segment; then, on all lanes again, every product. That is two multiplications for each
-    /// link, and still twice as fast as one after the other. Results differ from those in the last
-    /// bits, as the order of multiplication does.
+    /// empty; but products are associative. So the chain is cut into segments of equal length, one
+    /// to a lane. First the products of whole segments are computed, on all lanes at once; then
+    /// what comes before each segment; then, on all lanes again, every product. That is two
+    /// multiplications for each link, and still twice as fast as one after the other. Results
+    /// differ from those in the last bits, as the order of multiplication does.
     ///
     /// Links are `[DualQuat<R>]` in order, or `[Block<R, N>]` with a segment in each lane, see
     /// [`pack_chain`](crate::storage::pack_chain): the fastest way.
@@ -73,7 +73,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
-        // A chain in blocks was cut when it was packed: its last segment is filled up with identities.
+        // A chain in blocks was cut when it was packed: its last segment is filled up with
+        // identities.
         if const { E::Layout::THINGS > 1 } {
             scan(InBlocks { level, links, products });
             return;
@@ -82,10 +83,12 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
             Source::Slice(links) => E::plain(links).map(Source::Slice),
             Source::Output => Some(Source::Output),
         };
-        // In place, the third pass reads a link just before it writes the product there, and the first has read all.
+        // In place, the third pass reads a link just before it writes the product there, and the
+        // first has read all.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
-            // Where a register holds one number, one segment after the other: eight at once would be memory, and much code.
+            // Where a register holds one number, one segment after the other: eight at once would
+            // be memory, and much code.
             let mut before = if const {
                 <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native::LANES == 1
             } {
@@ -145,16 +148,18 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
         }
         total.store_records(totals);
     }
-    // Second pass, an exclusive scan of at most sixteen totals, one motion in a register: `totals[i]` becomes what
-    // comes before segment i, and `before` ends as the product of everything.
+    // Second pass, an exclusive scan of at most sixteen totals, one motion in a register:
+    // `totals[i]` becomes what comes before segment i, and `before` ends as the product of
+    // everything.
     let mut before = Packed::<S>::load(level, &identity());
     for total in totals.iter_mut().take(parts * lanes) {
         let after = packed_product(before, total);
         before.store(total);
         before = after;
     }
-    // Third pass, on all lanes: each segment once more, from what comes before it. The links are read a second time
-    // instead of keeping the partial products of the first pass, which would be a store and a load for each.
+    // Third pass, on all lanes: each segment once more, from what comes before it. The links are
+    // read a second time instead of keeping the partial products of the first pass, which would be
+    // a store and a load for each.
     for (part, starts) in totals.chunks_exact(lanes).take(parts).enumerate() {
         let mut model = batch::DualQuat::load_records(level, starts);
         for step in 0..steps {

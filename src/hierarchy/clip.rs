@@ -47,7 +47,8 @@ impl<'c, K> Clip<'c, K> {
         Self { timing: self.timing.with_rate(frames_per_second), ..self }
     }
 
-    /// The same clip, which begins again where it ends: times before and after it are those of other rounds.
+    /// The same clip, which begins again where it ends: times before and after it are those of
+    /// other rounds.
     pub fn looping(self) -> Self {
         Self { timing: self.timing.looping(), ..self }
     }
@@ -76,10 +77,11 @@ impl<'c, K> Clip<'c, K> {
         self.timing.loops
     }
 
-    /// The frame before the time `at`, in frames from the first or, with a [rate](Self::with_rate), in seconds, and how
-    /// far it is to the next one, from 0 to 1 inclusive. What lies outside the clip is its first or last frame, unless it
-    /// [loops](Self::looping); NaN stays NaN. A clip of one frame has no next one ([`Sampled::new`](super::Sampled::new)
-    /// refuses it): give the frame twice.
+    /// The frame before the time `at`, in frames from the first or, with a [rate](Self::with_rate),
+    /// in seconds, and how far it is to the next one, from 0 to 1 inclusive. What lies outside the
+    /// clip is its first or last frame, unless it [loops](Self::looping); NaN stays NaN. A clip of
+    /// one frame has no next one ([`Sampled::new`](super::Sampled::new) refuses it): give the frame
+    /// twice.
     ///
     /// ```
     /// use dq8::hierarchy::Clip;
@@ -181,8 +183,8 @@ impl<T: Scalar> Timing<T> {
     }
 }
 
-/// The integer toward zero: without std there is no `trunc`. From 2²³, in `f64` from 2⁵² on, all
-/// numbers are integers.
+/// The integer toward zero: without std there is no `trunc`. From 2²³, in `f64` from 2⁵² on,
+/// all numbers are integers.
 #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "in range")]
 fn truncate<R: Scalar>(number: R) -> R {
     if R::SINGLE {

@@ -11,26 +11,28 @@ use crate::storage::{Element, Layout, Register, Tile};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
 
-/// `true` if instructions that wait do not keep others from running. Microcontrollers execute one after the
-/// other, and have little room for code.
+/// `true` if instructions that wait do not keep others from running. Microcontrollers execute one
+/// after the other, and have little room for code.
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
 
 /// Bytes of the first cache, or less, that instances side by side may fill.
 const CACHE: usize = 32 << 10;
 
-/// The number of joints that the loop prefetches ahead. It saves 1024 skeletons of 64 joints in place a tenth of the time with
-/// AVX2 and a twentieth with AVX-512, and costs one block of 16, which never leaves the first cache, a twentieth.
-/// Farther ahead is not faster, and from 8 joints on it is slower.
+/// The number of joints that the loop prefetches ahead. It saves 1024 skeletons of 64 joints in
+/// place a tenth of the time with AVX2 and a twentieth with AVX-512, and costs one block of 16,
+/// which never leaves the first cache, a twentieth. Farther ahead is not faster, and from 8 joints
+/// on it is slower.
 const AHEAD: usize = 2;
 
 /// Parents first. Three things keep this loop at the speed of its multiplications:
 ///
 /// - A child waits for its parent, which takes as long as eight products. So two instances (or the
-///   registers of one block) are computed in turns: while one waits, the other multiplies. Two that do
-///   not fit the first cache together would push each other's parents out of it: then one at a time.
-/// - The turns are kept apart by fences for the compiler: left alone, it mixes two products and runs
-///   out of registers.
+///   registers of one block) are computed in turns: while one waits, the other multiplies. Two that
+///   do not fit the first cache together would push each other's parents out of it: then one at a
+///   time.
+/// - The turns are kept apart by fences for the compiler: left alone, it mixes two products and
+///   runs out of registers.
 /// - The next joint but one is fetched from memory meanwhile.
 pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
     pub(super) run: &'r Run<'r, E>,
@@ -50,8 +52,9 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, 
         // Registers of one block are side by side already.
         let alone = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
         let side_by_side = if OVERLAPS && !alone { 2 } else { 1 };
-        // There are joints where there is anything to do, and no part of an instance. The compiler does not
-        // know: `chunks_mut(0)` or a plain `split_at_mut` would be a path to a panic in the machine code.
+        // There are joints where there is anything to do, and no part of an instance. The compiler
+        // does not know: `chunks_mut(0)` or a plain `split_at_mut` would be a path to a panic in
+        // the machine code.
         let sets = models.chunks_mut(joints.saturating_mul(side_by_side).max(1));
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
@@ -106,9 +109,9 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
             }
             for register in 0..E::Layout::registers::<V>() {
                 let slot = slot(joint, *instance, register);
-                // One comparison, the bounds check of this load, also tells roots from children. The root's
-                // model goes to memory, like that of a child: a value that two paths could have left in
-                // registers would be moved there on both.
+                // One comparison, the bounds check of this load, also tells roots from children.
+                // The root's model goes to memory, like that of a child: a value that two paths
+                // could have left in registers would be moved there on both.
                 let parent = Tile::at(parent as usize, register);
                 if let Some(parent) = motions(level, models, parent) {
                     let Some(local) = local(level, locals, models, slot) else { return };
@@ -116,7 +119,8 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                 } else {
                     root(level, run, *instance, locals, models, slot);
                 }
-                // The turn of this register ends: nothing of the next one may be begun before its store.
+                // The turn of this register ends: nothing of the next one may be begun before its
+                // store.
                 compiler_fence(Ordering::SeqCst);
                 if !renormalize && const { !X::ACTIVE } {
                     continue;

@@ -8,9 +8,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use dq8_simd::Row;
 
-/// Things of many instances of one skeleton, in blocks of `N` lanes: lanes are instances. Poses, unless
-/// another number of components `C` says otherwise: 4 for rotations, 7 for rotations and translations,
-/// 12 for matrices (see [`storage`](crate::storage)).
+/// Things of many instances of one skeleton, in blocks of `N` lanes: lanes are instances. Poses,
+/// unless another number of components `C` says otherwise: 4 for rotations, 7 for rotations and
+/// translations, 12 for matrices (see [`storage`](crate::storage)).
 ///
 /// ```
 /// use dq8::{Crowd, DualQuat, Hierarchy, Quat, hierarchy::Bones};
@@ -46,8 +46,8 @@ impl<R: Scalar, const N: usize, const C: usize> Crowd<R, N, C>
 where
     [R; N]: Row<Real = R>,
 {
-    /// All joints of all instances at the identity (at zero, for what is not a motion, a rotation or a
-    /// matrix).
+    /// All joints of all instances at the identity (at zero, for what is not a motion, a rotation
+    /// or a matrix).
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`; so also if there are more blocks than a
@@ -102,7 +102,8 @@ where
         &self.blocks
     }
 
-    /// `[instance block][joint]`. Lanes beyond the last instance hold the identity; keep them finite.
+    /// `[instance block][joint]`. Lanes beyond the last instance hold the identity; keep them
+    /// finite.
     #[must_use]
     pub fn blocks_mut(&mut self) -> &mut [Block<R, N, C>] {
         &mut self.blocks

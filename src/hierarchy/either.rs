@@ -11,9 +11,10 @@ use crate::storage::{Element, Layout, Register};
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// Rotations and translations of one of two forms, which only the running program knows: a plain clip or a
-/// [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest. A kernel is compiled once for all of
-/// them, and so is each source of poses; but in firmware both are part of it.
+/// Rotations and translations of one of two forms, which only the running program knows: a plain
+/// clip or a [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest. A
+/// kernel is compiled once for all of them, and so is each source of poses; but in firmware both
+/// are part of it.
 ///
 /// ```
 /// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};

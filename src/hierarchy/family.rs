@@ -20,13 +20,15 @@ impl<'a> Hierarchy<'a> {
 
     /// The joints whose parent is `joint`, in rising order.
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
-        // Beyond the last joint nothing has a parent, and no joint is numbered as the mark of a root.
+        // Beyond the last joint nothing has a parent, and no joint is numbered as the mark of a
+        // root.
         let parent = u32::try_from(joint).unwrap_or(Self::ROOT);
         let after = if parent == Self::ROOT { usize::MAX } else { joint.saturating_add(1) };
         of_parent(self.parents(), after, parent)
     }
 
-    /// The parent of a joint, its parent, and so on up to the root; none where there is no such joint.
+    /// The parent of a joint, its parent, and so on up to the root; none where there is no such
+    /// joint.
     ///
     /// ```
     /// use dq8::Skeleton;
@@ -47,8 +49,8 @@ impl<'a> Hierarchy<'a> {
         joint < self.joints() && self.children(joint).next().is_none()
     }
 
-    /// The joint and all that hang from it, as a range of joints: for [`Job::joints`](super::Job::joints), for a mask, and
-    /// for slices of locals and models.
+    /// The joint and all that hang from it, as a range of joints: for
+    /// [`Job::joints`](super::Job::joints), for a mask, and for slices of locals and models.
     ///
     /// # Errors
     /// If there is no such joint, or what hangs from it does not lie in one range.
@@ -90,7 +92,8 @@ impl<'a> Hierarchy<'a> {
             if let Some(name) = name(joint) {
                 write!(f, " {name}")?;
             }
-            // Where the line before neither is the parent nor hangs from it, the indent does not say who is.
+            // Where the line before neither is the parent nor hangs from it, the indent does not
+            // say who is.
             if let (Some(parent), Some(before)) = (self.parent(joint), joint.checked_sub(1))
                 && parent != before
                 && !self.ancestors(before).any(|of| of == parent)
@@ -109,7 +112,8 @@ fn of_parent(parents: &[u32], first: usize, parent: u32) -> impl Iterator<Item =
     joints.filter(move |&(_, &of)| of == parent).map(|(joint, _)| joint)
 }
 
-/// A line for each joint, with two spaces for each joint above it; ` (of 3)` where the lines do not show its parent.
+/// A line for each joint, with two spaces for each joint above it; ` (of 3)` where the lines do not
+/// show its parent.
 impl fmt::Display for Hierarchy<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write(f, |_| None)

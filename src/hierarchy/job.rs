@@ -51,7 +51,8 @@ impl<'a> Hierarchy<'a> {
     /// Model poses of all joints from local ones: model(j) = model(parent(j)) · local(j).
     ///
     /// `locals` and `models` hold one element per joint, or several whole instances one after the
-    /// other. A [`Job`] does the same with a root transform, on some of the joints, in place, on threads.
+    /// other. A [`Job`] does the same with a root transform, on some of the joints, in place, on
+    /// threads.
     ///
     /// # Errors
     /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
@@ -65,8 +66,8 @@ impl<'a> Hierarchy<'a> {
         self.job().local_to_model(locals, models)
     }
 
-    /// A run with options, each of which has a default. The element type belongs to what is called at the end, so one
-    /// job serves `f32` and `f64`, plain slices and blocks.
+    /// A run with options, each of which has a default. The element type belongs to what is called
+    /// at the end, so one job serves `f32` and `f64`, plain slices and blocks.
     #[inline]
     pub fn job(&self) -> Job<'a> {
         Job {
@@ -82,8 +83,8 @@ impl<'a> Hierarchy<'a> {
 }
 
 impl<'a, P> Job<'a, NoRoot, P> {
-    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances. A job has either this or
-    /// [`roots`](Self::roots), so that neither is dropped without a word:
+    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances. A
+    /// job has either this or [`roots`](Self::roots), so that neither is dropped without a word:
     ///
     /// ```compile_fail,E0599
     /// # use dq8::{DualQuat, Hierarchy};
@@ -175,7 +176,8 @@ impl<'a, S, P> Job<'a, S, P> {
         /// ```
     }
 
-    /// Computes one instance in the order of this plan. A [`Skeleton`](super::Skeleton)'s job has its own.
+    /// Computes one instance in the order of this plan. A [`Skeleton`](super::Skeleton)'s job has
+    /// its own.
     #[inline]
     pub fn plan(self, plan: &Plan<'a>) -> Job<'a, S, Plan<'a>> {
         Job {
@@ -208,8 +210,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         self.locals_to_model(Poses(locals), models)
     }
 
-    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory. A [`Crowd`](super::Crowd) gives its
-    /// poses by [`blocks_mut`](super::Crowd::blocks_mut).
+    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory. A
+    /// [`Crowd`](super::Crowd) gives its poses by [`blocks_mut`](super::Crowd::blocks_mut).
     ///
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.
@@ -264,7 +266,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         }
     }
 
-    /// The models of whole instances, and what the epilogue makes of them. Lengths have been checked.
+    /// The models of whole instances, and what the epilogue makes of them. Lengths have been
+    /// checked.
     #[inline]
     pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
         &self,

@@ -1,4 +1,5 @@
-//! [`PoseSource`]: poses, stored ones or computed ones. Sources nest: a layer loads from other sources.
+//! [`PoseSource`]: poses, stored ones or computed ones. Sources nest: a layer loads from other
+//! sources.
 
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Numbers, Poses, RotationsTranslations, Tracks, part_of};
@@ -14,8 +15,9 @@ use core::fmt::Debug;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
-/// ([`Poses`], [`RotationsTranslations`], [`Tracks`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
+/// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored
+/// ones ([`Poses`], [`RotationsTranslations`], [`Tracks`]), those of a clip
+/// ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no poses of {C} numbers each",
     note = "layers have the numbers of their law, and poses of 7 numbers and of 8 do not mix: 7, a rotation and a translation, are \
@@ -41,7 +43,8 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// The poses of a slot.
     #[doc(hidden)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
-    /// The poses of a slot and of those after it, no more than a group, in the first `C` of each rows: by a call.
+    /// The poses of a slot and of those after it, no more than a group, in the first `C` of each
+    /// rows: by a call.
     #[doc(hidden)]
     #[inline(never)]
     fn poses<V: Level>(
@@ -209,8 +212,8 @@ impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, 
 }
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, true> {
-    /// `base`, and `layer` as a difference that is added to it, as much of it as the weight says; the
-    /// [`Law`] says how. One weight for each instance.
+    /// `base`, and `layer` as a difference that is added to it, as much of it as the weight says;
+    /// the [`Law`] says how. One weight for each instance.
     pub fn add(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }

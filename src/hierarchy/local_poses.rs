@@ -1,5 +1,5 @@
-//! Locals of any form as motions in memory: a pose of a clip or of layers that is to be changed, or written down,
-//! before it goes to models.
+//! Locals of any form as motions in memory: a pose of a clip or of layers that is to be changed, or
+//! written down, before it goes to models.
 
 use super::Job;
 use super::locals::Locals;
@@ -10,9 +10,10 @@ use crate::storage::Element;
 use crate::storage::shape::ShapeError;
 
 impl<P: Plans> Job<'_, NoRoot, P> {
-    /// Local poses as motions, of locals in any form: what a clip or layers are at a time, for inverse kinematics after
-    /// animation, root motion, and export. [`locals_to_model`](Self::locals_to_model) computes models without them.
-    /// With [`joints`](Self::joints), only those are written.
+    /// Local poses as motions, of locals in any form: what a clip or layers are at a time, for
+    /// inverse kinematics after animation, root motion, and export.
+    /// [`locals_to_model`](Self::locals_to_model) computes models without them. With
+    /// [`joints`](Self::joints), only those are written.
     ///
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.

@@ -11,11 +11,13 @@ use crate::storage::{self, Element, Number, Register, Source};
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// The numbers of one register of locals: those of motions, or of poses, and then nothing that is read.
+/// The numbers of one register of locals: those of motions, or of poses, and then nothing that is
+/// read.
 pub(super) type Numbers<E, V> = [Register<E, V, 8>; 8];
 
-/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`], [`Tracks`],
-/// [`Bones`], [`Sampled`](super::Sampled), [`Layered`](super::Layered) or [`Either`](super::Either). Sealed.
+/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
+/// [`Tracks`], [`Bones`], [`Sampled`](super::Sampled), [`Layered`](super::Layered) or
+/// [`Either`](super::Either). Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no locals for models of `{E}`",
     note = "see the list of implementors: `Poses(&motions)`, `RotationsTranslations(&seven_numbers)`, \
@@ -27,7 +29,8 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     /// Their name in errors, and how many locals there are for this number of models.
     ///
     /// # Errors
-    /// If what is the same for all instances, such as the offsets, is not as long as there are joints.
+    /// If what is the same for all instances, such as the offsets, is not as long as there are
+    /// joints.
     #[doc(hidden)]
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
@@ -35,8 +38,9 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Numbers<E, V>>;
 
-    /// Whether they are computed: then a kernel calls for a group of them, [`ahead`](Self::ahead). Part of the kernel, they
-    /// would take its registers, and find for each joint again what is the same for all.
+    /// Whether they are computed: then a kernel calls for a group of them, [`ahead`](Self::ahead).
+    /// Part of the kernel, they would take its registers, and find for each joint again what is the
+    /// same for all.
     #[doc(hidden)]
     const MADE: bool = false;
 
@@ -130,11 +134,12 @@ impl<E: Element<8>> Locals<E> for InPlace {
     }
 }
 
-/// Rotations and translations, r + ½εtr: an eighth less memory than motions, and no more operations.
+/// Rotations and translations, r + ½εtr: an eighth less memory than motions, and no more
+/// operations.
 #[derive(Clone, Copy)]
 pub struct RotationsTranslations<'s, T>(
-    /// One for each joint: [`RotationTranslation`](crate::representation::RotationTranslation), `[x, y, z, w, tx, ty, tz]`, or
-    /// blocks of seven rows.
+    /// One for each joint: [`RotationTranslation`](crate::representation::RotationTranslation),
+    /// `[x, y, z, w, tx, ty, tz]`, or blocks of seven rows.
     pub &'s [T],
 );
 
@@ -205,7 +210,8 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     }
 }
 
-/// The part that belongs to some instances, of a slice that holds `count` things for each; as many as there are.
+/// The part that belongs to some instances, of a slice that holds `count` things for each; as many
+/// as there are.
 pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
     let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
     slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()

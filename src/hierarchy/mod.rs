@@ -17,10 +17,10 @@
 //! # Layout
 //!
 //! One instance is one element for each joint; several instances stand one after the other,
-//! `[instance][joint]`. Plain elements are transposed in registers, as many instances at a time as there
-//! are lanes. Instances in blocks share a lane position, `[instance block][joint][component][lane]`, so
-//! that a child finds its parent in the same lane of another block, without any shuffling: the fastest
-//! way. See [`storage`](crate::storage).
+//! `[instance][joint]`. Plain elements are transposed in registers, as many instances at a time as
+//! there are lanes. Instances in blocks share a lane position,
+//! `[instance block][joint][component][lane]`, so that a child finds its parent in the same lane of
+//! another block, without any shuffling: the fastest way. See [`storage`](crate::storage).
 
 mod ahead;
 mod backward;

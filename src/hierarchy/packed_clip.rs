@@ -1,4 +1,5 @@
-//! [`PackedClip`]: packed clips that own their bytes; how they are made of frames, and what they keep of them.
+//! [`PackedClip`]: packed clips that own their bytes; how they are made of frames, and what they
+//! keep of them.
 
 use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
@@ -62,7 +63,8 @@ brief!([] PackedClip: PackedClip |it| {
 pub struct Tolerance {
     /// In radians. 2·10⁻⁵ unless told otherwise: less than a key of 16 bits holds.
     pub angle: f32,
-    /// In the unit of the translations. 10⁻⁵ unless told otherwise, a hundredth of a millimetre in metres.
+    /// In the unit of the translations. 10⁻⁵ unless told otherwise, a hundredth of a millimetre
+    /// in metres.
     pub length: f32,
 }
 
@@ -98,8 +100,9 @@ impl PackedClip {
         Self::library(&[clip], tolerance)
     }
 
-    /// Many clips of one skeleton, which share the range of each joint's translations: 1/65534 of the longest side of the
-    /// box that it moves in is a step. A root that walks far is better kept apart, and given as the root of a job.
+    /// Many clips of one skeleton, which share the range of each joint's translations: 1/65534 of
+    /// the longest side of the box that it moves in is a step. A root that walks far is better kept
+    /// apart, and given as the root of a job.
     ///
     /// # Errors
     /// As for [`new`](Self::new), or if there is no clip, one has other joints than the first, or
@@ -131,7 +134,8 @@ impl PackedClip {
             let tracks = (0..2 * joints)
                 .map(|column| track(frames, joints, column, &rests, tolerance))
                 .collect::<Vec<_>>();
-            // Constants, then row by row what moves, joint after joint as they are sampled: a row is read from end to end.
+            // Constants, then row by row what moves, joint after joint as they are sampled: a row
+            // is read from end to end.
             let ordered = || (0..joints).flat_map(|joint| [joint, joints + joint]);
             let long = |&column: &usize| tracks[column].len() > 1;
             let moving: Vec<_> = ordered().filter(long).collect();
@@ -206,8 +210,8 @@ impl PackedClip {
         }
     }
 
-    /// What became of the frames of a clip: of the points `distance` from each joint along its three axes, in model space,
-    /// in every frame of the clip; nothing is measured between them.
+    /// What became of the frames of a clip: of the points `distance` from each joint along its
+    /// three axes, in model space, in every frame of the clip; nothing is measured between them.
     ///
     /// # Errors
     /// If there is no such clip, or it was packed of another number of frames, or the hierarchy has
@@ -266,8 +270,8 @@ fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
 /// The number of pieces that a turn is cut into, and the least cosine of half its angle: one piece
 /// up to 59.8°, two up to 119.6°, three up to 154.6°, otherwise four, so that each piece is less
 /// than 60°. The longest of n pieces is in the middle, for normalized means go fastest there: 2
-/// atan(tan(φ/2)/n) of a way of φ between quaternions if n is odd, and atan(2 tan(φ/2)/n) if it is
-/// even.
+/// atan(tan(φ/2)/n) of a way of φ between quaternions if n is odd, and atan(2 tan(φ/2)/n) if it
+/// is even.
 const PIECES: [(u16, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
 
 /// The number of pieces that every step of a clip is cut into, so that no joint turns by 60° or
@@ -333,7 +337,8 @@ fn rest(
     Ok([x, y, z, if longest > tolerance.length { longest / (65534.0 * 16384.0) } else { 0.0 }])
 }
 
-/// The keys of a column: one for each frame, or one if it stays; none for translations of a joint that never moves.
+/// The keys of a column: one for each frame, or one if it stays; none for translations of a joint
+/// that never moves.
 fn track(
     frames: &[Key],
     joints: usize,
@@ -383,8 +388,8 @@ fn track(
     keys
 }
 
-/// The key whose direction is nearest to that of a unit quaternion, of lengths a little below 32767: the length means
-/// nothing, and some are rounded with half of the error.
+/// The key whose direction is nearest to that of a unit quaternion, of lengths a little below
+/// 32767: the length means nothing, and some are rounded with half of the error.
 fn nearest(unit: [f64; 4]) -> [i16; 4] {
     let key = |turn: u8| unit.map(|c| round((ONE - 0.1875 * f64::from(turn)) * c));
     let off = |key: [i16; 4]| {

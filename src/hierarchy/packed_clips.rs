@@ -1,4 +1,5 @@
-//! [`PackedClips`]: clips of a skeleton in 8 bytes for each track that moves, and frame, decoded in registers.
+//! [`PackedClips`]: clips of a skeleton in 8 bytes for each track that moves, and frame, decoded in
+//! registers.
 
 use super::clip::Timing;
 use super::keys::{Keys, PlacedKeys};
@@ -15,27 +16,31 @@ use dq8_simd::{Lanes, MAX_LANES, Mask, PlacedTracks, Records, TrackPlace, Tracks
 
 /// What 1 is in a key of a rotation.
 pub(super) const ONE: f64 = 32767.0;
-/// 32767² cos 30°: the product of neighbouring keys is no less, for rotations 60° apart are quaternions 30° apart.
+/// 32767² cos 30°: the product of neighbouring keys is no less, for rotations 60° apart are
+/// quaternions 30° apart.
 const NEAREST: i64 = 929_830_942;
 
-/// Of each joint the place in its parent that none of its clips changes, and 2⁻¹⁴ of a step of its translations; 0 if none
-/// of them moves it. As four numbers, the lower byte first.
+/// Of each joint the place in its parent that none of its clips changes, and 2⁻¹⁴ of a step of
+/// its translations; 0 if none of them moves it. As four numbers, the lower byte first.
 pub(super) type Rest = [u8; 16];
 
 /// The timing of a clip: its frames a second, as the sum of two `f32`; 1 if it loops; and how many
 /// frames here are one of its own.
 pub(super) type PackedTiming = [u8; 12];
 
-/// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and checked once. Each has
-/// frames at equal distances, as many as it likes. [`Sampled`](super::Sampled) plays them, each instance its own clip.
+/// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and
+/// checked once. Each has frames at equal distances, as many as it likes.
+/// [`Sampled`](super::Sampled) plays them, each instance its own clip.
 ///
-/// A key is four integers of 16 bits. A rotation or a translation that stays the same in a clip has one, any other has one
-/// for each frame; a joint that no clip moves in its parent has no key of that at all. [The guide](crate::guide::clips)
-/// says what that costs and what it keeps; [`PackedClip`](super::PackedClip) makes them.
+/// A key is four integers of 16 bits. A rotation or a translation that stays the same in a clip has
+/// one, any other has one for each frame; a joint that no clip moves in its parent has no key of
+/// that at all. [The guide](crate::guide::clips) says what that costs and what it keeps;
+/// [`PackedClip`](super::PackedClip) makes them.
 ///
 /// # Bytes
 ///
-/// All numbers have the lower byte first, and nothing is aligned (a cache line for the start makes loads quicker).
+/// All numbers have the lower byte first, and nothing is aligned (a cache line for the start makes
+/// loads quicker).
 ///
 /// | bytes | what |
 /// |---|---|
@@ -101,7 +106,8 @@ fn word(bytes: &[u8], index: usize) -> Option<u32> {
     bytes.as_chunks().0.get(index).map(|&word| u32::from_le_bytes(word))
 }
 
-/// Whether these are keys of unit rotations between which normalizing to the third order is exact to `f32`.
+/// Whether these are keys of unit rotations between which normalizing to the third order is exact
+/// to `f32`.
 pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     let dot = |a: [i16; 4], b: [i16; 4]| -> i64 {
         a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum()
@@ -115,7 +121,8 @@ pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
 const SHARED: &str = "clips have more tracks and frames than there are keys";
 
 impl<'a> PackedClips<'a> {
-    /// Of bytes that [`PackedClip::as_bytes`](super::PackedClip::as_bytes) gave, without a copy. Reads all of them once.
+    /// Of bytes that [`PackedClip::as_bytes`](super::PackedClip::as_bytes) gave, without a copy.
+    /// Reads all of them once.
     ///
     /// # Errors
     /// If they are no packed clips: where.
@@ -123,8 +130,8 @@ impl<'a> PackedClips<'a> {
         let (ranges, joints) = parts(bytes)?;
         let [keys, rests, clips, timings, rows] =
             ranges.clone().map(|range| bytes.get(range).unwrap_or_default());
-        // Each clip has a key of its own for each rotation at the least. So what is checked for each joint of each clip is no
-        // more than there are keys, whatever the bytes are.
+        // Each clip has a key of its own for each rotation at the least. So what is checked for
+        // each joint of each clip is no more than there are keys, whatever the bytes are.
         let own = (clips.len() / 16).saturating_mul(joints);
         if own > keys.len() / 8 {
             return Err(PackedError::Bytes { offset: ranges[2].start, what: SHARED });
@@ -137,7 +144,8 @@ impl<'a> PackedClips<'a> {
         Ok(packed)
     }
 
-    /// Whether clips have as many keys as they name. None is in two clips, so that they are read once each.
+    /// Whether clips have as many keys as they name. None is in two clips, so that they are read
+    /// once each.
     fn check_counts(&self, ranges: &[Range<usize>; 5], keys: usize) -> Result<(), PackedError> {
         let mut left = keys;
         for clip in 0..self.clips() {
@@ -220,8 +228,8 @@ impl<'a> PackedClips<'a> {
         Some(pieces.max(1) as usize)
     }
 
-    /// How many tracks of a clip, rotations and translations of its joints, have a key for each frame; the others have one.
-    /// `None` if there is no such clip.
+    /// How many tracks of a clip, rotations and translations of its joints, have a key for each
+    /// frame; the others have one. `None` if there is no such clip.
     #[must_use]
     pub fn moving(&self, clip: usize) -> Option<usize> {
         self.own_frames(clip)?;
@@ -424,9 +432,9 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
 }
 
 /// What lies between keys of rotations, normalized. Neighbours are less than 60° apart, so the
-/// squared length 1 − e is near that of 1, and (1 − e)^(−½) is a polynomial of e without root and
-/// division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005, 0.068]). NaN if
-/// `t` is NaN, which weights that are integers would lose.
+/// squared length 1 − e is near that of 1, and (1 − e)^(−½) is a polynomial of e without
+/// root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005,
+/// 0.068]). NaN if `t` is NaN, which weights that are integers would lose.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);

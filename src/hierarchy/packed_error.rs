@@ -21,7 +21,8 @@ errors! {
         /// A clip whose frames a second are no positive number.
         Rate { clip: usize = "The clip.", rate: f64 = "Its frames a second." }
             => "clip {clip} has {rate} frames a second, which must be a positive number that `f32` holds";
-        /// A translation whose numbers are not finite, or differ from those of other frames by more than `f32` holds.
+        /// A translation whose numbers are not finite, or differ from those of other frames by more
+        /// than `f32` holds.
         Beyond {
             clip: usize = "The clip.",
             frame: usize = "The frame.",

@@ -50,7 +50,8 @@ where
         };
         slot.prefetch(level, self.entries, E::Layout::records::<V>());
         let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
-        // Not one store of either order: where the two ways join, the compiler would move twelve registers.
+        // Not one store of either order: where the two ways join, the compiler would move twelve
+        // registers.
         match self.order {
             MatrixOrder::Rows => {
                 M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());

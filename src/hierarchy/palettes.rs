@@ -14,11 +14,12 @@ use crate::storage::shape::{ShapeError, same_length, whole_instances};
 use crate::storage::{Element, Number};
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// Models and the skinning palette of them in one pass, for callers who need both ([`palette`](Self::palette) keeps
-    /// no models): `models` as of [`locals_to_model`](Self::locals_to_model), and
-    /// `palette[j]` = model(j) · `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose
-    /// to where joint j has moved it. `inverse_binds` holds one per joint, the same for all instances;
-    /// the palette is of motions, 3×4 or 4×4 matrices: [`PaletteEntry`].
+    /// Models and the skinning palette of them in one pass, for callers who need both
+    /// ([`palette`](Self::palette) keeps no models): `models` as of
+    /// [`locals_to_model`](Self::locals_to_model), and `palette[j]` = model(j) ·
+    /// `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose to where joint j has
+    /// moved it. `inverse_binds` holds one per joint, the same for all instances; the palette is of
+    /// motions, 3×4 or 4×4 matrices: [`PaletteEntry`].
     ///
     /// # Errors
     /// If lengths or the range do not fit; `models` and `palette` are untouched.
@@ -62,14 +63,16 @@ impl<S, P: Plans> Job<'_, S, P> {
         Ok(())
     }
 
-    /// The skinning palette alone: models are not kept ([`palette_and_models`](Self::palette_and_models) keeps them). They
-    /// go through `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
-    /// two blocks serve blocks best, for each thread: as few as fill the lanes, so that they stay in the first cache. What
-    /// is in it afterwards has no meaning: with plain motions, models stay there in the order of registers.
+    /// The skinning palette alone: models are not kept
+    /// ([`palette_and_models`](Self::palette_and_models) keeps them). They go through `scratch`,
+    /// which holds some whole instances, again and again. 16 instances serve plain motions and two
+    /// blocks serve blocks best, for each thread: as few as fill the lanes, so that they stay in
+    /// the first cache. What is in it afterwards has no meaning: with plain motions, models stay
+    /// there in the order of registers.
     ///
     /// # Errors
-    /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of the range is
-    /// not in it, so that nothing holds its model; `palette` is untouched.
+    /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of
+    /// the range is not in it, so that nothing holds its model; `palette` is untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};
@@ -97,7 +100,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         L: Locals<E>,
         M: PaletteEntry<C, Layout = E::Layout>,
     {
-        // Before the job is lent to checks: a compiler that has seen the order written keeps the stores of that one alone.
+        // Before the job is lent to checks: a compiler that has seen the order written keeps the
+        // stores of that one alone.
         let order = self.order;
         self.check_locals::<E, L>(&locals, palette.len())?;
         let run = self.run::<E>();

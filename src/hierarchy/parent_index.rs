@@ -3,8 +3,8 @@
 use super::Hierarchy;
 use super::error::HierarchyError;
 
-/// A number that names a parent, or says that there is none: −1, the largest number of its type, or
-/// `None`. Sealed.
+/// A number that names a parent, or says that there is none: −1, the largest number of its type,
+/// or `None`. Sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
     /// The parent as it is written; `None` where there is none.
     fn number(self) -> Option<i128>;

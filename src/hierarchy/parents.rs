@@ -29,7 +29,8 @@ impl<'a> Hierarchy<'a> {
     pub const ROOT: u32 = u32::MAX;
 
     /// Checks `parents`: `parents[j]` is the parent of joint `j`, or [`ROOT`](Self::ROOT). A
-    /// [`Skeleton`](super::Skeleton) takes parents of another type, such as `usize`, or in another order.
+    /// [`Skeleton`](super::Skeleton) takes parents of another type, such as `usize`, or in another
+    /// order.
     ///
     /// # Errors
     /// If a parent is not a joint, or does not come before its child (a forward reference or a

@@ -11,19 +11,20 @@ use crate::storage::Source;
 use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::{CheckedSchedule, Level};
 
-/// From this many joints on, a chain is cut into segments: on every target, because that decides the order of products.
-/// (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without
-/// AVX2 segments never win.)
+/// From this many joints on, a chain is cut into segments: on every target, because that decides
+/// the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by one 4.9,
+/// 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
 const MIN_CHAIN: usize = 24;
 
-/// The order in which one instance of a hierarchy is computed, found once, in memory of the caller's: what a
-/// [`Skeleton`](super::Skeleton) keeps for itself, for those without a heap.
+/// The order in which one instance of a hierarchy is computed, found once, in memory of the
+/// caller's: what a [`Skeleton`](super::Skeleton) keeps for itself, for those without a heap.
 ///
-/// A [`Hierarchy`] fills its lanes with many instances. In a single one joints wait for their parents, so the order
-/// decides how much of the time something can be computed, and the best order depends on the parents alone. A
-/// [`Job`](super::Job) takes it for one whole instance in a plain slice, with any form of locals, root and palette, and
-/// leaves it alone otherwise. Products are the same as without a plan, in the same order, but for chains of 24 joints
-/// and more, whose results differ in the last bits: see [`Backend::chain_products`].
+/// A [`Hierarchy`] fills its lanes with many instances. In a single one joints wait for their
+/// parents, so the order decides how much of the time something can be computed, and the best order
+/// depends on the parents alone. A [`Job`](super::Job) takes it for one whole instance in a plain
+/// slice, with any form of locals, root and palette, and leaves it alone otherwise. Products are
+/// the same as without a plan, in the same order, but for chains of 24 joints and more, whose
+/// results differ in the last bits: see [`Backend::chain_products`].
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy, hierarchy::{Plan, PlanScratch}};
@@ -51,7 +52,8 @@ brief!([] Plan<'_>: Plan |it| { joints: it.parents.len() });
 #[derive(Clone, Copy, Debug)]
 pub struct NoPlan;
 
-/// What a job knows of the order in which one instance is computed: a [`Plan`], or [nothing](NoPlan). Sealed.
+/// What a job knows of the order in which one instance is computed: a [`Plan`], or
+/// [nothing](NoPlan). Sealed.
 pub trait Plans: sealed::Sealed {
     #[doc(hidden)]
     fn plan(&self) -> Option<Plan<'_>>;
@@ -84,7 +86,8 @@ pub(super) struct Order<'a> {
 }
 
 impl<'a> Plan<'a> {
-    /// Writes the order into `order`, and borrows it. `order` and `scratch` have an element per joint.
+    /// Writes the order into `order`, and borrows it. `order` and `scratch` have an element per
+    /// joint.
     ///
     /// # Errors
     /// If one of them is of another length; both are untouched.
@@ -100,15 +103,15 @@ impl<'a> Plan<'a> {
         Self::of_order(hierarchy, order)
     }
 
-    /// The plan of an order that [`new`](Self::new) wrote for the same parents: to keep an order where a plan cannot
-    /// borrow it, such as a constant in flash.
+    /// The plan of an order that [`new`](Self::new) wrote for the same parents: to keep an order
+    /// where a plan cannot borrow it, such as a constant in flash.
     ///
-    /// What has no memory of its own cannot see all that may be wrong: an order in which joints have changed places, or one
-    /// stands for another, is taken, and models are then wrong.
+    /// What has no memory of its own cannot see all that may be wrong: an order in which joints
+    /// have changed places, or one stands for another, is taken, and models are then wrong.
     ///
     /// # Errors
-    /// If there are not as many pairs as joints, or a pair is not a joint and its parent, or a root comes after a joint
-    /// that has a parent.
+    /// If there are not as many pairs as joints, or a pair is not a joint and its parent, or a root
+    /// comes after a joint that has a parent.
     pub fn of_order(hierarchy: &Hierarchy<'a>, order: &'a [[u32; 2]]) -> Result<Self, ShapeError> {
         let parents = hierarchy.parents();
         same_length("order", order.len(), parents.len())?;

@@ -13,7 +13,8 @@ use crate::scalar::DualQuat;
 use crate::storage::{Element, Layout, Number, Source};
 use dq8_simd::Level;
 
-/// `true` if the plan knows this run: one whole instance of single things, nothing normalized on the way.
+/// `true` if the plan knows this run: one whole instance of single things, nothing normalized on
+/// the way.
 pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
     E::Layout::THINGS == 1
         && models == run.parents.len()
@@ -21,8 +22,9 @@ pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
         && run.renormalize == Renormalize::Never
 }
 
-/// Locals as motions in place of the models, roots on what they stand on, the plan, the epilogue: each
-/// joint is multiplied onto its parent by the product of all other runs, so a tree has the same bits.
+/// Locals as motions in place of the models, roots on what they stand on, the plan, the epilogue:
+/// each joint is multiplied onto its parent by the product of all other runs, so a tree has the
+/// same bits.
 pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     backend: Backend,
     plan: Plan<'_>,
@@ -32,8 +34,9 @@ pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     epilogue: &mut X,
 ) {
     let root = run.root_of(0);
-    // Motions that lie in memory are read where they are. All else, and roots that stand on something, is written to the
-    // models first and multiplied in place: the plan knows one form only.
+    // Motions that lie in memory are read where they are. All else, and roots that stand on
+    // something, is written to the models first and multiplied in place: the plan knows one form
+    // only.
     let from = match locals.motions() {
         Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
         _ => {
@@ -101,7 +104,8 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        // After all models, in their own order: the plan's order is not one that lanes could take together.
+        // After all models, in their own order: the plan's order is not one that lanes could take
+        // together.
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {
             let slot = JointSlot::of_joints(start, 0, models.len(), models.len());

@@ -1,18 +1,19 @@
-//! The product of two motions for loops over a single instance: one register holds a whole motion. And the same
-//! product in lanes, equal to the last bit and to the sign of a zero.
+//! The product of two motions for loops over a single instance: one register holds a whole motion.
+//! And the same product in lanes, equal to the last bit and to the sign of a zero.
 
 use crate::number::Scalar;
 use dq8_simd::{Lanes, Level, PackedDualQuat};
 
-/// left · right, of which the left factor comes whole and the right one number by number from memory.
+/// left · right, of which the left factor comes whole and the right one number by number from
+/// memory.
 ///
 /// Of left · (p + εq) the part left · q is raised by ε, and what is beyond ε dropped: eight
-/// multiplications of vectors. The last sum adds −0 to the real part, which leaves every bit of it as it is; +0 would
-/// take the sign of a zero, which [`product_in_lanes`] keeps.
+/// multiplications of vectors. The last sum adds −0 to the real part, which leaves every bit of
+/// it as it is; +0 would take the sign of a zero, which [`product_in_lanes`] keeps.
 ///
 /// Three other ways were measured and are slower on a skeleton of 64 joints: signs by alternating
-/// multiply-adds, which are three instructions less (by a sixth), the left factor number by number (by
-/// a sixth), and joints of one level in the lanes, gathered and scattered (by a twentieth).
+/// multiply-adds, which are three instructions less (by a sixth), the left factor number by number
+/// (by a sixth), and joints of one level in the lanes, gathered and scattered (by a twentieth).
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
@@ -35,10 +36,11 @@ pub(super) fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R
     model
 }
 
-/// [`packed_product`] of a motion in each lane: the same sums in the same order, with the same signs of zeros, so that
-/// the result of an instance does not depend on how many others are computed with it, nor on how wide the lanes are.
-/// (The product of [`batch::DualQuat`](crate::batch::DualQuat) adds the halves of the dual part as it goes, and saves
-/// four additions.)
+/// [`packed_product`] of a motion in each lane: the same sums in the same order, with the same
+/// signs of zeros, so that the result of an instance does not depend on how many others are
+/// computed with it, nor on how wide the lanes are. (The product of
+/// [`batch::DualQuat`](crate::batch::DualQuat) adds the halves of the dual part as it goes, and
+/// saves four additions.)
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn product_in_lanes<L: Lanes>(left: [L; 8], right: [L; 8]) -> [L; 8] {
     let [px, py, pz, pw, qx, qy, qz, qw] = left;

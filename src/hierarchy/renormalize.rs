@@ -2,9 +2,9 @@ use core::num::NonZeroU32;
 
 /// The joints at which a run over a hierarchy normalizes model poses exactly.
 ///
-/// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n (`f32`) in
-/// the norm after n products, less than a skeleton can show. `lab/src/products.rs` measures it; in
-/// short:
+/// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n
+/// (`f32`) in the norm after n products, less than a skeleton can show. `lab/src/products.rs`
+/// measures it; in short:
 ///
 /// - normalizing does **not** make rotations more accurate, it only keeps the norm;
 /// - chains of up to thousands of joints do not need it: [`Never`](Self::Never) is the default;

@@ -6,7 +6,8 @@ use crate::storage::{Element, Layout};
 #[derive(Clone, Copy, Debug)]
 pub struct NoRoot;
 
-/// The base that root joints stand on, for models of `E`: nothing, one motion for all, or one each. Sealed.
+/// The base that root joints stand on, for models of `E`: nothing, one motion for all, or one each.
+/// Sealed.
 pub trait Roots<E: Element<8>>: sealed::Sealed {
     #[doc(hidden)]
     fn root(&self) -> Root<'_, E>;

@@ -11,8 +11,9 @@ use crate::storage::{Aos, Element, Layout, aos};
 use dq8_simd::{Lanes, Portable, Records, Unfused};
 
 impl<K> Clip<'_, K> {
-    /// The local pose of a joint at the time `at`, as [`place`](Self::place) has it; `None` if there is no such joint.
-    /// For whole skeletons take [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
+    /// The local pose of a joint at the time `at`, as [`place`](Self::place) has it; `None` if
+    /// there is no such joint. For whole skeletons take [`Sampled`](super::Sampled) and
+    /// [`Job::locals`](super::Job::locals).
     #[must_use]
     pub fn pose<W, R: Scalar, const C: usize>(
         &self,
@@ -27,10 +28,11 @@ impl<K> Clip<'_, K> {
         self.pose_at(law, joint, self.place(at))
     }
 
-    /// The motion of a joint from one time to another, in its frame at the first: pose(from)* · pose(to). Of the root this is
-    /// the root motion of a character, which goes on where a [looping](Self::looping) clip begins again: with r rounds between
-    /// the times, and the round c = pose(first)* · pose(last), it is pose(from)* · pose(first) · cʳ · pose(first)* · pose(to).
-    /// `None` if there is no such joint.
+    /// The motion of a joint from one time to another, in its frame at the first: pose(from)* ·
+    /// pose(to). Of the root this is the root motion of a character, which goes on where a
+    /// [looping](Self::looping) clip begins again: with r rounds between the times, and the round
+    /// c = pose(first)* · pose(last), it is pose(from)* · pose(first) · cʳ · pose(first)* ·
+    /// pose(to). `None` if there is no such joint.
     ///
     /// ```
     /// use dq8::{DualQuat, hierarchy::Clip, law::Nlerp};

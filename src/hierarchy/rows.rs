@@ -3,14 +3,16 @@
 use super::slot::JointSlot;
 use dq8_simd::Lanes;
 
-/// The numbers of a pose or a motion, as registers hold them. A pose leaves those behind its own as they are.
+/// The numbers of a pose or a motion, as registers hold them. A pose leaves those behind its own as
+/// they are.
 pub(super) type Rows<L> = [<L as Lanes>::Array; 8];
 
-/// As many slots as are made at once: enough that a call for each source is little, few enough that all of them stay in the
-/// first cache.
+/// As many slots as are made at once: enough that a call for each source is little, few enough that
+/// all of them stay in the first cache.
 pub(super) const GROUP: usize = 16;
 
-/// Whether what is computed is made a group at a time. Firmware counts the bytes of its code and stack.
+/// Whether what is computed is made a group at a time. Firmware counts the bytes of its code and
+/// stack.
 pub(super) const GROUPS: bool = cfg!(not(target_os = "none"));
 
 /// What is made of a slot and of those after it, into rows one after the other.
@@ -44,7 +46,8 @@ pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Rows<L
     }
 }
 
-/// The first numbers of an array as one of another length; where there are more, they are the first one, and nobody reads them.
+/// The first numbers of an array as one of another length; where there are more, they are the first
+/// one, and nobody reads them.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) -> [L; B] {
     // No closure: in an inlined kernel it would be compiled without its instructions.

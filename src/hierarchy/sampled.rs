@@ -15,12 +15,14 @@ use core::fmt::Debug;
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// Many instances, each at its own place in the same clip: instance i lies `t[i]` of the way from frame
-/// `frames[i]` to the next one, with all of its joints. [Locals](super::Locals) like any other, in one
-/// pass: keys are loaded and interpolated for sixteen joints of as many instances as there are lanes, then multiplied on.
+/// Many instances, each at its own place in the same clip: instance i lies `t[i]` of the way from
+/// frame `frames[i]` to the next one, with all of its joints. [Locals](super::Locals) like any
+/// other, in one pass: keys are loaded and interpolated for sixteen joints of as many instances as
+/// there are lanes, then multiplied on.
 ///
-/// Instances that play different clips share one call if they are [`PackedClips`](super::PackedClips), or if the keys of
-/// all clips lie in one array, one clip after the other: add the number of frames before a clip to the frame that
+/// Instances that play different clips share one call if they are
+/// [`PackedClips`](super::PackedClips), or if the keys of all clips lie in one array, one clip
+/// after the other: add the number of frames before a clip to the frame that
 /// [`Clip::place`](super::Clip::place) of that clip gives.
 ///
 /// ```
@@ -52,13 +54,14 @@ brief!([W: Debug, P: Debug, R, const C: usize] Sampled<'_, W, P, R, C>: Sampled 
 });
 
 impl<'s, W: Law<C>, P: PlacedKeys<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
-    /// One place and one `t` for each instance. A place is the number of a frame in a [`Clip`](super::Clip), and what
-    /// [`PackedClips::place`](super::PackedClips::place) gives in those. Values of `t` outside [0, 1] go on beyond the two
-    /// frames of a `Clip`; in packed clips they are cut to that. NaN makes poses of NaN.
+    /// One place and one `t` for each instance. A place is the number of a frame in a
+    /// [`Clip`](super::Clip), and what [`PackedClips::place`](super::PackedClips::place) gives in
+    /// those. Values of `t` outside [0, 1] go on beyond the two frames of a `Clip`; in packed clips
+    /// they are cut to that. NaN makes poses of NaN.
     ///
     /// # Errors
-    /// If `places` and `t` differ in length, or a frame is not one of the clip, or the last one, which no
-    /// frame follows, or a place is one of other packed clips.
+    /// If `places` and `t` differ in length, or a frame is not one of the clip, or the last one,
+    /// which no frame follows, or a place is one of other packed clips.
     pub fn new<K: Keys<'s, R, C, Placed = P>>(
         law: W,
         clip: K,

@@ -3,12 +3,12 @@
 use super::Hierarchy;
 use core::cmp::Reverse;
 
-/// The number of other joints that are begun before a joint whose parent is being computed. A product of a plan
-/// takes about four times as long as until the next one can begin.
+/// The number of other joints that are begun before a joint whose parent is being computed. A
+/// product of a plan takes about four times as long as until the next one can begin.
 ///
-/// Measured on skeletons of 21 and 64 joints, with other values here, by `cargo bench --bench hierarchy
-/// -- one-instance`: 3 to 6 are the same within a few hundredths, plain level order takes a twentieth
-/// longer, depth first half as long again.
+/// Measured on skeletons of 21 and 64 joints, with other values here, by
+/// `cargo bench --bench hierarchy -- one-instance`: 3 to 6 are the same within a few hundredths,
+/// plain level order takes a twentieth longer, depth first half as long again.
 const BETWEEN: u32 = 4;
 
 /// No joint: the end of a list of children.
@@ -36,14 +36,14 @@ impl Default for PlanScratch {
     }
 }
 
-/// Writes the joints of a hierarchy into `order`, each with its parent: first those that have none, and then the
-/// others, as they should be computed. Both slices have an element per joint.
+/// Writes the joints of a hierarchy into `order`, each with its parent: first those that have none,
+/// and then the others, as they should be computed. Both slices have an element per joint.
 ///
 /// Of the joints whose parent is done, the one with the longest way down comes first: it decides
 /// how long the whole takes. The others fill the time in which it waits for its parent.
 ///
-/// This is list scheduling by the critical path, for one unit that begins a product per time step and returns
-/// it [`BETWEEN`] steps later:
+/// This is list scheduling by the critical path, for one unit that begins a product per time step
+/// and returns it [`BETWEEN`] steps later:
 ///
 /// ```text
 /// able = roots
@@ -53,8 +53,9 @@ impl Default for PlanScratch {
 ///     soon += its children, BETWEEN steps from now
 /// ```
 ///
-/// Times only rise, so `soon` is a queue and needs no sorting; a step with nothing to begin is skipped. All memory is
-/// the caller's, so that a microcontroller can have plans; nothing here can panic.
+/// Times only rise, so `soon` is a queue and needs no sorting; a step with nothing to begin is
+/// skipped. All memory is the caller's, so that a microcontroller can have plans; nothing here can
+/// panic.
 pub(super) fn schedule(
     hierarchy: &Hierarchy<'_>,
     order: &mut [[u32; 2]],
@@ -65,8 +66,8 @@ pub(super) fn schedule(
     let mut roots = 0;
     // Parents come before their children, so one sweep from the last joint finds all heights.
     for (joint, &parent) in hierarchy.parents().iter().enumerate().rev() {
-        // Each goes to the front of its parent's list, so going backwards leaves the children in their order. A root's
-        // parent is no place in memory, and `change` does nothing there.
+        // Each goes to the front of its parent's list, so going backwards leaves the children in
+        // their order. A root's parent is no place in memory, and `change` does nothing there.
         let (of, above) = (search.at(joint), search.at(parent as usize));
         search.change(joint, |of| of.next_sibling = above.first_child);
         search.change(parent as usize, |above| {
@@ -81,7 +82,8 @@ pub(super) fn schedule(
     let (to_roots, to_others) = order.split_at_mut_checked(roots).unwrap_or_default();
     let (mut to_roots, mut to_others) = (to_roots.iter_mut(), to_others.iter_mut());
     let mut time = 0_u32;
-    // Each joint is pushed once and popped once: as a root above, or when the time of its parent's product has come.
+    // Each joint is pushed once and popped once: as a root above, or when the time of its parent's
+    // product has come.
     while search.able > 0 || search.begin < search.end {
         if search.able == 0 {
             // All there is waits for its parent.
@@ -155,7 +157,8 @@ impl Search<'_> {
     }
 
     fn pop(&mut self) -> u32 {
-        // The last joint takes the place of the first, then sinks below every one that begins sooner.
+        // The last joint takes the place of the first, then sinks below every one that begins
+        // sooner.
         let top = self.at(0).able;
         self.able = self.able.saturating_sub(1);
         self.swap(0, self.able);

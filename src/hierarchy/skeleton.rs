@@ -15,11 +15,12 @@ use core::ops::{Deref, Range};
 
 /// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
 ///
-/// A [`Hierarchy`] borrows its parents; this holds them, and the [`Plan`](super::Plan) of them, with which its
-/// [`job`](Self::job) is faster for one instance in a plain slice.
+/// A [`Hierarchy`] borrows its parents; this holds them, and the [`Plan`](super::Plan) of them,
+/// with which its [`job`](Self::job) is faster for one instance in a plain slice.
 ///
-/// Parents are integers of 8 to 64 bits: −1, the largest number of the type or `None` says that there is none. As
-/// glTF, URDF and FBX list them in any order, [`sorted`](Self::sorted) finds one with parents first.
+/// Parents are integers of 8 to 64 bits: −1, the largest number of the type or `None` says that
+/// there is none. As glTF, URDF and FBX list them in any order, [`sorted`](Self::sorted) finds one
+/// with parents first.
 ///
 /// ```
 /// use dq8::{DualQuat, Quat, Skeleton, hierarchy::Bones};
@@ -52,8 +53,8 @@ pub struct Skeleton {
     names: Box<[Box<str>]>,
 }
 
-/// The order of a skeleton's joints in the file that they are from: [`Skeleton::sorted`] finds it. As a slice, joint `j` of the
-/// skeleton is number `order[j]` of the file.
+/// The order of a skeleton's joints in the file that they are from: [`Skeleton::sorted`] finds it.
+/// As a slice, joint `j` of the skeleton is number `order[j]` of the file.
 ///
 /// ```
 /// use dq8::Skeleton;
@@ -124,14 +125,15 @@ impl Skeleton {
         Ok(Self { parents: indices, plan, names: Box::default() })
     }
 
-    /// Of parents in any order, and the [order](JointOrder) of its joints: joint `j` is number `order[j]` of `parents`. All
-    /// else that a file lists by joint (names, inverse binds, the pose at rest, tracks, joints of vertices) is in the order of
-    /// the file still, and follows by [`JointOrder::gather`] and [`JointOrder::of`]. Each joint is followed by all that hang from it, so that every [`subtree`](Self::subtree) is a range; brothers stay in their
-    /// order.
+    /// Of parents in any order, and the [order](JointOrder) of its joints: joint `j` is number
+    /// `order[j]` of `parents`. All else that a file lists by joint (names, inverse binds, the pose
+    /// at rest, tracks, joints of vertices) is in the order of the file still, and follows by
+    /// [`JointOrder::gather`] and [`JointOrder::of`]. Each joint is followed by all that hang from
+    /// it, so that every [`subtree`](Self::subtree) is a range; brothers stay in their order.
     ///
     /// # Errors
-    /// If a parent is not a joint, joints are their own ancestors, or there are more than a `u32` can
-    /// number.
+    /// If a parent is not a joint, joints are their own ancestors, or there are more than a `u32`
+    /// can number.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -150,7 +152,8 @@ impl Skeleton {
             return Err(HierarchyError::TooManyJoints { joints });
         }
         let old: Vec<u32> = parents.iter().map(|&parent| index(parent)).collect();
-        // Of each joint its first child and its next brother, in their order; the roots are children of nobody.
+        // Of each joint its first child and its next brother, in their order; the roots are
+        // children of nobody.
         let (mut child, mut brother) = (vec![NONE; joints], vec![NONE; joints]);
         let mut root = NONE;
         for (joint, &parent) in old.iter().enumerate().rev() {
@@ -175,7 +178,8 @@ impl Skeleton {
             }
         }
         if order.len() < joints {
-            // Whoever is reached from no root hangs below a circle: as many steps up as there are joints lead into it.
+            // Whoever is reached from no root hangs below a circle: as many steps up as there are
+            // joints lead into it.
             let mut reached = vec![false; joints];
             order.iter().for_each(|&joint| reached[joint] = true);
             let lost = reached.iter().position(|reached| !reached).unwrap_or(0);
@@ -192,7 +196,8 @@ impl Skeleton {
     /// [`sorted`](Self::sorted), with the names of a file, which are in the order of its parents.
     ///
     /// # Errors
-    /// As there, and as [`with_names`](Self::with_names), whose error counts names as they are sorted.
+    /// As there, and as [`with_names`](Self::with_names), whose error counts names as they are
+    /// sorted.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.

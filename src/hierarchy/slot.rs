@@ -2,12 +2,13 @@ use crate::number::Scalar;
 use crate::storage::{Tile, aos, identity};
 use dq8_simd::{Lanes, Level, Records};
 
-/// The number of joints ahead for which memory is asked that will be written. For 1,000 skeletons whose palettes exceed the second
-/// cache it saves a seventh of the time, in that cache next to nothing; 4 is as good.
+/// The number of joints ahead for which memory is asked that will be written. For 1,000 skeletons
+/// whose palettes exceed the second cache it saves a seventh of the time, in that cache next to
+/// nothing; 4 is as good.
 const AHEAD: usize = 2;
 
-/// The content of the lanes of a kernel over hierarchies: one joint of several instances, or several joints
-/// of one instance.
+/// The content of the lanes of a kernel over hierarchies: one joint of several instances, or
+/// several joints of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
     /// The joint, or the first one.
@@ -24,8 +25,8 @@ pub struct JointSlot {
 }
 
 impl JointSlot {
-    /// A joint of the instances in one register of a block; `first` is the block of joint 0, `instance`
-    /// the first in the register.
+    /// A joint of the instances in one register of a block; `first` is the block of joint 0,
+    /// `instance` the first in the register.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
         Self { joint, first, register, instance, stride: None, end: None }
@@ -91,9 +92,9 @@ impl JointSlot {
         }
     }
 
-    /// Asks for where a later joint lies among all elements of `memory`, which will be written soon, if lanes are
-    /// instances that lie apart. So many places at once the CPU does not foresee, and it reads a line before it writes
-    /// a part of it.
+    /// Asks for where a later joint lies among all elements of `memory`, which will be written
+    /// soon, if lanes are instances that lie apart. So many places at once the CPU does not
+    /// foresee, and it reads a line before it writes a part of it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         if let Some(stride) = self.stride

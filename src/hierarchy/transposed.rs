@@ -2,20 +2,23 @@
 //!
 //! # The algorithm
 //!
-//! Take as many instances as there are lanes. For each joint, parents first: load its local pose of all these instances,
-//! a transpose; take the models of its parent, multiply; store the product, another transpose. Instances that are left
-//! over, and single ones, go one by one, with a motion of eight numbers in one register.
+//! Take as many instances as there are lanes. For each joint, parents first: load its local pose of
+//! all these instances, a transpose; take the models of its parent, multiply; store the product,
+//! another transpose. Instances that are left over, and single ones, go one by one, with a motion
+//! of eight numbers in one register.
 //!
 //! # Why it is as it is
 //!
-//! - *A ring of recent models.* A parent is needed as it was in registers, and transposing it a second time would cost
-//!   as much as the product. Most parents are a few joints back, so the last [`RECENT`] models stay in memory as the
-//!   registers held them; only a parent that lies farther back is transposed again, out of line.
-//! - *One source for every product.* Roots, near parents and far ones all end as a place in the ring. Where two ways lead
-//!   to a value, the compiler moves eight registers on both.
-//! - *Same operations in the same order, together and one by one*: the model of an instance is the same to the last bit,
-//!   however many others are in the call.
-//! - *Prefetch before a strided store*, once models exceed the second cache: the CPU does not foresee so many places.
+//! - *A ring of recent models.* A parent is needed as it was in registers, and transposing it a
+//!   second time would cost as much as the product. Most parents are a few joints back, so the last
+//!   [`RECENT`] models stay in memory as the registers held them; only a parent that lies farther
+//!   back is transposed again, out of line.
+//! - *One source for every product.* Roots, near parents and far ones all end as a place in the
+//!   ring. Where two ways lead to a value, the compiler moves eight registers on both.
+//! - *Same operations in the same order, together and one by one*: the model of an instance is the
+//!   same to the last bit, however many others are in the call.
+//! - *Prefetch before a strided store*, once models exceed the second cache: the CPU does not
+//!   foresee so many places.
 
 use super::ahead::Ahead;
 use super::locals::{Locals, Motions, motions};
@@ -36,13 +39,13 @@ const RECENT: usize = 16;
 /// The recent models, and a place behind them.
 type Recent<E, V> = [[Register<E, V, 8>; 8]; RECENT + 1];
 
-/// Whether many instances in plain slices are worth a loop of their own. Firmware has few, and counts the
-/// bytes of code and stack.
+/// Whether many instances in plain slices are worth a loop of their own. Firmware has few, and
+/// counts the bytes of code and stack.
 pub(super) const MANY: bool = cfg!(not(target_os = "none"));
 
-/// More bytes of models than the second cache holds are asked for before they are written, which saves a tenth of
-/// the time of models and a sixth of that of palettes with models. Fewer would take a twentieth longer, and models over
-/// their locals gain nothing.
+/// More bytes of models than the second cache holds are asked for before they are written, which
+/// saves a tenth of the time of models and a sixth of that of palettes with models. Fewer would
+/// take a twentieth longer, and models over their locals gain nothing.
 const NEAR: usize = 1 << 20;
 
 /// Writes the models of all instances.
@@ -124,9 +127,9 @@ struct Group {
 
 /// One group.
 ///
-/// All models go through memory that the first cache holds, not from register to register: where two ways
-/// lead to a value (a parent that is recent or not, a joint that is a root or not), the compiler would
-/// move eight registers.
+/// All models go through memory that the first cache holds, not from register to register: where
+/// two ways lead to a value (a parent that is recent or not, a joint that is a root or not), the
+/// compiler would move eight registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -146,9 +149,10 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             slot.prefetch_own(level, models, E::Layout::records::<V>());
         }
         if parent < joint {
-            // The ring: the model of joint j is at j % RECENT until joint j + RECENT takes its place. A parent that
-            // is gone, or lies before the range and never was there, is loaded into the slot behind the ring. So the
-            // product has one source, memory at an index, whatever happened before it.
+            // The ring: the model of joint j is at j % RECENT until joint j + RECENT takes its
+            // place. A parent that is gone, or lies before the range and never was there, is loaded
+            // into the slot behind the ring. So the product has one source, memory at an index,
+            // whatever happened before it.
             let mut from = parent % RECENT;
             if joint - parent >= RECENT || parent < run.joints.start {
                 from = RECENT;
@@ -233,8 +237,9 @@ fn normalize_lanes<E: Element<8>, V: Level>(
     );
 }
 
-/// One instance where a register holds one number. Models go through memory, since eight numbers would not stay in
-/// registers anyway. The product is the one of all other loops, on targets with wider registers too.
+/// One instance where a register holds one number. Models go through memory, since eight numbers
+/// would not stay in registers anyway. The product is the one of all other loops, on targets with
+/// wider registers too.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -296,8 +301,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, 
     }
 }
 
-/// Each joint is multiplied onto its parent. Locals that are not motions in memory are made before, for
-/// as many joints as there are lanes; the epilogue comes after, in lanes again.
+/// Each joint is multiplied onto its parent. Locals that are not motions in memory are made before,
+/// for as many joints as there are lanes; the epilogue comes after, in lanes again.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -311,9 +316,10 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     let first = instance * joints;
     let lanes = E::Layout::records::<V>();
     let root = run.root_of(instance);
-    // Three stages over as many joints as there are lanes: make their locals, a joint per lane; multiply them onto
-    // their parents one after the other, each product using all lanes for its eight numbers; then the epilogue, a
-    // joint per lane again. Motions that lie in memory skip the first stage and are multiplied from where they are.
+    // Three stages over as many joints as there are lanes: make their locals, a joint per lane;
+    // multiply them onto their parents one after the other, each product using all lanes for its
+    // eight numbers; then the epilogue, a joint per lane again. Motions that lie in memory skip the
+    // first stage and are multiplied from where they are.
     let in_memory = locals.motions();
     let mut made = [identity(); MAX_LANES];
     for start in run.joints.clone().step_by(lanes) {

@@ -1,6 +1,7 @@
-//! Palettes of plain instances whose models nobody asks for: the models stay in the caller's scratch as registers
-//! hold them. To transpose and store them would be two fifths of what a palette shuffles and stores, and all parents
-//! are where they were put, so nothing is loaded again.
+//! Palettes of plain instances whose models nobody asks for: the models stay in the caller's
+//! scratch as registers hold them. To transpose and store them would be two fifths of what a
+//! palette shuffles and stores, and all parents are where they were put, so nothing is loaded
+//! again.
 
 use super::locals::{Locals, Motions};
 use super::palette::Epilogue;
@@ -17,11 +18,12 @@ use dq8_simd::{Lanes, Level};
 /// The models of one joint.
 type Models<E, V> = Rows<Register<E, V, 8>>;
 
-/// Bytes of a cache line, or more than a register has: rows that begin at a multiple of it lie in one line each.
+/// Bytes of a cache line, or more than a register has: rows that begin at a multiple of it lie in
+/// one line each.
 const LINE: usize = 64;
 
-/// Lanes are instances, strided in memory. Gives back how many instances are done: whole groups, none if the
-/// scratch does not hold one.
+/// Lanes are instances, strided in memory. Gives back how many instances are done: whole groups,
+/// none if the scratch does not hold one.
 pub(super) struct Unkept<'r, 's, E: Element<8>, L, X> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
@@ -51,7 +53,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L
     }
 }
 
-/// Rows for each joint, if `scratch` holds as many instances as there are lanes; at a cache line if it holds more.
+/// Rows for each joint, if `scratch` holds as many instances as there are lanes; at a cache line if
+/// it holds more.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn rows<E: Element<8>, V: Level>(
     scratch: &mut [[Number<E, 8>; 8]],
@@ -60,15 +63,15 @@ fn rows<E: Element<8>, V: Level>(
     let numbers = scratch.as_flattened_mut();
     let needed = joints.checked_mul(8 * Register::<E, V, 8>::LANES)?;
     let spare = numbers.len().checked_sub(needed)?;
-    // A row across two lines costs two accesses. The callers' memory is aligned to a number, so the start is moved,
-    // where there is room for that; the results are the same.
+    // A row across two lines costs two accesses. The callers' memory is aligned to a number, so the
+    // start is moved, where there is room for that; the results are the same.
     let aligned = numbers.as_ptr().align_offset(LINE);
     let start = if aligned <= spare { aligned } else { 0 };
     bytemuck::try_cast_slice_mut(numbers.get_mut(start..start + needed)?).ok()
 }
 
-/// One group; `instance` is its first one. All models go through memory, as in [`super::transposed`].
-/// Locals that are made wait where the models go.
+/// One group; `instance` is its first one. All models go through memory, as in
+/// [`super::transposed`]. Locals that are made wait where the models go.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -80,7 +83,8 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
 ) {
     let joints = run.joints.clone();
     let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
-    // What roots stand on: in memory, as the parents of all others are, so that products have one source.
+    // What roots stand on: in memory, as the parents of all others are, so that products have one
+    // source.
     let mut base = Models::<E, V>::zeroed();
     let base = if let Some(root) = run.root.load(level, instance, 0) {
         store(root.to_array(), &mut base);
@@ -133,7 +137,8 @@ fn place<E: Element<8>, X: Epilogue<E>, V: Level>(
         store(local, models.get_mut(joint)?);
     }
     let place = models.get_mut(joint)?;
-    // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
+    // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the
+    // first cache.
     if run.renormalize.applies_to(joint) {
         normalize::<E, V>(level, place);
     }

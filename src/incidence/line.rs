@@ -27,8 +27,8 @@ impl<R: Real> Line<R> {
 
     /// The line in which two planes meet: l = n₁ × n₂, m = d₂n₁ − d₁n₂, made unit.
     ///
-    /// For a point x of both, x × (n₁ × n₂) = n₁(x·n₂) − n₂(x·n₁). The error of the moment is that
-    /// of the offsets over the sine between the planes.
+    /// For a point x of both, x × (n₁ × n₂) = n₁(x·n₂) − n₂(x·n₁). The error of
+    /// the moment is that of the offsets over the sine between the planes.
     ///
     /// # Errors
     /// If the planes are parallel, a normal is zero, or a number is not finite.
@@ -53,9 +53,9 @@ impl<R: Real> Line<R> {
         Self { direction, moment }.try_normalize()
     }
 
-    /// (l + εm)/√(l̂·l̂): l has length 1, and m is orthogonal to it. As with dual quaternions, of
-    /// which this is the vector part, the norm is a dual number: m/|l| alone would keep a part along
-    /// l. That part is the pitch of a screw, whose axis is what remains.
+    /// (l + εm)/√(l̂·l̂): l has length 1, and m is orthogonal to it. As with dual
+    /// quaternions, of which this is the vector part, the norm is a dual number: m/|l| alone would
+    /// keep a part along l. That part is the pitch of a screw, whose axis is what remains.
     ///
     /// # Errors
     /// If l is zero, or a number or the result is not finite.
@@ -73,8 +73,9 @@ impl<R: Real> Line<R> {
         Self { direction, moment }.orthogonal()
     }
 
-    /// `true` if l + εm is a line, of any length: l ≠ 0 and |l·m| ≤ tolerance·|l|·max(|l|, |m|), the
-    /// Plücker condition. False where a component is not finite.
+    /// `true` if l + εm is a line, of any length: l ≠ 0 and |l·m| ≤
+    /// tolerance·|l|·max(|l|, |m|), the Plücker condition. False where a component is not
+    /// finite.
     #[must_use]
     pub fn is_line(self, tolerance: R) -> bool {
         let Ok((direction, _)) = unit(self.direction, "") else { return false };
@@ -100,8 +101,8 @@ impl<R: Real> Line<R> {
         Ok(distance)
     }
 
-    /// The unit line without the part of m along l, which may be one of rounding: p × l is wrong by a
-    /// rounding of |p|, however near to the origin the line passes.
+    /// The unit line without the part of m along l, which may be one of rounding: p × l is wrong
+    /// by a rounding of |p|, however near to the origin the line passes.
     pub(super) fn orthogonal(self) -> Result<Self, IncidenceError> {
         let Self { direction, moment } = self;
         let moment = finite(vector::across(direction, moment), "the moment of a line")?;

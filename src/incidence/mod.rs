@@ -3,8 +3,9 @@
 //! Directions and normals may have any length but zero; what is returned has length 1. Numbers may
 //! be of any size as long as the answer is finite: no square of a coordinate is taken.
 //!
-//! Two directions whose sine is at most eight units of roundoff are parallel, and so are treated: the
-//! rounding of unit vectors alone makes such a sine, and an answer divided by it would be noise.
+//! Two directions whose sine is at most eight units of roundoff are parallel, and so are treated:
+//! the rounding of unit vectors alone makes such a sine, and an answer divided by it would be
+//! noise.
 
 mod crossing;
 mod error;

@@ -8,8 +8,8 @@ use crate::scalar::{Dual, vector};
 
 /// The relation of two lines: the answer of [`Line::common_perpendicular`].
 ///
-/// The screw about `axis` by the angle and slide of `angle` takes the first line to the second, sense
-/// included.
+/// The screw about `axis` by the angle and slide of `angle` takes the first line to the second,
+/// sense included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommonPerpendicular<R> {
     /// The line that crosses both at right angles, unit, with the sense of l₁ × l₂.
@@ -25,16 +25,19 @@ pub struct CommonPerpendicular<R> {
 
 impl<R: Real> Line<R> {
     /// The dual angle θ + εd between two lines: the angle and the distance in one number (Study
-    /// 1891). θ is in radians in [0, π]; d is the way from this line to the other along l₁ × l₂,
-    /// negative if that points back. The order of the two does not matter, the sense of each does.
+    /// 1891). θ is in radians in [0, π]; d is the way from this line to the other along l₁ ×
+    /// l₂, negative if that points back. The order of the two does not matter, the sense of each
+    /// does.
     ///
-    /// cos θ̂ = cos θ − ε d sin θ is the inner product of the unit lines, and sin θ̂ times the common
-    /// perpendicular their cross product ([`DualVector`](crate::geometry::DualVector)). Those lose small
-    /// angles and the distance of parallel lines; here θ is an arctangent, accurate to a few
-    /// roundings for every angle, and d is right for parallel lines. d is never negative for them.
+    /// cos θ̂ = cos θ − ε d sin θ is the inner product of the unit lines, and sin θ̂ times
+    /// the common perpendicular their cross product ([`DualVector`](crate::geometry::DualVector)).
+    /// Those lose small angles and the distance of parallel lines; here θ is an arctangent,
+    /// accurate to a few roundings for every angle, and d is right for parallel lines. d is never
+    /// negative for them.
     ///
-    /// The error of d is a few roundings of how far lines and feet are from the origin, or may be: the
-    /// feet of lines that are *almost* parallel are often far away, and have errors over sin² θ.
+    /// The error of d is a few roundings of how far lines and feet are from the origin, or may be:
+    /// the feet of lines that are *almost* parallel are often far away, and have errors over sin²
+    /// θ.
     ///
     /// # Errors
     /// If a direction is zero, or a number or the result is not finite.
@@ -138,8 +141,8 @@ type Perpendicular<R> = ([R; 3], [[R; 3]; 2], R);
 /// The one between unit lines, given l₁ × l₂ and its length.
 fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Perpendicular<R> {
     let n = vector::over_norm(normal, sine);
-    // From the way between two points: the other formula, −(l₁·m₂ + m₁·l₂)/sin θ, would multiply the
-    // roundings of both moments by 1/sin θ.
+    // From the way between two points: the other formula, −(l₁·m₂ + m₁·l₂)/sin θ,
+    // would multiply the roundings of both moments by 1/sin θ.
     let [on_a, on_b] = [a, b].map(Line::closest_point_to_origin);
     let way = vector::sub(on_b, on_a);
     // on_a + s l₁ + d n = on_b + t l₂, multiplied by l₂ × n and by l₁ × n.

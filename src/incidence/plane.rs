@@ -30,8 +30,8 @@ impl<R: Real> Plane<R> {
         Self::from_point_normal(a, vector::over_norm(normal, sine)).checked()
     }
 
-    /// The plane through a line and a point off the line; its normal is along m − x × l: direction of
-    /// the line, way from the line to the point, and normal are right-handed.
+    /// The plane through a line and a point off the line; its normal is along m − x × l:
+    /// direction of the line, way from the line to the point, and normal are right-handed.
     ///
     /// # Errors
     /// If the point is on the line within rounding, l is zero, or a number is not finite.

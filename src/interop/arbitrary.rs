@@ -1,4 +1,5 @@
-//! Any bits, infinities and NaN among them: what a fuzzer wants. [`DualQuat::normalize`] makes motions.
+//! Any bits, infinities and NaN among them: what a fuzzer wants. [`DualQuat::normalize`] makes
+//! motions.
 
 use crate::geometry::Twist;
 use crate::number::Real;

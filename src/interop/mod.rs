@@ -14,8 +14,9 @@
 //! | `proptest` | strategies for unit rotations and motions (implies `std`) |
 //! | `defmt` | `Format`, for logs of firmware: motions, rotations and twists, results of searches, and all errors |
 //!
-//! A matrix becomes a motion only through `TryFrom`, which wants it rigid within √ε of its numbers (3·10⁻⁴ in
-//! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
+//! A matrix becomes a motion only through `TryFrom`, which wants it rigid within √ε of its
+//! numbers (3·10⁻⁴ in `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`]
+//! takes another tolerance.
 
 #[cfg(feature = "approx_05")]
 mod approx_05;

@@ -1,5 +1,5 @@
-//! Strategies of proptest: rotations and motions, uniform but for the identity and half turns, which come
-//! more often than chance would have them.
+//! Strategies of proptest: rotations and motions, uniform but for the identity and half turns,
+//! which come more often than chance would have them.
 
 use crate::number::Real;
 use crate::scalar::{DualQuat, Quat};

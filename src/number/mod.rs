@@ -1,4 +1,5 @@
-//! What the scalar reference computes with: [`Real`] numbers, whose functions have the same bits everywhere.
+//! What the scalar reference computes with: [`Real`] numbers, whose functions have the same bits
+//! everywhere.
 
 mod real;
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -1,5 +1,5 @@
-//! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with trigonometry that has the same bits
-//! everywhere.
+//! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with trigonometry that has
+//! the same bits everywhere.
 
 #[cfg(any(feature = "std", feature = "libm"))]
 use super::sine;
@@ -9,14 +9,14 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// A number that the scalar reference computes with: `f32`, `f64`, or one of your own.
 ///
-/// The functions of `f32` and `f64` are those of one version of the crate `libm`, but for sine, cosine and tangent of
-/// `f32`, which it would compute in `f64`. The standard library has those of the platform, whose bits differ between
-/// machines.
+/// The functions of `f32` and `f64` are those of one version of the crate `libm`, but for sine,
+/// cosine and tangent of `f32`, which it would compute in `f64`. The standard library has those of
+/// the platform, whose bits differ between machines.
 ///
-/// Accuracy is promised, and tested, for these two. [`Dual`](crate::Dual) numbers over any `Real` are
-/// `Real` too, so whatever is written for every `R: Real`, the operations of this crate included, can
-/// be differentiated; a number that counts its operations is another use. Kernels over memory and
-/// lanes are for `f32` and `f64` alone ([`Scalar`]).
+/// Accuracy is promised, and tested, for these two. [`Dual`](crate::Dual) numbers over any `Real`
+/// are `Real` too, so whatever is written for every `R: Real`, the operations of this crate
+/// included, can be differentiated; a number that counts its operations is another use. Kernels
+/// over memory and lanes are for `f32` and `f64` alone ([`Scalar`]).
 ///
 /// An implementation must order its numbers as `==` tells them apart, and all of `abs`, `is_finite`
 /// and the comparisons must agree with that order, because edge cases are told by them.
@@ -103,8 +103,8 @@ pub trait Real:
     #[must_use]
     fn ln(self) -> Self;
 
-    /// What operations ask for before they compute by the book: the module `everyday`. Not part of the
-    /// interface.
+    /// What operations ask for before they compute by the book: the module `everyday`. Not part of
+    /// the interface.
     #[doc(hidden)]
     #[inline(always)]
     fn quick<Q: Quick<Self>>(_operation: Q) -> Option<Q::Output> {
@@ -158,7 +158,8 @@ macro_rules! real {
                 fn $name(self $(, $argument: Self)*) -> Self {
                     $home::$other(self $(, $argument)*)
                 }
-                // Never compiled to the end: `lib.rs` says what is missing, and this that nothing else is.
+                // Never compiled to the end: `lib.rs` says what is missing, and this that nothing
+                // else is.
                 #[cfg(not(any(feature = "std", feature = "libm")))]
                 fn $name(self $(, $argument: Self)*) -> Self {
                     $(let _ = $argument;)*
@@ -179,6 +180,7 @@ real! {
     atan = libm::atan(); atan2 = libm::atan2(x); exp = libm::exp(); ln = libm::log();
 }
 
-/// A number that lies in memory and in lanes: `f32` or `f64`. What everything over slices is made of.
+/// A number that lies in memory and in lanes: `f32` or `f64`. What everything over slices is made
+/// of.
 pub trait Scalar: Real + dq8_simd::Float {}
 impl<R: Real + dq8_simd::Float> Scalar for R {}

@@ -1,5 +1,5 @@
-//! Sine and cosine of `f32` in `f32`: those of `libm` compute in `f64`, which takes most microcontrollers a
-//! thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
+//! Sine and cosine of `f32` in `f32`: those of `libm` compute in `f64`, which takes most
+//! microcontrollers a thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
 
 /// sin x, within 1.06 units of the last place.
 #[inline]
@@ -93,7 +93,8 @@ fn reduce(x: f32) -> (u32, Precise) {
     let shift = size.leading_zeros();
     let leading = (size << shift) >> 32;
     let radians = leading * HALF_PI;
-    // leading/2³² · 2^(64 − shift) · 2⁻⁶² quarter turns are radians · 2^(−61 − shift).
+    // leading/2³² · 2^(64 − shift) · 2⁻⁶² quarter turns are radians · 2^(−61 −
+    // shift).
     let number = (radians >> 40) as u32;
     let missing = ((radians >> 16) as u32) & 0xff_ffff;
     let unit = f32::from_bits((127 + 40 - 61 - shift) << 23);

@@ -1,5 +1,6 @@
-//! `From` and `Into` for arrays and for the parts of a motion, where the order of the numbers is that of memory.
-//! Matrices have named functions instead, because a conversion could not say rows or columns.
+//! `From` and `Into` for arrays and for the parts of a motion, where the order of the numbers is
+//! that of memory. Matrices have named functions instead, because a conversion could not say rows
+//! or columns.
 
 use crate::conversions::conversions;
 use crate::geometry::{Twist, Wrench};

@@ -1,4 +1,5 @@
-//! Numbers and rotations as factors: `q * 2.0`, `2.0 * q`, `q / 2.0`, and what a rotation does to a vector.
+//! Numbers and rotations as factors: `q * 2.0`, `2.0 * q`, `q / 2.0`, and what a rotation does to a
+//! vector.
 
 use crate::geometry::{DualVector, Twist};
 use crate::number::Real;

@@ -1,4 +1,5 @@
-//! Components by number, in the order of memory. Like those of arrays, a number that is too large panics.
+//! Components by number, in the order of memory. Like those of arrays, a number that is too large
+//! panics.
 
 use crate::number::Real;
 use crate::scalar::{DualQuat, Quat};

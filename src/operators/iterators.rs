@@ -1,4 +1,5 @@
-//! `sum()` and `product()` of iterators. A product runs from left to right: its last factor acts first.
+//! `sum()` and `product()` of iterators. A product runs from left to right: its last factor acts
+//! first.
 
 use crate::geometry::{DualVector, Twist};
 use crate::number::Real;

@@ -1,6 +1,6 @@
-//! The operators of `core` on the plain types, as far as the textbook's own (`+`, `-`, `*` of values, in
-//! `scalar`, `geometry` and `representation`) imply them: `*=`, references, numbers as factors, sums and
-//! products of iterators, indices.
+//! The operators of `core` on the plain types, as far as the textbook's own (`+`, `-`, `*` of
+//! values, in `scalar`, `geometry` and `representation`) imply them: `*=`, references, numbers as
+//! factors, sums and products of iterators, indices.
 //!
 //! With them conversions from and to arrays, and text.
 //!

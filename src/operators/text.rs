@@ -1,5 +1,5 @@
-//! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads it back to
-//! the last bit.
+//! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads it
+//! back to the last bit.
 
 use crate::errors::{Count, errors};
 use crate::geometry::Twist;

@@ -6,25 +6,29 @@ use crate::scalar::{DualQuat, vector};
 use core::ops::Mul;
 
 crate::plain::plain! {
-    /// A linear map and a translation, v ↦ Lv + t: what a 3×4 matrix can hold and a dual quaternion
-    /// cannot, scale, shear and reflection.
+    /// A linear map and a translation, v ↦ Lv + t: what a 3×4 matrix can hold and a dual
+    /// quaternion cannot, scale, shear and reflection.
     ///
     /// # Why a dual quaternion cannot
     ///
-    /// For any σ = p + εq, unit or not, σ(1 + εv)σ⋄ = pp* + ε(pvp* + qp* − pq*). The real part is the number
+    /// For any σ = p + εq, unit or not, σ(1 + εv)σ⋄ = pp* + ε(pvp* + qp* − pq*). The real
+    /// part is the number
     /// |p|², and the only term with v is pvp*: |p|² times a rotation. As a point, real part 1, it is that
-    /// rotation and a translation, so *every* σ with p ≠ 0 keeps distances and handedness. A dual
-    /// part that is not divided scales uniformly, by the factor of Arends ch. 5 §6.1, but with a real part
-    /// other than 1 it is not a point any more. Nor does any other single product avb of quaternions: |avb| =
+    /// rotation and a translation, so *every* σ with p ≠ 0 keeps distances and handedness. A
+    /// dual part that is not divided scales uniformly, by the factor of Arends ch. 5 §6.1, but
+    /// with a real part other than 1 it is not a point any more. Nor does any other single product
+    /// avb of quaternions: |avb| =
     /// |a||v||b| lengthens all vectors alike, so it neither scales directions differently nor shears. A reflection is
     /// one with another sign, nvn ([`reflection`](Self::reflection)).
     ///
-    /// *Sums* of products do all of it, as sums avb are all linear maps of the quaternions. Arends' own eq. 8,
-    /// ½(v ∓ eve⁻¹) for what is across and along e, scales along e with a factor on the second part, and
-    /// v + (a/2)(v + jvj⁻¹)k shears, though his ch. 5 §6.1 and §6.3 say that quaternions cannot. But a sum is no
-    /// longer a product of motions: it composes by nothing simpler than matrices.
+    /// *Sums* of products do all of it, as sums avb are all linear maps of the quaternions. Arends'
+    /// own eq. 8, ½(v ∓ eve⁻¹) for what is across and along e, scales along e with a factor
+    /// on the second part, and v + (a/2)(v + jvj⁻¹)k shears, though his ch. 5 §6.1 and §6.3
+    /// say that quaternions cannot. But a sum is no longer a product of motions: it composes by
+    /// nothing simpler than matrices.
     ///
-    /// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them apart.
+    /// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them
+    /// apart.
     ///
     /// ```
     /// use dq8::{DualQuat, representation::Affine};
@@ -96,8 +100,9 @@ impl<R: Real> Affine<R> {
         Self { linear: [[x, zero, zero], [zero, y, zero], [zero, zero, z]], translation }
     }
 
-    /// v ↦ v + (n·v)s: the plane n·v = 1 slides by s, and the others in proportion. Arends' shear along z
-    /// (ch. 2 §7.3) has n = (0, 0, 1) and s = (a, b, 0). Volumes are kept if s is orthogonal to n.
+    /// v ↦ v + (n·v)s: the plane n·v = 1 slides by s, and the others in proportion. Arends'
+    /// shear along z (ch. 2 §7.3) has n = (0, 0, 1) and s = (a, b, 0). Volumes are kept if s is
+    /// orthogonal to n.
     ///
     /// ```
     /// use dq8::representation::Affine;
@@ -112,8 +117,9 @@ impl<R: Real> Affine<R> {
         Self { linear, translation: [R::ZERO; 3] }
     }
 
-    /// v ↦ v − 2(n·v − d)n, the mirror image in the plane n·v = d, whose normal must have length 1.
-    /// For pure quaternions that is nvn + 2dn (Arends ch. 5 §6.2, p′ = qpq, which has d = 0).
+    /// v ↦ v − 2(n·v − d)n, the mirror image in the plane n·v = d, whose normal must have
+    /// length 1. For pure quaternions that is nvn + 2dn (Arends ch. 5 §6.2, p′ = qpq, which has
+    /// d = 0).
     ///
     /// ```
     /// use dq8::{Plane, representation::Affine};
@@ -139,9 +145,9 @@ impl<R: Real> Affine<R> {
         self.linear.map(|row| vector::dot(row, vector))
     }
 
-    /// σ and S with Lv + t = σ applied to Sv: first a stretch along three orthogonal directions, then
-    /// a rigid motion, by the polar decomposition of L ([`Polar`]; Shoemake & Duff 1992). If the map mirrors, S
-    /// does: all its eigenvalues are negative.
+    /// σ and S with Lv + t = σ applied to Sv: first a stretch along three orthogonal directions,
+    /// then a rigid motion, by the polar decomposition of L ([`Polar`]; Shoemake & Duff 1992). If
+    /// the map mirrors, S does: all its eigenvalues are negative.
     ///
     /// # Errors
     /// If an element is not finite, or L squeezes space into a line or a point.

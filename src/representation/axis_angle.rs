@@ -5,8 +5,9 @@ use crate::scalar::{Quat, vector};
 
 impl<R: Real> Quat<R> {
     /// The axis, of length 1, and the angle in [0, π] radians of a unit quaternion, n and θ of
-    /// ±q = cos(θ/2) + n sin(θ/2). Of ±q the [canonical](crate::DualQuat::canonical) one is taken: w ≥ 0,
-    /// and at half a turn, where both n and −n are axes, the first component of n that is not zero is positive. No turn has the axis (1, 0, 0).
+    /// ±q = cos(θ/2) + n sin(θ/2). Of ±q the [canonical](crate::DualQuat::canonical) one is
+    /// taken: w ≥ 0, and at half a turn, where both n and −n are axes, the first component of n
+    /// that is not zero is positive. No turn has the axis (1, 0, 0).
     ///
     /// The angle is twice the arctangent of |n sin(θ/2)| and w, accurate for all angles, where
     /// 2 arccos w loses half of the digits of a small one.
@@ -29,8 +30,8 @@ impl<R: Real> Quat<R> {
         (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
     }
 
-    /// The turn by |v| radians about the direction of v, the exponential of v/2. Any v; the error of
-    /// a large angle is that of its rounding.
+    /// The turn by |v| radians about the direction of v, the exponential of v/2. Any v; the error
+    /// of a large angle is that of its rounding.
     ///
     /// ```
     /// use dq8::Quat;

@@ -27,12 +27,13 @@ impl<R: Real> Quat<R> {
         Self::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle)
     }
 
-    /// The least turn that takes the direction of `from` to that of `to`, two vectors of any length:
+    /// The least turn that takes the direction of `from` to that of `to`, two vectors of any
+    /// length:
     /// |a + b|/2 + n |b − a|/2 of the unit vectors, n along a × b (after Kahan 2006). Where they are
     /// opposite there are many; this takes the axis most across `from`. NaN for a zero vector.
     ///
-    /// The sum and the difference keep what a·b has lost, both of the smallest angles and near half
-    /// a turn.
+    /// The sum and the difference keep what a·b has lost, both of the smallest angles and near
+    /// half a turn.
     ///
     /// ```
     /// use dq8::Quat;
@@ -56,12 +57,13 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, sine), cosine).normalize()
     }
 
-    /// The rotation that takes the z axis to the direction `forward` and the y axis as near to `up` as
-    /// that allows; the lengths do not matter. Cameras that look along −z (glTF, OpenGL) give −forward.
+    /// The rotation that takes the z axis to the direction `forward` and the y axis as near to `up`
+    /// as that allows; the lengths do not matter. Cameras that look along −z (glTF, OpenGL) give
+    /// −forward.
     ///
     /// # Errors
-    /// If a vector is zero (column 0 of the error is `forward`, 1 is `up`), not finite, or one is along
-    /// the other.
+    /// If a vector is zero (column 0 of the error is `forward`, 1 is `up`), not finite, or one is
+    /// along the other.
     ///
     /// ```
     /// use dq8::Quat;
@@ -83,8 +85,8 @@ impl<R: Real> Quat<R> {
         Ok(Self::from_matrix3(columns.map(|[z, y, side]| [-side, y, z])))
     }
 
-    /// Turns the signs of a sequence such that each is the nearer one of ±q to the one before: both are
-    /// the same rotation, but sums, differences and plots are of numbers. The first stays.
+    /// Turns the signs of a sequence such that each is the nearer one of ±q to the one before:
+    /// both are the same rotation, but sums, differences and plots are of numbers. The first stays.
     ///
     /// ```
     /// use dq8::Quat;
@@ -99,13 +101,13 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The pose at `eye` whose z axis points to `target`, and its y axis as near to `up` as that allows:
-    /// [`Quat::look_to`] and the translation. The inverse is the view transform of a camera that looks
-    /// along z.
+    /// The pose at `eye` whose z axis points to `target`, and its y axis as near to `up` as that
+    /// allows: [`Quat::look_to`] and the translation. The inverse is the view transform of a camera
+    /// that looks along z.
     ///
     /// # Errors
-    /// If `target` is `eye`, `up` is zero or along the way from one to the other, or a number is not
-    /// finite.
+    /// If `target` is `eye`, `up` is zero or along the way from one to the other, or a number is
+    /// not finite.
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -30,19 +30,21 @@ pub struct EulerAngles<R> {
 /// The Euler angles of a rotation, and whether they are one choice of many.
 ///
 /// Where the first and the last axis fall together (the middle angle at ±π/2 with three different
-/// axes, at 0 or π with a proper order), only the sum or the difference of the outer angles is known:
-/// *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products for θ = π/2 and θ = 0).
-/// Within rounding of that the middle angle is exactly there, **the last angle is zero**, the first
-/// one has the whole turn, and `gimbal_lock` is set: the rotation does not have the missing number.
+/// axes, at 0 or π with a proper order), only the sum or the difference of the outer angles is
+/// known: *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products for θ = π/2
+/// and θ = 0). Within rounding of that the middle angle is exactly there, **the last angle is
+/// zero**, the first one has the whole turn, and `gimbal_lock` is set: the rotation does not have
+/// the missing number.
 ///
-/// Near the lock the angles are still those of the rotation, but an error of δ in it moves the outer
-/// ones by δ over the sine of the angle between the two axes, and their sum or difference by δ only.
+/// Near the lock the angles are still those of the rotation, but an error of δ in it moves the
+/// outer ones by δ over the sine of the angle between the two axes, and their sum or difference by
+/// δ only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerSolution<R> {
     /// The angles, with the order they were asked for.
     pub angles: EulerAngles<R>,
-    /// The first and the last axis are parallel within 4 units of the last place of 1, in radians, so
-    /// the last angle was chosen to be 0.
+    /// The first and the last axis are parallel within 4 units of the last place of 1, in radians,
+    /// so the last angle was chosen to be 0.
     pub gimbal_lock: bool,
 }
 
@@ -79,7 +81,8 @@ impl<R: Real> Quat<R> {
         EulerAngles { angles: [first, second, third], order }.to_quat()
     }
 
-    /// The turn of roll about x, then pitch about y, then yaw about z, all of them fixed axes: what URDF's `rpy` says.
+    /// The turn of roll about x, then pitch about y, then yaw about z, all of them fixed axes: what
+    /// URDF's `rpy` says.
     ///
     /// ```
     /// use core::f64::consts::FRAC_PI_2;
@@ -96,21 +99,21 @@ impl<R: Real> Quat<R> {
     }
 
     /// The Euler angles of this unit quaternion, those of −q to the bit: the middle one in
-    /// [−π/2, π/2] if the three axes differ and in [0, π] if the last is the first again, the outer
-    /// ones in [−π, π]. NaN if a component is.
+    /// [−π/2, π/2] if the three axes differ and in [0, π] if the last is the first again, the
+    /// outer ones in [−π, π]. NaN if a component is.
     ///
-    /// Straight from the quaternion, without a matrix (Bernardes & Viollet 2022). With extrinsic turns
-    /// by α about i, β about j and γ about i, and k = ±i × j,
+    /// Straight from the quaternion, without a matrix (Bernardes & Viollet 2022). With extrinsic
+    /// turns by α about i, β about j and γ about i, and k = ±i × j,
     ///
     /// ```text
     /// a + b√−1 = w + x_i√−1 = cos(β/2) exp(√−1 (α + γ)/2)
     /// c + d√−1 = x_j ± x_k√−1 = sin(β/2) exp(√−1 (γ − α)/2)
     /// ```
     ///
-    /// and a quarter of a turn about j makes three different axes such ones. The outer angles are then
-    /// the arguments of products of the two numbers and β is an arctangent of their lengths, so the
-    /// result is as good near gimbal lock as elsewhere. An arcsine of a matrix element, as in many
-    /// codes, keeps half of the digits there.
+    /// and a quarter of a turn about j makes three different axes such ones. The outer angles are
+    /// then the arguments of products of the two numbers and β is an arctangent of their lengths,
+    /// so the result is as good near gimbal lock as elsewhere. An arcsine of a matrix element, as
+    /// in many codes, keeps half of the digits there.
     ///
     /// ```
     /// use core::f32::consts::FRAC_PI_2;
@@ -160,7 +163,8 @@ impl<R: Real> Quat<R> {
             let middle = if proper {
                 R::TWO * sine.atan2(cosine)
             } else {
-                // 2 (atan(sine/cosine) − π/4), without the difference, which would cost a small β.
+                // 2 (atan(sine/cosine) − π/4), without the difference, which would cost a small
+                // β.
                 let sum = sine + cosine;
                 R::TWO * (R::from(4.0) * (w * x_j - x_i * x_k)).atan2(sum * sum)
             };

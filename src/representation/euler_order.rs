@@ -1,8 +1,8 @@
 /// In which order Euler angles turn about which axes: 24 in all, [`EulerOrder::ALL`].
 ///
 /// Kenwright (§3.3) says twelve and prints eleven, three of them twice. There are six with three
-/// different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler angles), and
-/// each may turn about axes that move along or that stay.
+/// different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler
+/// angles), and each may turn about axes that move along or that stay.
 ///
 /// ```
 /// use dq8::{representation::{EulerAxes, EulerFrame, EulerOrder}};

@@ -3,13 +3,13 @@ use crate::number::Real;
 use crate::scalar::vector;
 
 /// The rotation matrix with the first column in the direction of the matrix's first, the second in
-/// the plane of its first two, and the third their cross product (Gram 1883, Schmidt 1907; Kenwright
-/// §3.5.2 names it against drift). Rows in, rows out.
+/// the plane of its first two, and the third their cross product (Gram 1883, Schmidt 1907;
+/// Kenwright §3.5.2 names it against drift). Rows in, rows out.
 ///
-/// Cheap, and not fair: the first axis keeps its direction and the errors go to the others, so another
-/// order of axes gives another rotation. [`Polar`](crate::representation::Polar) gives the nearest one. The first two
-/// columns are projected twice, because one projection of a thin wedge leaves a right angle only to
-/// rounding over the sine of the wedge.
+/// Cheap, and not fair: the first axis keeps its direction and the errors go to the others, so
+/// another order of axes gives another rotation. [`Polar`](crate::representation::Polar) gives the
+/// nearest one. The first two columns are projected twice, because one projection of a thin wedge
+/// leaves a right angle only to rounding over the sine of the wedge.
 ///
 /// # Errors
 /// If an element is not finite, a column is within rounding of the span of those before it, or the

@@ -1,4 +1,5 @@
-//! Other representations of rotations and rigid motions, and what more than a motion a matrix can hold.
+//! Other representations of rotations and rigid motions, and what more than a motion a matrix can
+//! hold.
 //!
 //! A unit quaternion is the middle of all of them. Kenwright (§3) compares Euler angles, axis and
 //! angle, matrices, and quaternions with a translation; each is one call away from [`Quat`] or
@@ -15,8 +16,8 @@
 //! | rotation and translation | `DualQuat::from(`[`RotationTranslation`]`)` | `RotationTranslation::from` |
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
-//! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under the same names, or
-//! under ones that end in `_checked` where there is an error here.
+//! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under
+//! the same names, or under ones that end in `_checked` where there is an error here.
 
 mod affine;
 mod axis_angle;

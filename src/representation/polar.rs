@@ -34,16 +34,16 @@ impl<R: Real> Polar<R> {
     ///
     /// The sum of the products of the elements of A and those of the rotation matrix of q is a
     /// quadratic form of q, so the nearest rotation is the eigenvector of the largest eigenvalue of
-    /// a symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). With the singular values σ₁ ≥ σ₂
-    /// ≥ σ₃ of A the four eigenvalues of −A are those of A negated, and the largest is σ₁ + σ₂ + σ₃
-    /// for the one of ±A that does not mirror, which is how that is told. Newton's iteration
-    /// (Higham 1986) inverts A at every step; this inverts nothing, so a flat A (σ₃ = 0 within
-    /// rounding) has its answer too, and does not count as mirroring.
+    /// a symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). With the singular values σ₁
+    /// ≥ σ₂ ≥ σ₃ of A the four eigenvalues of −A are those of A negated, and the
+    /// largest is σ₁ + σ₂ + σ₃ for the one of ±A that does not mirror, which is how that
+    /// is told. Newton's iteration (Higham 1986) inverts A at every step; this inverts nothing, so
+    /// a flat A (σ₃ = 0 within rounding) has its answer too, and does not count as mirroring.
     ///
     /// # Errors
     /// If an element is not finite, of A or of S (which overflows where singular values do), or if
-    /// A squeezes space into a line or a point within rounding (σ₂ = σ₃ = 0): then many rotations
-    /// are as near as each other.
+    /// A squeezes space into a line or a point within rounding (σ₂ = σ₃ = 0): then many
+    /// rotations are as near as each other.
     pub fn try_from_matrix3(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
         let Spectrum { largest, values, vectors } = Spectrum::of(rows)?;
         let rounding = rounding::<R>();
@@ -61,10 +61,12 @@ impl<R: Real> Polar<R> {
     }
 }
 
-/// The rotation R for which the sum of the products of its elements and those of A is largest, w ≥
+/// The rotation R for which the sum of the products of its elements and those of A is largest, w
+/// ≥
 /// 0. It is the one nearest to A, also if A mirrors: then the smallest axis of A is turned over
-/// (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum, σ₁ + σ₂ ± σ₃ of
-/// the singular values, less where A mirrors; and σ₂ ± σ₃, by which R is told from others.
+///    (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum, σ₁ + σ₂
+///    ± σ₃ of the singular values, less where A mirrors; and σ₂ ± σ₃, by which R is told
+///    from others.
 ///
 /// # Errors
 /// If an element is not finite, or many rotations are as good: A squeezes space into a line or a
@@ -78,9 +80,10 @@ pub(crate) fn best_rotation<R: Real>(
     Ok((rotation, [R::ONE, gap].map(|share| share * values[best] * largest)))
 }
 
-/// The singular values σ₁ ≥ σ₂ ≥ σ₃, the last one negated where A mirrors; NaN or infinite if an
-/// element is. The eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ − σ₁ − σ₃ and σ₃ − σ₁
-/// − σ₂, so these are half of the sums of the largest with each of the others.
+/// The singular values σ₁ ≥ σ₂ ≥ σ₃, the last one negated where A mirrors; NaN or
+/// infinite if an element is. The eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ −
+/// σ₂ − σ₃, σ₂ − σ₁ − σ₃ and σ₃ − σ₁ − σ₂, so these are half of
+/// the sums of the largest with each of the others.
 pub(crate) fn singular_values<R: Real>(rows: [[R; 3]; 3]) -> [R; 3] {
     let largest = vector::largest(rows.map(vector::largest));
     let Ok(Spectrum { values: [a, b, c, d], .. }) = Spectrum::of(rows) else { return [largest; 3] };
@@ -139,7 +142,8 @@ fn rotation<R: Real>(
     Ok((if rotation.w() < R::ZERO { -rotation } else { rotation }, gap))
 }
 
-/// K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the rotation matrix of a unit q.
+/// K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the rotation matrix of
+/// a unit q.
 fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] {
     [
         [a - e - i, b + d, c + g, h - f],

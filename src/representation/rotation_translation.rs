@@ -4,9 +4,11 @@ use core::ops::Mul;
 
 crate::plain::plain! {
     /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
-    /// physics engines hold, a number less than a [`DualQuat`](crate::DualQuat), and the same motion.
+    /// physics engines hold, a number less than a [`DualQuat`](crate::DualQuat), and the same
+    /// motion.
     ///
-    /// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
+    /// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations)
+    /// takes.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat, representation::RotationTranslation};

@@ -6,9 +6,10 @@ use crate::number::Real;
 use crate::scalar::{DualQuat, Quat, mean::dib, vector};
 
 impl<R: Real> Quat<R> {
-    /// Roll about x, then pitch about y, then yaw about z, all of them fixed axes, of this unit quaternion: what
-    /// [`from_rpy`](Self::from_rpy) takes. Pitch is in [−π/2, π/2], the others in [−π, π]; where pitch is at an end, yaw
-    /// is 0 and roll has the whole turn ([`to_euler`](Self::to_euler) tells).
+    /// Roll about x, then pitch about y, then yaw about z, all of them fixed axes, of this unit
+    /// quaternion: what [`from_rpy`](Self::from_rpy) takes. Pitch is in [−π/2, π/2], the others
+    /// in [−π, π]; where pitch is at an end, yaw is 0 and roll has the whole turn
+    /// ([`to_euler`](Self::to_euler) tells).
     ///
     /// ```
     /// use dq8::Quat;
@@ -25,8 +26,9 @@ impl<R: Real> Quat<R> {
         self.to_euler(EulerOrder::XYZ.extrinsic()).angles.angles
     }
 
-    /// The logarithm of a unit quaternion, n θ/2 with ±q = cos(θ/2) + n sin(θ/2) and θ in [0, π]: half of
-    /// [`to_scaled_axis`](Self::to_scaled_axis), as the real part of [`DualQuat::log`].
+    /// The logarithm of a unit quaternion, n θ/2 with ±q = cos(θ/2) + n sin(θ/2) and θ in [0,
+    /// π]: half of [`to_scaled_axis`](Self::to_scaled_axis), as the real part of
+    /// [`DualQuat::log`].
     ///
     /// ```
     /// use dq8::Quat;
@@ -50,8 +52,8 @@ impl<R: Real> Quat<R> {
         Self::from_scaled_axis(vector::scale(log, R::TWO))
     }
 
-    /// qᵗ = exp(t log q): the same axis, t times the angle, for any real t. Of ±q, the one with w ≥ 0, as
-    /// [`DualQuat::pow`]. q must be unit.
+    /// qᵗ = exp(t log q): the same axis, t times the angle, for any real t. Of ±q, the one with
+    /// w ≥ 0, as [`DualQuat::pow`]. q must be unit.
     ///
     /// ```
     /// use dq8::Quat;
@@ -66,8 +68,8 @@ impl<R: Real> Quat<R> {
         Self::from_scaled_axis(vector::scale(self.to_scaled_axis(), t))
     }
 
-    /// The intrinsic mean of unit quaternions, all of the same weight, whose signs do not matter: [`DualQuat::mean`] of
-    /// rotations.
+    /// The intrinsic mean of unit quaternions, all of the same weight, whose signs do not matter:
+    /// [`DualQuat::mean`] of rotations.
     ///
     /// ```
     /// use dq8::Quat;
@@ -88,8 +90,8 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The motion of URDF's `<origin xyz rpy>`: roll, pitch and yaw about fixed axes ([`Quat::from_rpy`]), then the
-    /// translation.
+    /// The motion of URDF's `<origin xyz rpy>`: roll, pitch and yaw about fixed axes
+    /// ([`Quat::from_rpy`]), then the translation.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -102,7 +104,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(Quat::from_rpy(roll, pitch, yaw), xyz)
     }
 
-    /// The turn by `angle` radians about `axis` through the origin: [`Quat::from_axis_angle`]. The axis must have length 1.
+    /// The turn by `angle` radians about `axis` through the origin: [`Quat::from_axis_angle`]. The
+    /// axis must have length 1.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -156,10 +159,11 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(rotation, self.translation())
     }
 
-    /// The intrinsic mean of unit motions, all of the same weight, whose signs do not matter: [`dib`](Self::dib) to the end.
+    /// The intrinsic mean of unit motions, all of the same weight, whose signs do not matter:
+    /// [`dib`](Self::dib) to the end.
     ///
-    /// `None` of no poses, of NaN and infinities, and where 64 steps do not end within rounding. Poses more than a quarter
-    /// of a turn from their mean may have several, of which this is one.
+    /// `None` of no poses, of NaN and infinities, and where 64 steps do not end within rounding.
+    /// Poses more than a quarter of a turn from their mean may have several, of which this is one.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -187,8 +191,8 @@ fn mean<R: Real>(poses: impl ExactSizeIterator<Item = DualQuat<R>> + Clone) -> O
 }
 
 impl<R: Real> Twist<R> {
-    /// √(|ω|² + |v|²), the length of its six numbers. It adds radians to lengths, so it depends on the unit of length:
-    /// good to see whether anything moves.
+    /// √(|ω|² + |v|²), the length of its six numbers. It adds radians to lengths, so it
+    /// depends on the unit of length: good to see whether anything moves.
     ///
     /// ```
     /// use dq8::Twist;
@@ -208,7 +212,8 @@ impl<R: Real> Twist<R> {
     }
 }
 
-/// The orders whose axes move along, by their axes: as `EulerRot` of glam, and the capital letters of SciPy.
+/// The orders whose axes move along, by their axes: as `EulerRot` of glam, and the capital letters
+/// of SciPy.
 macro_rules! intrinsic {
     ($($name:ident)*) => {
         impl EulerOrder {

@@ -10,9 +10,9 @@ impl<R: Real> Twist<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry 1994, eq. 2.58), as lines
-    /// move. Takes a twist in the body's frame to the fixed frame; `conjugate().adjoint()` takes it
-    /// back. Ad_{ab} = Ad_a Ad_b. σ must be unit.
+    /// Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry 1994,
+    /// eq. 2.58), as lines move. Takes a twist in the body's frame to the fixed frame;
+    /// `conjugate().adjoint()` takes it back. Ad_{ab} = Ad_a Ad_b. σ must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -30,12 +30,12 @@ impl<R: Real> DualQuat<R> {
         Twist { angular, linear }
     }
 
-    /// The co-adjoint action on wrenches: f′ = Rf, τ′ = Rτ + t × f′, so that the power of a wrench on
-    /// a twist is the same in both frames. Takes a wrench in the body's frame to the fixed frame.
-    /// σ must be unit.
+    /// The co-adjoint action on wrenches: f′ = Rf, τ′ = Rτ + t × f′, so that the power of
+    /// a wrench on a twist is the same in both frames. Takes a wrench in the body's frame to the
+    /// fixed frame. σ must be unit.
     ///
-    /// This is (Ad_σ⁻¹)ᵀ, a left action: coadjoint of ab is that of b, then that of a (Murray, Li and Sastry 1994,
-    /// §2.5).
+    /// This is (Ad_σ⁻¹)ᵀ, a left action: coadjoint of ab is that of b, then that of a
+    /// (Murray, Li and Sastry 1994, §2.5).
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::Wrench};

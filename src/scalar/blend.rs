@@ -5,9 +5,9 @@ use crate::everyday;
 use crate::number::Real;
 
 impl<R: Real> Quat<R> {
-    /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, normalized (Shoemake 1985).
-    /// `t` = 0 gives `self`, 1 gives ±`other`. On the same arc as [`slerp`](Self::slerp), cheaper, and
-    /// not at constant speed. NaN if the sum is zero.
+    /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, normalized (Shoemake
+    /// 1985). `t` = 0 gives `self`, 1 gives ±`other`. On the same arc as [`slerp`](Self::slerp),
+    /// cheaper, and not at constant speed. NaN if the sum is zero.
     #[inline]
     #[doc(alias("lerp"))]
     pub fn nlerp(self, other: Self, t: R) -> Self {
@@ -19,8 +19,8 @@ impl<R: Real> Quat<R> {
 impl<R: Real> DualQuat<R> {
     /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, exactly normalized, the
     /// sign such that the two do not point apart (Tarini, slide 127). `t` = 0 gives `self`, 1 gives
-    /// ±`other`. Cheaper than [`sclerp`](Self::sclerp), with the same path of the real part but not
-    /// the same speed.
+    /// ±`other`. Cheaper than [`sclerp`](Self::sclerp), with the same path of the real part but
+    /// not the same speed.
     ///
     /// Every component is NaN if the result cannot be normalized.
     ///
@@ -41,14 +41,14 @@ impl<R: Real> DualQuat<R> {
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
     }
 
-    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, each sign turned toward the
-    /// first motion (Kavan et al. 2008, "DLB"). Cheaper than [`dib`](Self::dib), the mean in
+    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, each sign turned toward
+    /// the first motion (Kavan et al. 2008, "DLB"). Cheaper than [`dib`](Self::dib), the mean in
     /// earnest, from which the blend of two motions turns away by at most 8.15°.
     ///
     /// The weights need not sum to one, because the sum is normalized: all of them times any number
     /// but zero give the same motion. A negative weight moves the blend away from its motion. Where
-    /// weights sum to zero the result is of no use, and often NaN. Weights that are so small that a product with a
-    /// component is below the normal numbers lose digits, as such numbers do.
+    /// weights sum to zero the result is of no use, and often NaN. Weights that are so small that a
+    /// product with a component is below the normal numbers lose digits, as such numbers do.
     ///
     /// `None` without influences; every component is NaN if the sum cannot be normalized: its real
     /// part is zero, as when the weights cancel, or a component is not finite.
@@ -70,8 +70,8 @@ impl<R: Real> DualQuat<R> {
     /// that do not cluster about the first, or where the first one's weight may be zero. Where the
     /// two are exactly at right angles (half a turn apart) the sign is kept. The result depends on
     /// the order of the influences where they span more than half a turn. The weights need not sum
-    /// to one, but no sum on the way should be negative: it would point away from its motions. Tarini's slide 127
-    /// turns signs for two; for more, this is one way to go on.
+    /// to one, but no sum on the way should be negative: it would point away from its motions.
+    /// Tarini's slide 127 turns signs for two; for more, this is one way to go on.
     ///
     /// `None` without influences; every component is NaN if the sum cannot be normalized.
     ///
@@ -102,7 +102,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// The sum of influences, each with the sign that turns it toward the first: normalized, [`DualQuat::dlb`].
+/// The sum of influences, each with the sign that turns it toward the first: normalized,
+/// [`DualQuat::dlb`].
 #[inline]
 pub fn weighted_sum<R: Real>(
     mut influences: impl Iterator<Item = (DualQuat<R>, R)>,

@@ -5,10 +5,11 @@ use crate::geometry::{DualVector, Twist};
 use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv: fixed axes, v = ṫ − ω × t is the velocity of the
-    /// point of the body that is at the fixed origin. Jia has no twist: put into his eq. 45, which is
-    /// [`derivative_from_velocity`](Self::derivative_from_velocity), this v makes the product. ω is in radians per unit of
-    /// time, v in lengths per unit of time. Linear in both, so σ need not be unit.
+    /// σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv: fixed axes, v = ṫ − ω × t is the
+    /// velocity of the point of the body that is at the fixed origin. Jia has no twist: put into
+    /// his eq. 45, which is [`derivative_from_velocity`](Self::derivative_from_velocity), this v
+    /// makes the product. ω is in radians per unit of time, v in lengths per unit of time. Linear
+    /// in both, so σ need not be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -23,9 +24,10 @@ impl<R: Real> DualQuat<R> {
         (pure(twist) * self).scale(R::HALF)
     }
 
-    /// σ̇ = ½σξ for the *body* twist ξ = ω + εv: the axes and the origin of the moving frame, v is
-    /// ṫ in those axes. Units as for [`derivative_spatial`](Self::derivative_spatial), whose twist
-    /// is Ad_σ of this one (Murray, Li, Sastry 1994, §2.4).
+    /// σ̇ = ½σξ for the *body* twist ξ = ω + εv: the axes and the origin of the moving
+    /// frame, v is ṫ in those axes. Units as for
+    /// [`derivative_spatial`](Self::derivative_spatial), whose twist is Ad_σ of this one (Murray,
+    /// Li, Sastry 1994, §2.4).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -41,8 +43,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The spatial twist 2σ̇σ* of a unit σ that changes by σ̇ per unit of time; undoes
-    /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar parts,
-    /// zero where σ̇ keeps σ unit, are dropped. Jia's eq. 45 solved for the twist.
+    /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar
+    /// parts, zero where σ̇ keeps σ unit, are dropped. Jia's eq. 45 solved for the twist.
     #[inline]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
@@ -59,9 +61,10 @@ impl<R: Real> DualQuat<R> {
         of_pure((self.conjugate() * derivative).scale(R::TWO))
     }
 
-    /// σ̇ = ½ωr + ½ε(ṫr + ½tωr) (Jia §9, after eq. 45): `angular` is ω in *fixed* axes, radians per
-    /// unit of time; `linear` is **ṫ**, the velocity of the body's own origin in fixed axes, and not
-    /// the linear part of a spatial twist, which is ṫ − ω × t. σ must be unit.
+    /// σ̇ = ½ωr + ½ε(ṫr + ½tωr) (Jia §9, after eq. 45): `angular` is ω in *fixed* axes,
+    /// radians per unit of time; `linear` is **ṫ**, the velocity of the body's own origin in
+    /// fixed axes, and not the linear part of a spatial twist, which is ṫ − ω × t. σ must be
+    /// unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -82,11 +85,12 @@ impl<R: Real> DualQuat<R> {
         Self::new(rotating, (moving + t * rotating).scale(R::HALF))
     }
 
-    /// (ω, ṫ) of a unit σ that changes by σ̇ per unit of time: the angular velocity, and the velocity
-    /// of the body's own origin, both in fixed axes; undoes
+    /// (ω, ṫ) of a unit σ that changes by σ̇ per unit of time: the angular velocity, and the
+    /// velocity of the body's own origin, both in fixed axes; undoes
     /// [`derivative_from_velocity`](Self::derivative_from_velocity).
     ///
-    /// ω = 2ṙr* (Jia §9), and by the product rule on t = 2qp* (his eq. 24), ṫ = 2(q̇p* + qṗ*).
+    /// ω = 2ṙr* (Jia §9), and by the product rule on t = 2qp* (his eq. 24), ṫ = 2(q̇p* +
+    /// qṗ*).
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -98,8 +102,8 @@ impl<R: Real> DualQuat<R> {
         (angular.xyz(), moving.scale(R::TWO).xyz())
     }
 
-    /// The motion that a constant twist makes in unit time, exp(½ξ) (the half as in Jia eq. 43). Any
-    /// twist, radians and lengths per unit of time; undoes [`to_twist`](Self::to_twist).
+    /// The motion that a constant twist makes in unit time, exp(½ξ) (the half as in Jia eq. 43).
+    /// Any twist, radians and lengths per unit of time; undoes [`to_twist`](Self::to_twist).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -113,9 +117,9 @@ impl<R: Real> DualQuat<R> {
         Self::exp(half(twist))
     }
 
-    /// The constant twist that makes the motion in unit time, 2 log σ, |ω| ≤ π; spatial and body are
-    /// the same here. In other words, the logarithm of SE(3) in the usual units: [`log`](Self::log)
-    /// is that of the dual quaternion, half of it. σ must be unit.
+    /// The constant twist that makes the motion in unit time, 2 log σ, |ω| ≤ π; spatial and
+    /// body are the same here. In other words, the logarithm of SE(3) in the usual units:
+    /// [`log`](Self::log) is that of the dual quaternion, half of it. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -131,11 +135,12 @@ impl<R: Real> DualQuat<R> {
         Twist { angular: vector::scale(log.real, R::TWO), linear: vector::scale(log.dual, R::TWO) }
     }
 
-    /// The constant *body* twist that takes σ to `other` in unit time, 2 log(σ* other), by the shorter
-    /// way: |ω| ≤ π (the logarithm of X⁻¹Y in Lynch and Park 2017, section 9.2.1). Radians and lengths per
-    /// unit of time, in the axes of σ; [`integrate_body`](Self::integrate_body) for unit time gives
-    /// ±`other`. What a controller feeds back as error of pose. Both must be unit; exactly half a turn
-    /// apart either way is as short.
+    /// The constant *body* twist that takes σ to `other` in unit time, 2 log(σ* other), by the
+    /// shorter way: |ω| ≤ π (the logarithm of X⁻¹Y in Lynch and Park 2017, section 9.2.1).
+    /// Radians and lengths per unit of time, in the axes of σ;
+    /// [`integrate_body`](Self::integrate_body) for unit time gives ±`other`. What a controller
+    /// feeds back as error of pose. Both must be unit; exactly half a turn apart either way is as
+    /// short.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -153,9 +158,9 @@ impl<R: Real> DualQuat<R> {
         (self.conjugate() * other).to_twist()
     }
 
-    /// The pose of a body at σ after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact for any
-    /// step, `dt` of either sign (the solution of σ̇ = ½ξσ; Brockett 1984). Over many steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now
-    /// and then.
+    /// The pose of a body at σ after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact
+    /// for any step, `dt` of either sign (the solution of σ̇ = ½ξσ; Brockett 1984). Over many
+    /// steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now and then.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -170,8 +175,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_twist(twist.scale(dt)) * self
     }
 
-    /// The pose of a body at σ after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for any step; as
-    /// [`integrate_spatial`](Self::integrate_spatial), but for the side.
+    /// The pose of a body at σ after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for
+    /// any step; as [`integrate_spatial`](Self::integrate_spatial), but for the side.
     #[inline]
     #[must_use]
     pub fn integrate_body(self, twist: Twist<R>, dt: R) -> Self {

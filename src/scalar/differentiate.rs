@@ -29,10 +29,11 @@ macro_rules! functions {
 /// assert!((velocity[0] + 0.5_f64.sin()).abs() + (velocity[1] - 0.5_f64.cos()).abs() < 1e-15);
 /// ```
 ///
-/// The derivative at a kink or a pole of f is that of the branch taken, infinite or NaN, as
-/// floats have it. A length is such a function at zero, and the exponential and the logarithm of a
-/// motion begin with a length: without any turn they are NaN, the value included. Joints at rest are best
-/// written with `from_axis_angle` and `from_screw`, which have no such point. `Real::EPSILON` is the rounding of `R`; the dual unit ε is [`Dual::EPSILON`].
+/// The derivative at a kink or a pole of f is that of the branch taken, infinite or NaN, as floats
+/// have it. A length is such a function at zero, and the exponential and the logarithm of a motion
+/// begin with a length: without any turn they are NaN, the value included. Joints at rest are best
+/// written with `from_axis_angle` and `from_screw`, which have no such point. `Real::EPSILON` is
+/// the rounding of `R`; the dual unit ε is [`Dual::EPSILON`].
 impl<R: Real> Real for Dual<R> {
     const ZERO: Self = Self::new(R::ZERO, R::ZERO);
     const ONE: Self = Self::new(R::ONE, R::ZERO);

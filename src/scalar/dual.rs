@@ -6,8 +6,8 @@ use core::ops::{Div, Mul};
 crate::plain::plain! {
     /// A dual number a + εb, ε² = 0 (Clifford 1873).
     ///
-    /// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so dual numbers
-    /// differentiate whatever is computed with them:
+    /// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so dual
+    /// numbers differentiate whatever is computed with them:
     ///
     /// ```
     /// use dq8::Dual;
@@ -17,8 +17,8 @@ crate::plain::plain! {
     /// assert!((y.dual - (4.0 * 2.0_f64.sin() + 4.0 * 2.0_f64.cos())).abs() < 1e-14);
     /// ```
     ///
-    /// The order is that of ε as an infinitesimal, positive and smaller than every number: real parts
-    /// first, dual parts where these are equal.
+    /// The order is that of ε as an infinitesimal, positive and smaller than every number: real
+    /// parts first, dual parts where these are equal.
     #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
@@ -100,8 +100,9 @@ impl<R: Real> Dual<R> {
         Self::new(value, self.dual * derivative)
     }
 
-    /// √(a + εb) = √a + ε b/(2√a), by Jia's eq. 10; Fabisch ("Inverse Square Root of a Dual Number") has its
-    /// reciprocal. NaN for a < 0. For a = 0 there is no dual part: it is infinite, or NaN where b = 0 too.
+    /// √(a + εb) = √a + ε b/(2√a), by Jia's eq. 10; Fabisch ("Inverse Square Root of a Dual
+    /// Number") has its reciprocal. NaN for a < 0. For a = 0 there is no dual part: it is infinite,
+    /// or NaN where b = 0 too.
     #[inline]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
@@ -127,14 +128,16 @@ impl<R: Real> Dual<R> {
         self.apply(tan, R::ONE + tan * tan)
     }
 
-    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at
+    /// ±1.
     #[inline]
     pub fn asin(self) -> Self {
         let cos = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
         self.apply(self.real.asin(), R::ONE / cos)
     }
 
-    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite
+    /// at ±1.
     #[inline]
     pub fn acos(self) -> Self {
         let sin = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
@@ -185,8 +188,8 @@ impl<R: Real> Mul for Dual<R> {
     }
 }
 
-/// (a + εb)/(c + εd) = a/c + ε(bc − ad)/c² (Kenwright §5.1). For c = 0 the quotient does not exist: the
-/// result is then infinite or NaN, as for floats; [`Dual::inverse`] checks.
+/// (a + εb)/(c + εd) = a/c + ε(bc − ad)/c² (Kenwright §5.1). For c = 0 the quotient does not
+/// exist: the result is then infinite or NaN, as for floats; [`Dual::inverse`] checks.
 impl<R: Real> Div for Dual<R> {
     type Output = Self;
     #[inline]

@@ -9,8 +9,9 @@ crate::plain::plain! {
     /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
     ///
     /// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: turn by p, then translate by t = 2qp*.
-    /// Conventions and laws are those of [`Motion`](crate::Motion). What is not unit is not found out, but for debug builds
-    /// with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
+    /// Conventions and laws are those of [`Motion`](crate::Motion). What is not unit is not found
+    /// out, but for debug builds with `--cfg dq8_debug_assert_unit`, [which
+    /// panic](crate::Motion#where-unit-length-is-a-precondition).
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -47,7 +48,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The same, number by number, in a place of its own. A function that is not inlined takes and
-    /// returns motions in memory; where it is called, this keeps them in registers on the other way.
+    /// returns motions in memory; where it is called, this keeps them in registers on the other
+    /// way.
     #[inline(always)]
     pub(super) fn apart(self) -> Self {
         let [px, py, pz, pw, qx, qy, qz, qw] = self.0;
@@ -181,7 +183,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual scalar of ab*
-    /// ([`dual_scalar`](Self::dual_scalar)). Its real part p_a·p_b is Kenwright's `Dot` (§13.1). For unit motions it is the cosine of half their dual angle.
+    /// ([`dual_scalar`](Self::dual_scalar)). Its real part p_a·p_b is Kenwright's `Dot` (§13.1).
+    /// For unit motions it is the cosine of half their dual angle.
     #[inline]
     pub fn dot(self, other: Self) -> Dual<R> {
         Dual::new(
@@ -190,8 +193,9 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// `true` if every component of the two differs by at most `tolerance`, |a_c − b_c| ≤ tolerance; false for NaN. σ and −σ
-    /// are the same motion but not equal here: see [`canonical`](Self::canonical).
+    /// `true` if every component of the two differs by at most `tolerance`, |a_c − b_c| ≤
+    /// tolerance; false for NaN. σ and −σ are the same motion but not equal here: see
+    /// [`canonical`](Self::canonical).
     #[inline]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {
@@ -219,9 +223,10 @@ impl<R: Real> DualQuat<R> {
         DualQuat(self.0.map(|component| S::from_f64(component.into())))
     }
 
-    /// Of σ and −σ the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive: both are the same motion.
-    /// So half a turn has one axis, whichever of the two is given, and logarithms, powers and screws repeat to the last
-    /// bit. (It is the rule of SciPy's `as_quat(canonical=True)`.)
+    /// Of σ and −σ the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive:
+    /// both are the same motion. So half a turn has one axis, whichever of the two is given, and
+    /// logarithms, powers and screws repeat to the last bit. (It is the rule of SciPy's
+    /// `as_quat(canonical=True)`.)
     #[inline]
     #[must_use]
     pub fn canonical(self) -> Self {
@@ -249,7 +254,8 @@ sums! {
     [R: Real] #[inline] DualQuat<R>: (real()) (dual())
 }
 
-/// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂, then the motion σ₁.
+/// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂, then the motion
+/// σ₁.
 ///
 /// Three quaternion products and a sum: 48 multiplications and 40 additions.
 impl<R: Real> Mul for DualQuat<R> {

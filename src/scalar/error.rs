@@ -3,11 +3,11 @@
 use crate::errors::errors;
 use core::fmt;
 
-/// A quaternion or dual quaternion that cannot be normalized: it, or its real part, is zero or some component is not finite
-/// (or the quotient would not be).
+/// A quaternion or dual quaternion that cannot be normalized: it, or its real part, is zero or some
+/// component is not finite (or the quotient would not be).
 ///
-/// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") omits it, and says that the solution "would be to
-/// set p = 1 and proceed", which makes a motion of what is none.
+/// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") omits it, and says that the solution
+/// "would be to set p = 1 and proceed", which makes a motion of what is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -26,8 +26,8 @@ impl fmt::Display for NormalizeError {
 
 impl core::error::Error for NormalizeError {}
 
-/// A dual quaternion or dual number without an inverse: its real part is zero, or some component is not finite (or would
-/// not be).
+/// A dual quaternion or dual number without an inverse: its real part is zero, or some component is
+/// not finite (or would not be).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -1,8 +1,8 @@
 //! Jacobians of the exponential of SE(3), on dual numbers.
 //!
 //! With twists as dual vectors, the Lie bracket of se(3) is the dual cross product x × y =
-//! ω×η + ε(ω×w + v×η), so by the transfer principle the Jacobians are those of SO(3) over dual
-//! numbers. With u = x·x = ω·ω + 2ε ω·v:
+//! ω×η + ε(ω×w + v×η), so by the transfer principle the Jacobians are those of SO(3) over
+//! dual numbers. With u = x·x = ω·ω + 2ε ω·v:
 //!
 //! ```text
 //! J_l(x) y   = y +   A x×y + B x×(x×y)     A = (1 − cos √u)/u,  B = (√u − sin √u)/√u³
@@ -14,9 +14,8 @@ use crate::geometry::Twist;
 use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// The left Jacobian of SE(3) at the twist x, applied to y: how the *spatial* side of the motion
-    /// of x answers to a change of x by y,
-    /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
+    /// The left Jacobian of SE(3) at the twist x, applied to y: how the *spatial* side of the
+    /// motion of x answers to a change of x by y, exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
     ///
     /// Barfoot & Furgale 2014; Barfoot 2017, eq. 7.85, there with the translation first. `at` is a
     /// twist as [`to_twist`](Self::to_twist) gives it: radians and lengths, any |ω|. Singular, not
@@ -45,8 +44,8 @@ impl<R: Real> DualQuat<R> {
         along + times(first, once) + times(second, lie_bracket(at, once))
     }
 
-    /// The right Jacobian of SE(3) at the twist x, applied to y: how the *body* side of the motion of
-    /// x answers, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and
+    /// The right Jacobian of SE(3) at the twist x, applied to y: how the *body* side of the motion
+    /// of x answers, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and
     /// J_l(x) = Ad_{exp ½x} J_r(x).
     #[inline]
     pub fn right_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
@@ -54,11 +53,11 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The inverse of the left Jacobian at the twist x, applied to y: how the twist x of a motion
-    /// changes when the motion changes by the *spatial* twist y,
-    /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources of dq8).
+    /// changes when the motion changes by the *spatial* twist y, 2 log(exp(½δy) exp(½x)) ≈ x +
+    /// δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources of dq8).
     ///
-    /// For |ω| < 2π; C is **infinite at |ω| = 2π** and every multiple of it, and errors grow like
-    /// 1/(2π − |ω|) near it. A twist from [`to_twist`](Self::to_twist) has |ω| ≤ π.
+    /// For |ω| < 2π; C is **infinite at |ω| = 2π** and every multiple of it, and errors grow
+    /// like 1/(2π − |ω|) near it. A twist from [`to_twist`](Self::to_twist) has |ω| ≤ π.
     #[inline]
     pub fn left_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         let u = square(at);
@@ -80,8 +79,9 @@ impl<R: Real> DualQuat<R> {
         Self::left_jacobian_inverse(-at, along)
     }
 
-    /// The left Jacobian as a 6×6 matrix, rows and columns in the order `[ωx, ωy, ωz, vx, vy, vz]`:
-    /// [J, 0; Q, J] (Barfoot 2017, eq. 7.85b, with his blocks in the other order).
+    /// The left Jacobian as a 6×6 matrix, rows and columns in the order
+    /// `[ωx, ωy, ωz, vx, vy, vz]`: [J, 0; Q, J] (Barfoot 2017, eq. 7.85b, with his blocks in the
+    /// other order).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -106,7 +106,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// A as a power series of u, (−1)ᵏ/(2k + 2)!; with u < 1 the first term left out is below 10⁻¹⁹.
+/// A as a power series of u, (−1)ᵏ/(2k + 2)!; with u < 1 the first term left out is below
+/// 10⁻¹⁹.
 const COSINE_SERIES: [f64; 9] = [
     1.0 / 2.0,
     -1.0 / 24.0,
@@ -119,7 +120,8 @@ const COSINE_SERIES: [f64; 9] = [
     1.0 / 6_402_373_705_728_000.0,
 ];
 
-/// B as a power series of u, (−1)ᵏ/(2k + 3)!; with u < 1 the first term left out is below 10⁻¹⁹.
+/// B as a power series of u, (−1)ᵏ/(2k + 3)!; with u < 1 the first term left out is below
+/// 10⁻¹⁹.
 const SINE_SERIES: [f64; 9] = [
     1.0 / 6.0,
     -1.0 / 120.0,
@@ -132,8 +134,8 @@ const SINE_SERIES: [f64; 9] = [
     1.0 / 121_645_100_408_832_000.0,
 ];
 
-/// C as a power series of u, |B₂ₖ|/(2k)! with Bernoulli's numbers; with u < 1 the first term left out
-/// is below 10⁻¹⁸.
+/// C as a power series of u, |B₂ₖ|/(2k)! with Bernoulli's numbers; with u < 1 the first term
+/// left out is below 10⁻¹⁸.
 const COTANGENT_SERIES: [f64; 11] = [
     1.0 / 12.0,
     1.0 / 720.0,
@@ -162,8 +164,8 @@ fn square<R: Real>(x: Twist<R>) -> Dual<R> {
     Dual::new(vector::dot(x.angular, x.angular), R::TWO * vector::dot(x.angular, x.linear))
 }
 
-/// x × y, the Lie bracket [x, y]: how fast y changes that is carried along by the twist x (Lynch & Park, *Modern
-/// Robotics*, 2017, definition 8.4).
+/// x × y, the Lie bracket [x, y]: how fast y changes that is carried along by the twist x (Lynch &
+/// Park, *Modern Robotics*, 2017, definition 8.4).
 #[inline]
 pub fn lie_bracket<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
     let linear =

@@ -29,11 +29,11 @@ impl<R: Real> Quat<R> {
     }
 
     /// The unit quaternion of a matrix that is known to be a rotation, w ≥ 0; garbage in, garbage
-    /// out: [`try_from_matrix3`](Self::try_from_matrix3) checks, and [`Polar`](crate::representation::Polar) finds
-    /// the nearest rotation to any matrix.
+    /// out: [`try_from_matrix3`](Self::try_from_matrix3) checks, and
+    /// [`Polar`](crate::representation::Polar) finds the nearest rotation to any matrix.
     ///
-    /// Shepperd (1978): what is divided by is w where the trace is not negative, so that w ≥ ½, and else the largest of
-    /// the other three components, so that it is not small.
+    /// Shepperd (1978): what is divided by is w where the trace is not negative, so that w ≥ ½,
+    /// and else the largest of the other three components, so that it is not small.
     #[inline]
     #[doc(alias("from_mat3", "from_rotation_matrix"))]
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
@@ -57,8 +57,8 @@ impl<R: Real> Quat<R> {
             let [.., w] = turned;
             if w < R::ZERO { turned.map(|c| -c) } else { turned }
         };
-        // The component that divides is at least 1 here, and all are at most 4: no square overflows, and none that counts
-        // vanishes.
+        // The component that divides is at least 1 here, and all are at most 4: no square
+        // overflows, and none that counts vanishes.
         let factor = one / (x * x + y * y + z * z + w * w).sqrt();
         Self::from_xyzw(x * factor, y * factor, z * factor, w * factor)
     }
@@ -92,8 +92,8 @@ impl<R: Real> Quat<R> {
     }
 
     /// The columns of the rotation matrix, `[column][row]`, as in glam, nalgebra and OpenGL;
-    /// [`to_matrix3`](Self::to_matrix3) has its rows. Both have the same type, and the one taken for
-    /// the other is the inverse rotation.
+    /// [`to_matrix3`](Self::to_matrix3) has its rows. Both have the same type, and the one taken
+    /// for the other is the inverse rotation.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -134,8 +134,8 @@ impl<R: Real> DualQuat<R> {
         [[a, b, c, x], [d, e, f, y], [g, h, i, z]]
     }
 
-    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below. These are rows: glam, nalgebra,
-    /// OpenGL and glTF want [`to_cols_array_2d`](Self::to_cols_array_2d).
+    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below. These are rows: glam,
+    /// nalgebra, OpenGL and glTF want [`to_cols_array_2d`](Self::to_cols_array_2d).
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -182,9 +182,10 @@ impl<R: Real> DualQuat<R> {
         Ok(Self::from_rotation_translation(rotation, translation))
     }
 
-    /// As [`try_from_matrix3x4`](Self::try_from_matrix3x4). These are rows: for the columns of glam,
-    /// nalgebra, OpenGL and glTF there is [`try_from_cols_array_2d`](Self::try_from_cols_array_2d). A
-    /// pure rotation given the wrong way round is the inverse rotation, which nothing can notice.
+    /// As [`try_from_matrix3x4`](Self::try_from_matrix3x4). These are rows: for the columns of
+    /// glam, nalgebra, OpenGL and glTF there is
+    /// [`try_from_cols_array_2d`](Self::try_from_cols_array_2d). A pure rotation given the wrong
+    /// way round is the inverse rotation, which nothing can notice.
     ///
     /// # Errors
     /// As there, and if the last row is not 0 0 0 1.
@@ -211,8 +212,8 @@ impl<R: Real> DualQuat<R> {
         Self::try_from_matrix4(rows, tolerance)
     }
 
-    /// [`try_from_matrix4`](Self::try_from_matrix4) of the columns, `[column][row]`, the last of which
-    /// is the translation and a 1: what glam, nalgebra, OpenGL and glTF hold.
+    /// [`try_from_matrix4`](Self::try_from_matrix4) of the columns, `[column][row]`, the last of
+    /// which is the translation and a 1: what glam, nalgebra, OpenGL and glTF hold.
     ///
     /// # Errors
     /// As there; rows and columns in the error are those of the matrix.
@@ -235,7 +236,8 @@ impl<R: Real> DualQuat<R> {
         Self::try_from_matrix4(transpose(cols), tolerance)
     }
 
-    /// The 4×4 matrix as [`to_matrix4`](Self::to_matrix4), with the order in its name: `[row][column]`.
+    /// The 4×4 matrix as [`to_matrix4`](Self::to_matrix4), with the order in its name:
+    /// `[row][column]`.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]

@@ -6,27 +6,28 @@ use crate::geometry::{DualVector, Mean};
 use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// Dual quaternion iterative blending: the intrinsic mean b of unit motions σᵢ, which is where
-    /// the weighted screws to all of them cancel, Σ wᵢ log(b*σᵢ) = 0 (Kavan et al. 2008, "DIB";
-    /// for rotations Buss and Fillmore 2001).
+    /// Dual quaternion iterative blending: the intrinsic mean b of unit motions σᵢ, which is
+    /// where the weighted screws to all of them cancel, Σ wᵢ log(b*σᵢ) = 0 (Kavan et al.
+    /// 2008, "DIB"; for rotations Buss and Fillmore 2001).
     ///
-    /// From the linear blend [`dlb`](Self::dlb), b ← b exp(x) with x = Σ wᵢ log(b*σᵢ) / Σ wᵢ until
-    /// the step x = a + εb turns by no more than `tolerance`, 2|a| ≤ `tolerance` radians, and moves
-    /// by no more than `tolerance` times the longest translation, |b| ≤ `tolerance`·max |qᵢ|
-    /// (|tᵢ| = 2|qᵢ|). The two are compared apart, and neither depends on the unit of length. A
-    /// tolerance of a few [`EPSILON`](Real::EPSILON) is as small as rounding allows. Where the longest translation
-    /// times it is below the smallest number, no step but zero is short enough, and `converged` may be false.
+    /// From the linear blend [`dlb`](Self::dlb), b ← b exp(x) with x = Σ wᵢ log(b*σᵢ) / Σ
+    /// wᵢ until the step x = a + εb turns by no more than `tolerance`, 2|a| ≤ `tolerance`
+    /// radians, and moves by no more than `tolerance` times the longest translation, |b| ≤
+    /// `tolerance`·max |qᵢ| (|tᵢ| = 2|qᵢ|). The two are compared apart, and neither depends
+    /// on the unit of length. A tolerance of a few [`EPSILON`](Real::EPSILON) is as small as
+    /// rounding allows. Where the longest translation times it is below the smallest number, no
+    /// step but zero is short enough, and `converged` may be false.
     ///
     /// Each step multiplies the error by a factor that shrinks with the square of the spread:
-    /// influences within 40° of a common pose take at most 3 steps to 10⁻⁶ and 8 to 2·10⁻¹⁵. The
-    /// mean of two is [`sclerp`](Self::sclerp), in one step. It moves with the influences,
-    /// c·dib(σᵢ) = dib(cσᵢ), and the same for a motion c on the right. Each log takes the shorter
-    /// way, so signs do not matter; where influences lie more than a quarter of a turn from the
-    /// mean, there may be several.
+    /// influences within 40° of a common pose take at most 3 steps to 10⁻⁶ and 8 to
+    /// 2·10⁻¹⁵. The mean of two is [`sclerp`](Self::sclerp), in one step. It moves with the
+    /// influences, c·dib(σᵢ) = dib(cσᵢ), and the same for a motion c on the right. Each log
+    /// takes the shorter way, so signs do not matter; where influences lie more than a quarter of a
+    /// turn from the mean, there may be several.
     ///
     /// The weights need not sum to one; all of them times any number give the same motion. Where
-    /// they sum to zero the mean does not exist: components are NaN, or `converged` is false. NaN and
-    /// infinities in a motion or a weight give NaN. `None` without influences.
+    /// they sum to zero the mean does not exist: components are NaN, or `converged` is false. NaN
+    /// and infinities in a motion or a weight give NaN. `None` without influences.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};

@@ -21,13 +21,14 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The angle between two orientations, radians in [0, π]: of the turn from one to the other, by
-    /// the shorter way, so the signs of both σ do not matter. Kenwright §11 names it an advantage
-    /// of dual quaternions: from matrices it takes a conversion.
+    /// The angle between two orientations, radians in [0, π]: of the turn from one to the other,
+    /// by the shorter way, so the signs of both σ do not matter. Kenwright §11 names it an
+    /// advantage of dual quaternions: from matrices it takes a conversion.
     ///
     /// θ = 2 atan2(|v|, |w|) with w + v = p_a*p_b. An arccosine of p_a·p_b has lost small angles
-    /// (below 5·10⁻⁴ in `f32`); this keeps them, down to subnormal ones next to the identity, and is
-    /// as good near π. Elsewhere the rounding of the components themselves is what limits it.
+    /// (below 5·10⁻⁴ in `f32`); this keeps them, down to subnormal ones next to the identity,
+    /// and is as good near π. Elsewhere the rounding of the components themselves is what limits
+    /// it.
     ///
     /// Both must be unit. NaN if a real part is not finite.
     ///
@@ -62,9 +63,9 @@ impl<R: Real> DualQuat<R> {
         vector::norm(vector::sub(self.translation(), other.translation()))
     }
 
-    /// √((λθ)² + d²): angle and distance in one number, a length. λ = `length_per_radian` says what
-    /// a radian is worth; the radius of the body is a good choice, for then λθ is how far its
-    /// outermost points turn (Park 1995 has why some such length must be chosen).
+    /// √((λθ)² + d²): angle and distance in one number, a length. λ = `length_per_radian`
+    /// says what a radian is worth; the radius of the body is a good choice, for then λθ is how
+    /// far its outermost points turn (Park 1995 has why some such length must be chosen).
     ///
     /// For λ > 0 it is a metric on motions (on ±σ, not on σ): zero only for equal motions,
     /// symmetric, and d(a, c) ≤ d(a, b) + d(b, c), because angles of rotation and distances of
@@ -103,12 +104,13 @@ impl<R: Real> DualQuat<R> {
 
     /// The largest distance to which the two carry a point within `radius` of the body's origin:
     /// d + 2 r sin(θ/2), an upper bound of [`point_error`](Self::point_error). What compressors of
-    /// animation measure with a shell of points about each bone, without choosing any. In none of the sources of
-    /// dq8.
+    /// animation measure with a shell of points about each bone, without choosing any. In none of
+    /// the sources of dq8.
     ///
-    /// By the triangle inequality |av − bv| ≤ |t_a − t_b| + |(R_a − R_b)v|, and a turn by θ moves a
-    /// point at most by the chord 2|v| sin(θ/2). The bound is reached where the translation between
-    /// the two is across the axis of the turn between them, or zero. Both must be unit.
+    /// By the triangle inequality |av − bv| ≤ |t_a − t_b| + |(R_a − R_b)v|, and a turn by
+    /// θ moves a point at most by the chord 2|v| sin(θ/2). The bound is reached where the
+    /// translation between the two is across the axis of the turn between them, or zero. Both must
+    /// be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};

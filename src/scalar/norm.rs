@@ -6,8 +6,8 @@ use crate::everyday;
 use crate::number::Real;
 
 impl<R: Real> Quat<R> {
-    /// q⁻¹ = q*/|q|² of any q ≠ 0, unit or not: every component is NaN where q is zero or not finite.
-    /// For a unit q, [`conjugate`](Self::conjugate) is the same and cheaper.
+    /// q⁻¹ = q*/|q|² of any q ≠ 0, unit or not: every component is NaN where q is zero or not
+    /// finite. For a unit q, [`conjugate`](Self::conjugate) is the same and cheaper.
     ///
     /// ```
     /// use dq8::Quat;
@@ -37,8 +37,8 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The norm as a dual number, √(σσ*) = |p| + ε (p·q)/|p| (Jia eq. 18, Fabisch "Norm of a Dual
-    /// Quaternion"). For p = 0 it does not exist: the dual part is NaN.
+    /// The norm as a dual number, √(σσ*) = |p| + ε (p·q)/|p| (Jia eq. 18, Fabisch "Norm of a
+    /// Dual Quaternion"). For p = 0 it does not exist: the dual part is NaN.
     ///
     /// ```
     /// use dq8::{Dual, DualQuat};
@@ -52,8 +52,8 @@ impl<R: Real> DualQuat<R> {
         Dual::new(norm, self.real().normalize().dot(self.dual()))
     }
 
-    /// Exact normalization, σ/√(σσ*): the real part to unit length *and* the dual part orthogonal
-    /// to it. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
+    /// Exact normalization, σ/√(σσ*): the real part to unit length *and* the dual part
+    /// orthogonal to it. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[inline]
     #[must_use]
     pub fn normalize(self) -> Self {
@@ -83,8 +83,8 @@ impl<R: Real> DualQuat<R> {
             .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
-    /// The same, or the norm of the real part: an error holds it as `f64`, which would cost a target
-    /// without double precision a library call even where nobody asks.
+    /// The same, or the norm of the real part: an error holds it as `f64`, which would cost a
+    /// target without double precision a library call even where nobody asks.
     #[inline]
     fn unit(self) -> Result<Self, R> {
         if let Some(unit) = R::quick(everyday::Unit(self.to_array())) {
@@ -108,9 +108,9 @@ impl<R: Real> DualQuat<R> {
         if unit.to_array().iter().all(|c| c.is_finite()) { Ok(unit) } else { Err(norm) }
     }
 
-    /// `true` if σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
-    /// (Jia eqs. 20 and 21; the second grows with the translation). False where a component is
-    /// not finite.
+    /// `true` if σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤
+    /// tolerance·max(1, |q|) (Jia eqs. 20 and 21; the second grows with the translation). False
+    /// where a component is not finite.
     #[inline]
     #[must_use]
     pub fn is_unit(self, tolerance: R) -> bool {
@@ -129,8 +129,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// σ⁻¹ of any σ with p ≠ 0, unit or not: every component is NaN where
-    /// [`try_inverse`](Self::try_inverse) fails. For a unit σ, [`conjugate`](Self::conjugate) is the
-    /// same and cheaper.
+    /// [`try_inverse`](Self::try_inverse) fails. For a unit σ, [`conjugate`](Self::conjugate) is
+    /// the same and cheaper.
     #[inline]
     #[must_use]
     #[doc(alias("inv"))]

@@ -7,8 +7,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 crate::plain::plain! {
     /// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
     ///
-    /// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. What is not unit is not found out, but for
-    /// debug builds with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
+    /// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. What is not
+    /// unit is not found out, but for debug builds with `--cfg dq8_debug_assert_unit`, [which
+    /// panic](crate::Motion#where-unit-length-is-a-precondition).
     ///
     /// ```
     /// use dq8::Quat;
@@ -171,8 +172,8 @@ impl<R: Real> Quat<R> {
         Quat(self.0.map(|component| S::from_f64(component.into())))
     }
 
-    /// `true` if every component of the two differs by at most `tolerance`; false for NaN. q and −q are
-    /// the same rotation but not equal here.
+    /// `true` if every component of the two differs by at most `tolerance`; false for NaN. q and
+    /// −q are the same rotation but not equal here.
     #[inline]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {
@@ -227,8 +228,8 @@ impl<R: Real> Quat<R> {
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion (Arends ch. 3 eqs. 8–10, Jia §2):
-    /// v + 2u × (u × v + w v) with r = w + u, the two products written out with |r| = 1 put in. Where that is not
-    /// so, r v r* scales by |r|², and this form skews as well.
+    /// v + 2u × (u × v + w v) with r = w + u, the two products written out with |r| = 1 put in.
+    /// Where that is not so, r v r* scales by |r|², and this form skews as well.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -277,7 +278,8 @@ impl<R: Real> Sub for Quat<R> {
     }
 }
 
-/// Hamilton's product pq = p₀q₀ − p·q + p₀q + q₀p + p×q (Jia eq. 2): the turn q, then the turn p.
+/// Hamilton's product pq = p₀q₀ − p·q + p₀q + q₀p + p×q (Jia eq. 2): the turn q, then
+/// the turn p.
 impl<R: Real> Mul for Quat<R> {
     type Output = Self;
     #[inline]

@@ -50,8 +50,8 @@ impl<R: Real> DualQuat<R> {
         Self::new(rotation, rotation * Quat::from_parts(half, R::ZERO))
     }
 
-    /// σ(r + ½εtr), the product with the motion of a rotation and a translation, which act first.
-    /// `rotation` must be unit. By Jia's eqs. 14 and 22.
+    /// σ(r + ½εtr), the product with the motion of a rotation and a translation, which act
+    /// first. `rotation` must be unit. By Jia's eqs. 14 and 22.
     ///
     /// On lanes it takes fewer operations than joining the two first, for
     /// σ(r + ½εtr) = (p + ε(q + ½pt))r.

@@ -6,14 +6,15 @@ use crate::geometry::{DualVector, Line, Screw};
 use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the [canonical](Self::canonical) one is taken.
+    /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the
+    /// [canonical](Self::canonical) one is taken.
     ///
     /// A pure translation has angle 0, its own direction as axis and moment 0 (Jia's moment is
     /// infinite there); the identity has the axis (1, 0, 0).
     ///
-    /// The moment is as long as t over the angle: where a turn is so small that this overflows, or one over the
-    /// angle does (below 6·10⁻³⁹ in `f32`, whatever t is), it is not finite, and [`from_screw`](Self::from_screw) has no
-    /// way back. The logarithm has no such end.
+    /// The moment is as long as t over the angle: where a turn is so small that this overflows, or
+    /// one over the angle does (below 6·10⁻³⁹ in `f32`, whatever t is), it is not finite, and
+    /// [`from_screw`](Self::from_screw) has no way back. The logarithm has no such end.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -48,9 +49,9 @@ impl<R: Real> DualQuat<R> {
         Screw { axis, angle: R::TWO * half_angle, slide }
     }
 
-    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43; eq. 42 is the same in real numbers, as it is
-    /// computed here). The axis must have length 1, and
-    /// its moment be orthogonal to it; the angle is any, in radians, the slide a length.
+    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43; eq. 42 is the same in
+    /// real numbers, as it is computed here). The axis must have length 1, and its moment be
+    /// orthogonal to it; the angle is any, in radians, the slide a length.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -67,8 +68,9 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// The logarithm of a unit σ, a + εb = (θ̂/2)(l + εm) with σ = ±exp(a + εb): of ±σ, the
-    /// [canonical](Self::canonical) one, so that |a| ≤ π/2. No singularity: a pure translation has a = 0, b = t/2.
+    /// The logarithm of a unit σ, a + εb = (θ̂/2)(l + εm) with σ = ±exp(a + εb): of ±σ,
+    /// the [canonical](Self::canonical) one, so that |a| ≤ π/2. No singularity: a pure
+    /// translation has a = 0, b = t/2.
     ///
     /// From Jia eq. 37, the infinite moment multiplied by the vanishing angle:
     /// b = ½ ( h t×l + h cot h (t − d l) + d l ), h = θ/2.
@@ -112,11 +114,11 @@ impl<R: Real> DualQuat<R> {
         }
     }
 
-    /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw
-    /// cos ĥ + sin ĥ (l + εm), ĥ = h + εd/2 (Jia eq. 43). For a = 0 it is 1 + εb, the translation
-    /// by 2b. |a| is half the angle in radians, and the error grows with it as that of its rounding
-    /// does. NaN in every component beyond 2¹⁶ rad in `f32` and 2⁴⁵ rad in `f64`, where a float is known to
-    /// no more than 2⁻⁸ rad; powers and interpolations that go so far are NaN too.
+    /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw cos ĥ + sin ĥ
+    /// (l + εm), ĥ = h + εd/2 (Jia eq. 43). For a = 0 it is 1 + εb, the translation by 2b. |a|
+    /// is half the angle in radians, and the error grows with it as that of its rounding does. NaN
+    /// in every component beyond 2¹⁶ rad in `f32` and 2⁴⁵ rad in `f64`, where a float is
+    /// known to no more than 2⁻⁸ rad; powers and interpolations that go so far are NaN too.
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::DualVector};
@@ -146,8 +148,8 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// σᵗ = exp(t log σ): the same screw axis, t times the angle and the slide (Jia eq. 44, for any
-    /// real t). Of ±σ, the [canonical](Self::canonical) one. σ must be unit.
+    /// σᵗ = exp(t log σ): the same screw axis, t times the angle and the slide (Jia eq. 44, for
+    /// any real t). Of ±σ, the [canonical](Self::canonical) one. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -172,8 +174,9 @@ impl<R: Real> DualQuat<R> {
         Self::exp(self.log().scale(t))
     }
 
-    /// σ^½ (Jia eq. 44), the motion that gives σ when made twice: half the angle, half the slide. Of
-    /// ±σ, the [canonical](Self::canonical) one, so at most a quarter of a turn. σ must be unit.
+    /// σ^½ (Jia eq. 44), the motion that gives σ when made twice: half the angle, half the
+    /// slide. Of ±σ, the [canonical](Self::canonical) one, so at most a quarter of a turn. σ
+    /// must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -186,9 +189,9 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Screw linear interpolation, a(a*b)ᵗ, by the shorter way (Jia eq. 46; Kavan et al. 2006):
-    /// constant speed of turning and sliding along one screw. `t` = 0 gives `self`, 1 gives ±`other`;
-    /// values outside [0, 1] go on along the screw. Both must be unit; exactly half a turn apart
-    /// either way is as short, and the one of `other` as it stands is taken.
+    /// constant speed of turning and sliding along one screw. `t` = 0 gives `self`, 1 gives
+    /// ±`other`; values outside [0, 1] go on along the screw. Both must be unit; exactly half a
+    /// turn apart either way is as short, and the one of `other` as it stands is taken.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -215,17 +218,18 @@ impl<R: Real> DualQuat<R> {
     #[inline(never)]
     fn sclerp_by_the_book(self, other: Self, t: R) -> Self {
         let between = self.conjugate() * other;
-        // At half a turn a power is about the canonical axis; this is about the one that `other` as it stands has.
+        // At half a turn a power is about the canonical axis; this is about the one that `other` as
+        // it stands has.
         if between.real().w() == R::ZERO && between.real().points_back() {
             return self * between.conjugate().pow(t).conjugate();
         }
         self * between.pow(t)
     }
 
-    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer way
-    /// where the two point apart: a exp(t log(a*b)), the logarithm not turned over. Both must be
-    /// unit. The way from σ to −σ itself has no axis: every component is NaN. This is Jia's eq. 46 as it is written;
-    /// he leaves the sign of b open.
+    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer
+    /// way where the two point apart: a exp(t log(a*b)), the logarithm not turned over. Both must
+    /// be unit. The way from σ to −σ itself has no axis: every component is NaN. This is Jia's
+    /// eq. 46 as it is written; he leaves the sign of b open.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]

@@ -7,17 +7,18 @@ use crate::number::Real;
 impl<R: Real> Quat<R> {
     /// Spherical linear interpolation of unit quaternions by the shorter way: turns from `self` to
     /// ±`other` about one axis at constant speed. `t` = 0 gives `self`, 1 gives ±`other`; values
-    /// outside [0, 1] go on turning: the result is unit for every `t`, or, where `t` times half the angle is
-    /// beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), NaN in every component.
+    /// outside [0, 1] go on turning: the result is unit for every `t`, or, where `t` times half the
+    /// angle is beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), NaN in every component.
     ///
-    /// sin((1−t)Θ)/sin Θ a ± sin(tΘ)/sin Θ b (Shoemake 1985; Arends ch. 3 §3, whose angle is given and whose
-    /// sines vanish in his ch. 6) is the same as cos φ m + sin φ h: the turn by φ = (t−½)Θ away from the
-    /// middle m of the way in the direction h, the unit vectors along b + a and b − a. This is how it is computed:
-    /// one angle has one sine and one cosine, but (1−t)Θ and tΘ are rounded apart, by more than a radian where t is
-    /// large, and the length would be anything. The angle is
-    /// Θ = 2 atan2(|b − a|, |b + a|) (Kahan 2006), not the arccosine of a·b, which has lost a small
-    /// one. No singularity: quaternions by the shorter way are at most 90° apart, and close ones
-    /// have sines in proportion to their arguments.
+    /// sin((1−t)Θ)/sin Θ a ± sin(tΘ)/sin Θ b (Shoemake 1985; Arends ch. 3 §3, whose angle
+    /// is given and whose sines vanish in his ch. 6) is the same as cos φ m + sin φ h: the turn
+    /// by φ = (t−½)Θ away from the middle m of the way in the direction h, the unit vectors
+    /// along b + a and b − a. This is how it is computed: one angle has one sine and one cosine,
+    /// but (1−t)Θ and tΘ are rounded apart, by more than a radian where t is large, and the
+    /// length would be anything. The angle is Θ = 2 atan2(|b − a|, |b + a|) (Kahan 2006), not
+    /// the arccosine of a·b, which has lost a small one. No singularity: quaternions by the
+    /// shorter way are at most 90° apart, and close ones have sines in proportion to their
+    /// arguments.
     ///
     /// ```
     /// use dq8::Quat;
@@ -40,7 +41,8 @@ impl<R: Real> Quat<R> {
         let (sum, difference) = (near + self, near - self);
         let sum_length = sum.norm();
         let middle = sum.scale(R::ONE / sum_length);
-        // Without what the ends differ in length: little, but of close ends it is much of the difference.
+        // Without what the ends differ in length: little, but of close ends it is much of the
+        // difference.
         let across = difference - middle.scale(difference.dot(middle));
         let length = across.norm();
         let angle = R::TWO * length.atan2(sum_length);
@@ -60,12 +62,13 @@ impl<R: Real> Quat<R> {
 
 impl<R: Real> DualQuat<R> {
     /// Rotation by [`slerp`](Quat::slerp) and translation by LERP, each for itself: what engines
-    /// without dual quaternions do (quaternion and vector, Kenwright §3), here to compare with. `t` = 0 gives `self`, 1 gives ±`other`;
-    /// beyond, both go on, the rotation as far as `slerp` does.
+    /// without dual quaternions do (quaternion and vector, Kenwright §3), here to compare with.
+    /// `t` = 0 gives `self`, 1 gives ±`other`; beyond, both go on, the rotation as far as `slerp`
+    /// does.
     ///
     /// The origin of the body moves on a straight line at constant speed and the body turns about
-    /// it, so this is not a screw motion, and it depends on which point of the body is the origin: for
-    /// a motion c on the right, slerp_lerp(ac, bc, t) ≠ slerp_lerp(a, b, t)c, where
+    /// it, so this is not a screw motion, and it depends on which point of the body is the origin:
+    /// for a motion c on the right, slerp_lerp(ac, bc, t) ≠ slerp_lerp(a, b, t)c, where
     /// [`sclerp`](Self::sclerp) has equality on both sides. A common motion on the left, of the
     /// world, it does keep.
     ///

@@ -7,16 +7,17 @@ impl<R: Real> DualQuat<R> {
     /// Cubic motion from the key pose `self` to the key pose `end`, drawn toward two control poses
     /// that it does not pass through:
     ///
-    /// squad(σ₀, s₀, s₁, σ₁, t) = sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t))
+    /// squad(σ₀, s₀, s₁, σ₁, t) = sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t),
+    /// 2t(1−t))
     ///
     /// It is Shoemake's "squad" for rotations (1987, *Quaternion calculus and fast animation*) with
     /// [`sclerp`](Self::sclerp) for slerp, by the transfer principle. `t` = 0 gives `self`, 1 gives
-    /// ±`end`. With controls from [`squad_control`](Self::squad_control), the velocity of point and
-    /// angle is continuous across evenly timed keys. Signs do not matter: each of the three goes
-    /// the shorter way, so consecutive keys should be less than half a turn apart.
+    /// ±`end`. With controls from [`squad_control`](Self::squad_control), the velocity of point
+    /// and angle is continuous across evenly timed keys. Signs do not matter: each of the three
+    /// goes the shorter way, so consecutive keys should be less than half a turn apart.
     ///
-    /// All must be unit. `t` is meant for [0, 1]: beyond, the last of the three goes on by 2t(1−t), and what its
-    /// ends lack of unit length grows with t³.
+    /// All must be unit. `t` is meant for [0, 1]: beyond, the last of the three goes on by
+    /// 2t(1−t), and what its ends lack of unit length grows with t³.
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -19,7 +19,8 @@ impl<R: Real> DualQuat<R> {
         vector::add(self.real().rotate(point), self.translation())
     }
 
-    /// The direction Rv: directions do not translate (Tarini, slide 121) and turn (slide 122). σ must be unit.
+    /// The direction Rv: directions do not translate (Tarini, slide 121) and turn (slide 122). σ
+    /// must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -29,7 +30,8 @@ impl<R: Real> DualQuat<R> {
         self.real().rotate(vector)
     }
 
-    /// The line σ(l + εm)σ*: l′ = Rl, m′ = Rm + t × l′ (Jia eqs. 29 and 31). σ must be unit.
+    /// The line σ(l + εm)σ*: l′ = Rl, m′ = Rm + t × l′ (Jia eqs. 29 and 31). σ must be
+    /// unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Line};
@@ -45,8 +47,8 @@ impl<R: Real> DualQuat<R> {
         Line { direction, moment }
     }
 
-    /// The plane n′ = Rn, d′ = d + n′·t: of n·x = d, with x = R⁻¹(x′ − t). σ must be unit. None of the sources
-    /// of dq8 moves planes.
+    /// The plane n′ = Rn, d′ = d + n′·t: of n·x = d, with x = R⁻¹(x′ − t). σ must
+    /// be unit. None of the sources of dq8 moves planes.
     ///
     /// ```
     /// use dq8::{DualQuat, Plane};

@@ -23,8 +23,8 @@ errors! {
 ///
 /// The limb lies in the plane of the target and the *pole*: the knee is on the side of the pole. At
 /// rest, the identity, both bones run along x and the hinge turns about z, so that the knee bends
-/// toward −y and the frame of each bone has x along the bone. A limb that rests otherwise, along the
-/// columns of F, has the rotation `upper * F.conjugate()`.
+/// toward −y and the frame of each bone has x along the bone. A limb that rests otherwise, along
+/// the columns of F, has the rotation `upper * F.conjugate()`.
 ///
 /// ```
 /// use dq8::ik::{Span, TwoBone};
@@ -60,18 +60,18 @@ pub enum Span {
     Within,
     /// Farther: the limb is stretched toward it.
     Stretched,
-    /// Nearer than the bones differ in length: the limb is folded, its longer bone toward the target if
-    /// it is the one at the root, and away from it if not.
+    /// Nearer than the bones differ in length: the limb is folded, its longer bone toward the
+    /// target if it is the one at the root, and away from it if not.
     Folded,
 }
 
 impl<R: Real> TwoBone<R> {
-    /// The limb with its root at `root`, bones of `lengths` (the one at the root first) and its end at
-    /// `target`; the knee is where `pole`, a direction of any length, points.
+    /// The limb with its root at `root`, bones of `lengths` (the one at the root first) and its end
+    /// at `target`; the knee is where `pole`, a direction of any length, points.
     ///
-    /// With the distance D to the target and bones a and b, twice the halves of the angles at the root
-    /// and at the knee of the triangle (a, b, D), from its sides (Kahan, *Miscalculating Area and Angles
-    /// of a Needle-like Triangle*, 2014), which lose nothing where it is flat:
+    /// With the distance D to the target and bones a and b, twice the halves of the angles at the
+    /// root and at the knee of the triangle (a, b, D), from its sides (Kahan, *Miscalculating Area
+    /// and Angles of a Needle-like Triangle*, 2014), which lose nothing where it is flat:
     ///
     /// ```text
     /// tan(α/2) = √((b + D − a)(b − D + a) / ((a + D + b)(a + D − b)))
@@ -82,9 +82,9 @@ impl<R: Real> TwoBone<R> {
     /// ([`batch::TwoBone::reach`](crate::batch::TwoBone::reach)), and with the same bits where
     /// lanes fuse nothing.
     ///
-    /// A limb without a plane takes one: where the pole is zero or along the way to the target, the knee
-    /// goes toward the axis (x, y or z) that is most across it; where the target is at the root, the
-    /// knee is where the pole points, or on x.
+    /// A limb without a plane takes one: where the pole is zero or along the way to the target, the
+    /// knee goes toward the axis (x, y or z) that is most across it; where the target is at the
+    /// root, the knee is where the pole points, or on x.
     ///
     /// # Errors
     /// If a length is negative, or a number or the sum of all sides is not finite.
@@ -210,7 +210,8 @@ fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) 
     };
     let across_way = |pole| {
         let left = vector::across(along, pole);
-        // What is left of a pole along the way is rounding; of one nearly so, it is not quite across.
+        // What is left of a pole along the way is rounding; of one nearly so, it is not quite
+        // across.
         let least = R::from(16.0) * R::EPSILON;
         let side = if vector::norm(left) > least { direction(left) } else { None };
         side.and_then(|side| direction(vector::across(along, side)))

@@ -1,4 +1,5 @@
-//! Three-vectors as plain arrays, and their lengths: in the order of the papers, without fused products.
+//! Three-vectors as plain arrays, and their lengths: in the order of the papers, without fused
+//! products.
 
 pub use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::number::Real;
@@ -26,9 +27,9 @@ pub fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     largest * sum.sqrt()
 }
 
-/// The factor by which components of the length `norm` are stretched before they are measured again:
-/// subnormal numbers have few digits, and their length no more; and numbers have a length that may be none. `None` where
-/// that is not needed.
+/// The factor by which components of the length `norm` are stretched before they are measured
+/// again: subnormal numbers have few digits, and their length no more; and numbers have a length
+/// that may be none. `None` where that is not needed.
 #[inline]
 pub(crate) fn stretch<R: Real>(norm: R) -> Option<R> {
     // 2¹⁰⁰: a power of two rounds nothing.
@@ -93,8 +94,9 @@ pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
 ///
 /// Not by division: a norm one unit of the last place below 1 would then push every component up by
 /// a whole unit where half of one is meant. |p| is measured again at the next product, but nothing
-/// measures the length of q, so a chain that normalizes at every product would scale its translation
-/// by about 10⁻⁹ per product, always in the same direction (measured in `lab/src/products.rs`).
+/// measures the length of q, so a chain that normalizes at every product would scale its
+/// translation by about 10⁻⁹ per product, always in the same direction (measured in
+/// `lab/src/products.rs`).
 #[inline]
 #[must_use]
 pub fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {

@@ -6,8 +6,9 @@ use crate::storage::shape::ShapeError;
 use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Level};
 
-/// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of influences, and
-/// what the sum does to a surface. Sealed: only this crate can name what its methods take.
+/// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of
+/// influences, and what the sum does to a surface. Sealed: only this crate can name what its
+/// methods take.
 pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// The thing that is summed.
     #[doc(hidden)]
@@ -26,15 +27,16 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// If not.
     #[doc(hidden)]
     fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError>;
-    /// The sum of a group of influences. `None` where an index is out of range, which has been checked.
+    /// The sum of a group of influences. `None` where an index is out of range, which has been
+    /// checked.
     #[doc(hidden)]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
         scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
-    /// Poses plain points, where that is quicker than on lanes, and says how many; `None` if none. `rest` and `posed` begin
-    /// with vertex `first`, and have the same length.
+    /// Poses plain points, where that is quicker than on lanes, and says how many; `None` if none.
+    /// `rest` and `posed` begin with vertex `first`, and have the same length.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points<V: Level, J: Index, W: Weight>(

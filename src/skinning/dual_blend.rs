@@ -8,17 +8,17 @@ use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Mask, Records};
 
-/// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, σ = Σ ±wᵢσᵢ normalized. Twists keep
-/// their volume; bends bulge.
+/// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, σ = Σ ±wᵢσᵢ
+/// normalized. Twists keep their volume; bends bulge.
 ///
-/// The signs are those of UsdSkel's `dualQuaternion`: σᵢ is negated where its real part points away from
-/// that of the joint of greatest weight (the first, where several are greatest). So negating an entry of the
-/// palette changes nothing, and nothing happens where a joint turns through 2π. Where two are exactly half a
-/// turn apart no sign is better than the other; there the one counts that makes the first component of
-/// (w, x, y, z) which is not zero positive.
+/// The signs are those of UsdSkel's `dualQuaternion`: σᵢ is negated where its real part points
+/// away from that of the joint of greatest weight (the first, where several are greatest). So
+/// negating an entry of the palette changes nothing, and nothing happens where a joint turns
+/// through 2π. Where two are exactly half a turn apart no sign is better than the other; there the
+/// one counts that makes the first component of (w, x, y, z) which is not zero positive.
 ///
-/// A vertex of a single influence of weight 1 moves by that motion to the last bit. Normals and tangents
-/// turn with σ.
+/// A vertex of a single influence of weight 1 moves by that motion to the last bit. Normals and
+/// tangents turn with σ.
 #[derive(Clone, Copy)]
 pub struct DualBlend<'a, R> {
     palette: &'a [DualQuat<R>],
@@ -149,8 +149,9 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
         influence += 1;
     }
     let zero = product.constant(0.0);
-    // Some are at right angles, or nearly; or there is a number so large that nobody knows. The square tells
-    // both: it is not above zero. An absolute value would do, and cost a twentieth of the whole blend on AVX2.
+    // Some are at right angles, or nearly; or there is a number so large that nobody knows. The
+    // square tells both: it is not above zero. An absolute value would do, and cost a twentieth of
+    // the whole blend on AVX2.
     if !zero.lt(product * product).all() {
         let side_of_pivot = zero.constant(1.0).copysign(leading(pivot.to_array()));
         influence = 0;

@@ -26,15 +26,16 @@ errors! {
             value: f64 = "The weight."
         }
             => "vertex {vertex}: the weight of influence {influence} is {value}";
-        /// The weights of a vertex should sum to one, and are farther from that than by a factor of 1024
-        /// ([`Skin::WEIGHT_RANGE`](super::Skin::WEIGHT_RANGE)); or, where the last is implied, the others
-        /// exceed one by more than rounding to eight bits.
+        /// The weights of a vertex should sum to one, and are farther from that than by a factor of
+        /// 1024 ([`Skin::WEIGHT_RANGE`](super::Skin::WEIGHT_RANGE)); or, where the last is implied,
+        /// the others exceed one by more than rounding to eight bits.
         Total { vertex: usize = "The vertex.", total: f64 = "The sum." }
             => "vertex {vertex}: the weights sum to {total}, which should be 1";
         /// A share of a mix is not in [0, 1].
         Share { vertex: usize = "The vertex.", value: f64 = "The share." }
             => "vertex {vertex}: the share is {value}, which must be from 0 to 1";
-        /// Three numbers from `first` on do not lie in a vertex of `stride` numbers, or lie in another field.
+        /// Three numbers from `first` on do not lie in a vertex of `stride` numbers, or lie in
+        /// another field.
         Field {
             what: &'static str = "The buffer, `rest` or `posed`.",
             first: usize = "The begin of the field.",
@@ -42,7 +43,8 @@ errors! {
         }
             => "{what}: three numbers from {first} on do not lie in a vertex of {}, or lie in another field",
             Count(*stride, "number");
-        /// The influences of a vertex do not lie in it: so many elements from `first` on, where a vertex has `stride`.
+        /// The influences of a vertex do not lie in it: so many elements from `first` on, where a
+        /// vertex has `stride`.
         InfluenceField {
             what: &'static str = "Their name, `joints` or `weights`.",
             first: usize = "Their begin.",

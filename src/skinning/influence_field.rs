@@ -6,8 +6,8 @@ use super::weight::Weight;
 use crate::storage::shape::{same_length, whole_instances};
 use dq8_simd::picks::Index;
 
-/// The place of a vertex's joints in a buffer that holds one vertex after the other, or its weights; counted in
-/// elements of their own type.
+/// The place of a vertex's joints in a buffer that holds one vertex after the other, or its
+/// weights; counted in elements of their own type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InfluenceField {
     /// From a vertex to the next.
@@ -35,16 +35,17 @@ impl InfluenceField {
 }
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
-    /// As [`new`](Self::new), of joints and weights that lie between other fields: the attributes of a glTF file with
-    /// a `byteStride`, or the vertex buffer of a GPU. Each is a slice of elements of its own type and says where the
-    /// field is; the slices may be two views of the same bytes (`bytemuck::cast_slice`). A stride or an offset in
-    /// bytes, divided by the size of an element, is one in elements.
+    /// As [`new`](Self::new), of joints and weights that lie between other fields: the attributes
+    /// of a glTF file with a `byteStride`, or the vertex buffer of a GPU. Each is a slice of
+    /// elements of its own type and says where the field is; the slices may be two views of the
+    /// same bytes (`bytemuck::cast_slice`). A stride or an offset in bytes, divided by the size of
+    /// an element, is one in elements.
     ///
     /// The skin borrows them, so what is posed goes to another buffer.
     ///
     /// # Errors
-    /// If a field lies beyond its vertex, the buffers are not whole vertices or not as many of them, and as
-    /// [`new`](Self::new).
+    /// If a field lies beyond its vertex, the buffers are not whole vertices or not as many of
+    /// them, and as [`new`](Self::new).
     ///
     /// ```
     /// use dq8::skinning::{DualBlend, InfluenceField, Skin, VertexFields};

@@ -6,11 +6,12 @@ use dq8_simd::picks::{CheckedIndices, Index, PickRows, Picks};
 /// The number of influences of a vertex that are read at a time.
 pub(super) const GROUP: usize = dq8_simd::picks::GROUP;
 
-/// Four influences of the vertices of one register, as kernels read them, whatever the types of joints and
-/// weights in memory. Influences that are not there have weight 0.
+/// Four influences of the vertices of one register, as kernels read them, whatever the types of
+/// joints and weights in memory. Influences that are not there have weight 0.
 #[derive(Debug)]
 pub(super) struct Influences<'a, R, J> {
-    /// For each lane the joints, in the memory of the skin, and here where they do not lie there in order.
+    /// For each lane the joints, in the memory of the skin, and here where they do not lie there in
+    /// order.
     pub(super) in_place: Option<PickRows<'a, J>>,
     pub(super) joints: Picks<'a, J>,
     /// For each lane the weights, in the same way.
@@ -24,7 +25,8 @@ pub(super) struct Influences<'a, R, J> {
 #[derive(Debug)]
 pub struct Scratch<'a, R, J> {
     pub(super) influences: Influences<'a, R, J>,
-    /// For each lane the twelve numbers of the weighted sum of matrices; in `f32` in one cache line.
+    /// For each lane the twelve numbers of the weighted sum of matrices; in `f32` in one cache
+    /// line.
     pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
 }
 
@@ -45,7 +47,8 @@ impl<'a, R: Scalar, J: Index> Influences<'a, R, J> {
         }
     }
 
-    /// For each lane the joints: in one of two places, a choice that must not be made again for each index.
+    /// For each lane the joints: in one of two places, a choice that must not be made again for
+    /// each index.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> PickRows<'_, J> {
         *settled(&self.in_place.unwrap_or_else(
@@ -68,9 +71,10 @@ impl<'a, R: Scalar, J: Index> Scratch<'a, R, J> {
     }
 }
 
-/// A fence: what has been written is in memory, to be read in other pieces. Otherwise the compiler takes vectors apart
-/// number by number, to put them together again without memory; or it reads more at once than was written at
-/// once, which CPUs do not forward from stores to loads. Either doubles the time.
+/// A fence: what has been written is in memory, to be read in other pieces. Otherwise the compiler
+/// takes vectors apart number by number, to put them together again without memory; or it reads
+/// more at once than was written at once, which CPUs do not forward from stores to loads. Either
+/// doubles the time.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn settled<T>(written: &T) -> &T {
     black_box(written)

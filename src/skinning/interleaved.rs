@@ -13,8 +13,8 @@ use crate::storage::shape::same_length;
 use dq8_simd::picks::Index;
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
-/// The places of a vertex's fields in a buffer that holds one vertex after the other, all counted in numbers.
-/// A field is three numbers.
+/// The places of a vertex's fields in a buffer that holds one vertex after the other, all counted
+/// in numbers. A field is three numbers.
 ///
 /// ```
 /// use dq8::skinning::VertexFields;

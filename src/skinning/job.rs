@@ -37,9 +37,10 @@ pub struct Job<'s, J, W> {
 brief!([J: Index, W: Weight] Job<'_, J, W>: Job |it| { skin: it.skin, choice: it.choice });
 
 impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
-    /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`], [`DualBlend`],
-    /// [`StretchedDualBlend`] or a mix of those ([`Mixed`]). Positions, and normals and tangents where `rest` has
-    /// them, in plain slices or blocks; see [`skinning`](crate::skinning).
+    /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`],
+    /// [`DualBlend`], [`StretchedDualBlend`] or a mix of those ([`Mixed`]). Positions, and normals
+    /// and tangents where `rest` has them, in plain slices or blocks; see
+    /// [`skinning`](crate::skinning).
     ///
     /// # Errors
     /// If the slices, the palette and the skin do not fit each other; `posed` is untouched.
@@ -83,16 +84,17 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
         Ok(())
     }
 
-    /// [`pose`](Self::pose) of vertices that are records of several fields, such as the vertex buffer of a GPU:
-    /// `rest` and `posed` hold the numbers of one vertex after those of another, and the two [`VertexFields`] say
-    /// where its position is, and its normal and tangent. Everything else in `posed` is left alone.
+    /// [`pose`](Self::pose) of vertices that are records of several fields, such as the vertex
+    /// buffer of a GPU: `rest` and `posed` hold the numbers of one vertex after those of another,
+    /// and the two [`VertexFields`] say where its position is, and its normal and tangent.
+    /// Everything else in `posed` is left alone.
     ///
-    /// A slice of a user's own vertices is one of numbers by `bytemuck::cast_slice`, whatever fields of other types
-    /// of the same size it has.
+    /// A slice of a user's own vertices is one of numbers by `bytemuck::cast_slice`, whatever
+    /// fields of other types of the same size it has.
     ///
     /// # Errors
-    /// If a field lies beyond its vertex or in another one, not both buffers have the same fields, or the
-    /// buffers, the palette and the skin do not fit each other; `posed` is untouched.
+    /// If a field lies beyond its vertex or in another one, not both buffers have the same fields,
+    /// or the buffers, the palette and the skin do not fit each other; `posed` is untouched.
     ///
     /// ```
     /// use dq8::skinning::{DualBlend, Skin, VertexFields};

@@ -9,11 +9,12 @@ use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::picks::Index;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat, Records};
 
-/// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. Needs weights that sum to one.
-/// Cheapest, and right for any matrix, but the sum of two rotations is not a rotation: elbows and twisted wrists
-/// collapse.
+/// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. Needs weights that
+/// sum to one. Cheapest, and right for any matrix, but the sum of two rotations is not a rotation:
+/// elbows and twisted wrists collapse.
 ///
-/// Normals become cof(Σ wᵢMᵢ)n, normalized; tangents (Σ wᵢMᵢ)t, normalized; zero where that is zero.
+/// Normals become cof(Σ wᵢMᵢ)n, normalized; tangents (Σ wᵢMᵢ)t, normalized; zero where
+/// that is zero.
 #[derive(Clone, Copy)]
 pub struct Linear<'a, R> {
     palette: &'a [[[R; 4]; 3]],
@@ -22,8 +23,8 @@ pub struct Linear<'a, R> {
 brief!([R] Linear<'_, R>: Linear |it| { joints: it.palette.len() });
 
 impl<'a, R: Scalar> Linear<'a, R> {
-    /// The rows of each joint's 3×4 matrix, from the mesh at rest to the posed mesh: [`MatrixOrder::Rows`], as palettes are
-    /// unless told otherwise.
+    /// The rows of each joint's 3×4 matrix, from the mesh at rest to the posed mesh:
+    /// [`MatrixOrder::Rows`], as palettes are unless told otherwise.
     ///
     /// [`MatrixOrder::Rows`]: crate::hierarchy::MatrixOrder
     #[must_use]
@@ -72,8 +73,8 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("palette", self.palette.len(), joints)
     }
-    /// First in memory, one vertex after the other: fewer instructions than lanes of vertices, which
-    /// would transpose every matrix. Here it is the sums only.
+    /// First in memory, one vertex after the other: fewer instructions than lanes of vertices,
+    /// which would transpose every matrix. Here it is the sums only.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
@@ -98,8 +99,9 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
             L::load_four(level, sums, 8)?,
         ])
     }
-    /// Four points at a time, each times the rows of its sum of matrices; then the products are added, and half of the
-    /// numbers are gone at each step of the transpose. On lanes all twelve of a sum would be transposed.
+    /// Four points at a time, each times the rows of its sum of matrices; then the products are
+    /// added, and half of the numbers are gone at each step of the transpose. On lanes all twelve
+    /// of a sum would be transposed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points<V: Level, J: Index, W: Weight>(
         &self,

@@ -41,7 +41,8 @@ pub(super) fn turned<L: Lanes>(rows: [[L; 3]; 3], v: [L; 3]) -> [L; 3] {
     [vector::dot(x, v), vector::dot(y, v), vector::dot(z, v)]
 }
 
-/// cof(L) n: how a surface with normal n lies after L. That is det(L) L⁻ᵀn, which exists for every L.
+/// cof(L) n: how a surface with normal n lies after L. That is det(L) L⁻ᵀn, which exists for
+/// every L.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn cofactors<L: Lanes>([x, y, z]: [[L; 3]; 3], normal: [L; 3]) -> [L; 3] {
     turned([vector::cross(y, z), vector::cross(z, x), vector::cross(x, y)], normal)

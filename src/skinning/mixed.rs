@@ -9,9 +9,10 @@ use core::fmt::Debug;
 use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 
-/// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With [`Linear`](super::Linear) and
-/// [`DualBlend`](super::DualBlend) that is the usual weighted blend of the two, against the bulge of the second at bent
-/// joints. Normals and tangents are mixed in the same way and normalized.
+/// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With
+/// [`Linear`](super::Linear) and [`DualBlend`](super::DualBlend) that is the usual weighted blend
+/// of the two, against the bulge of the second at bent joints. Normals and tangents are mixed in
+/// the same way and normalized.
 #[derive(Clone, Copy)]
 pub struct Mixed<'a, A, B, R> {
     a: A,

@@ -1,7 +1,8 @@
 //! Skinning: a mesh follows the joints of a skeleton.
 //!
-//! A [`Skin`] says which joints move a vertex and how much, checked once. [`Skin::pose`] poses a mesh with it, in
-//! plain slices or blocks of `f32` or `f64`, positions, normals and tangents, by one of these blends:
+//! A [`Skin`] says which joints move a vertex and how much, checked once. [`Skin::pose`] poses a
+//! mesh with it, in plain slices or blocks of `f32` or `f64`, positions, normals and tangents, by
+//! one of these blends:
 //!
 //! | blend | palette | what it does |
 //! |---|---|---|
@@ -10,13 +11,16 @@
 //! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
-//! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several fields;
-//! [`Skin::interleaved`] reads joints and weights there too.
+//! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several
+//! fields; [`Skin::interleaved`] reads joints and weights there too.
 //!
-//! Palettes of motions or 3×4 matrices by rows come from [`Job::palette`](crate::Job::palette) as well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`] takes it
-//! apart into motions and stretches. [`linear_blend`] and [`dual_blend`] are the reference, for one vertex.
+//! Palettes of motions or 3×4 matrices by rows come from [`Job::palette`](crate::Job::palette) as
+//! well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`]
+//! takes it apart into motions and stretches. [`linear_blend`] and [`dual_blend`] are the
+//! reference, for one vertex.
 //!
-//! Nothing allocates, and nothing panics: [`SkinningError`] says what is wrong, before anything is written.
+//! Nothing allocates, and nothing panics: [`SkinningError`] says what is wrong, before anything is
+//! written.
 //!
 //! ```
 //! use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};

@@ -8,15 +8,15 @@ use crate::storage::shape::same_length;
 /// The findings of [`split_palette`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Split {
-    /// The largest difference of an element of a stretch from the identity: nothing but rounding if all
-    /// joints are rigid, and [`DualBlend`](super::DualBlend) is enough.
+    /// The largest difference of an element of a stretch from the identity: nothing but rounding if
+    /// all joints are rigid, and [`DualBlend`](super::DualBlend) is enough.
     pub stretch: f64,
     /// The joint that has it.
     pub joint: usize,
     /// The number of joints that mirror.
     pub mirroring: usize,
-    /// The number of joints that squeeze space into a line or a point, or have no stretch that is finite. They have no
-    /// rotation; all of the matrix but the translation is in the stretch.
+    /// The number of joints that squeeze space into a line or a point, or have no stretch that is
+    /// finite. They have no rotation; all of the matrix but the translation is in the stretch.
     pub squeezing: usize,
 }
 
@@ -32,8 +32,8 @@ impl Split {
 /// [`Linear`](super::Linear). `order` is that of the matrices given.
 ///
 /// # Errors
-/// If the slices differ in length, an element of a matrix or of a product is not finite, or a last row is not
-/// 0 0 0 1. `palette` is then untouched.
+/// If the slices differ in length, an element of a matrix or of a product is not finite, or a last
+/// row is not 0 0 0 1. `palette` is then untouched.
 ///
 /// ```
 /// use dq8::hierarchy::MatrixOrder;
@@ -95,11 +95,12 @@ fn affine<R: Real>(
 }
 
 /// Takes each joint's matrix apart into a stretch and, after it, a motion (polar decomposition; see
-/// [`Affine::try_decompose`]): a palette for [`StretchedDualBlend`](super::StretchedDualBlend), or, where all are rigid, for
-/// [`DualBlend`](super::DualBlend).
+/// [`Affine::try_decompose`]): a palette for [`StretchedDualBlend`](super::StretchedDualBlend), or,
+/// where all are rigid, for [`DualBlend`](super::DualBlend).
 ///
 /// # Errors
-/// If the slices differ in length or an element is not finite; `motions` and `stretches` are then untouched.
+/// If the slices differ in length or an element is not finite; `motions` and `stretches` are then
+/// untouched.
 ///
 /// ```
 /// use dq8::skinning::split_palette;
@@ -134,7 +135,8 @@ pub fn split_palette<R: Real>(
                 split.mirroring += usize::from(determinant(linear) < R::ZERO);
                 linear
             }
-            // What squeezes space onto a plane or less turns it by no rotation in particular: all of it is stretch.
+            // What squeezes space onto a plane or less turns it by no rotation in particular: all
+            // of it is stretch.
             Err(_) => {
                 split.squeezing += 1;
                 *motion = DualQuat::from_translation(map.translation);

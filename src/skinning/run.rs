@@ -2,18 +2,21 @@
 //!
 //! # The algorithm
 //!
-//! A register holds as many vertices as it has lanes. For each tile of vertices: read their joints and weights, in groups of
-//! a few influences; sum the palette's entries by weight, the gather that everything else waits for; turn the sum into
-//! one map for each vertex; take position, normal and tangent through it.
+//! A register holds as many vertices as it has lanes. For each tile of vertices: read their joints
+//! and weights, in groups of a few influences; sum the palette's entries by weight, the gather that
+//! everything else waits for; turn the sum into one map for each vertex; take position, normal and
+//! tangent through it.
 //!
 //! # Why it is as it is
 //!
-//! - *Blends differ in four steps only* ([`Blender`]: check, sum, join, map), so linear, dual quaternion and mixed
-//!   blends, plain and interleaved meshes share this loop, and a blend of one's own is four functions.
-//! - *Influences go through scratch in groups* of a fixed number: the sum of a group is straight code without a branch on how
-//!   many a vertex has, and eight influences are two groups.
-//! - *Positions alone have a way of their own* ([`Blender::points`]): linear blends of nothing else need no map at all. What is
-//!   left over there is posed once more by the general loop, to the same bits.
+//! - *Blends differ in four steps only* ([`Blender`]: check, sum, join, map), so linear, dual
+//!   quaternion and mixed blends, plain and interleaved meshes share this loop, and a blend of
+//!   one's own is four functions.
+//! - *Influences go through scratch in groups* of a fixed number: the sum of a group is straight
+//!   code without a branch on how many a vertex has, and eight influences are two groups.
+//! - *Positions alone have a way of their own* ([`Blender::points`]): linear blends of nothing else
+//!   need no map at all. What is left over there is posed once more by the general loop, to the
+//!   same bits.
 //! - *Everything was checked before*: no index can be wrong here, and nothing is written if one is.
 
 use super::SkinningError;

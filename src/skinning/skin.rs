@@ -9,9 +9,9 @@ use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};
 
 /// The joints that move each vertex, and how much: checked once, to be posed any number of times.
 ///
-/// `joints` holds the influences of one vertex after those of another, the same number for each; `weights`
-/// in the same order. Fill unused influences with any joint and weight 0. Joints are `u8`, `u16` or `u32`;
-/// weights see [`Weight`].
+/// `joints` holds the influences of one vertex after those of another, the same number for each;
+/// `weights` in the same order. Fill unused influences with any joint and weight 0. Joints are
+/// `u8`, `u16` or `u32`; weights see [`Weight`].
 ///
 /// ```
 /// use dq8::skinning::{Skin, SkinningError};
@@ -27,7 +27,8 @@ pub struct Skin<'a, J, W> {
     joints: CheckedIndices<'a, J>,
     /// From those of the first vertex on.
     weights: &'a [W],
-    /// The number of weights from a vertex to the next: fewer than influences where the last one is implied.
+    /// The number of weights from a vertex to the next: fewer than influences where the last one is
+    /// implied.
     stride: usize,
 }
 
@@ -39,15 +40,16 @@ brief!([J: Index, W: Weight] Skin<'_, J, W>: Skin |it| {
 type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
-    /// Between these the weights of a vertex must sum. They should sum to one; dual quaternion blends
-    /// divide by the sum in any case, linear blends do not.
+    /// Between these the weights of a vertex must sum. They should sum to one; dual quaternion
+    /// blends divide by the sum in any case, linear blends do not.
     pub const WEIGHT_RANGE: RangeInclusive<f64> = 1.0 / 1024.0..=1024.0;
 
     /// A skin for a palette of `joint_count` joints, `influences` of them for every vertex.
     ///
     /// # Errors
-    /// If the slices do not fit, a joint is out of range, a weight is negative or not finite, or the
-    /// weights of a vertex do not sum to [about one](Self::WEIGHT_RANGE). The error names the vertex.
+    /// If the slices do not fit, a joint is out of range, a weight is negative or not finite, or
+    /// the weights of a vertex do not sum to [about one](Self::WEIGHT_RANGE). The error names the
+    /// vertex.
     pub fn new(
         joint_count: usize,
         influences: usize,
@@ -58,8 +60,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Self::packed(joint_count, influences, joints, weights, influences)
     }
 
-    /// As [`new`](Self::new), with one weight less for every vertex: the last is what the others leave
-    /// of one.
+    /// As [`new`](Self::new), with one weight less for every vertex: the last is what the others
+    /// leave of one.
     ///
     /// # Errors
     /// As [`new`](Self::new), and if the weights of a vertex exceed one.
@@ -129,13 +131,15 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         if right { Ok(()) } else { Err(SkinningError::Total { vertex, total }) }
     }
 
-    /// The joints of all vertices, from the first of the first vertex on, with whatever lies between them.
+    /// The joints of all vertices, from the first of the first vertex on, with whatever lies
+    /// between them.
     #[must_use]
     pub fn joints(&self) -> &'a [J] {
         self.joints.indices()
     }
 
-    /// The weights of all vertices, from the first of the first vertex on, with whatever lies between them.
+    /// The weights of all vertices, from the first of the first vertex on, with whatever lies
+    /// between them.
     #[must_use]
     pub fn weights(&self) -> &'a [W] {
         self.weights
@@ -213,8 +217,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Scratch::new(self.joints)
     }
 
-    /// The influences of `count` vertices from `first` on where they lie, joints as records of `table`. `None` if they
-    /// are not four, or not in memory as kernels compute with them.
+    /// The influences of `count` vertices from `first` on where they lie, joints as records of
+    /// `table`. `None` if they are not four, or not in memory as kernels compute with them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_place<'t, R: Scalar, const C: usize>(
         &self,
@@ -262,8 +266,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         }
     }
 
-    /// [`read`](Self::read) where something lies between the four influences of vertices. False if there are not as
-    /// many vertices.
+    /// [`read`](Self::read) where something lies between the four influences of vertices. False if
+    /// there are not as many vertices.
     #[inline(never)]
     fn read_rows<R: Scalar>(
         &self,
@@ -284,8 +288,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         true
     }
 
-    /// [`read`](Self::read) for any number of influences, and where the vertices end: what lies beyond is
-    /// moved by joint 0.
+    /// [`read`](Self::read) for any number of influences, and where the vertices end: what lies
+    /// beyond is moved by joint 0.
     #[inline(never)]
     fn read_each<R: Scalar>(
         &self,
@@ -300,7 +304,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         let from = group * GROUP;
         for (lane, weights) in to.weights.0.iter_mut().enumerate().take(lanes) {
             let vertex = first + lane;
-            // Influences that are not there are the first one with weight 0: another joint's NaN must not get in.
+            // Influences that are not there are the first one with weight 0: another joint's NaN
+            // must not get in.
             let there = to.joints.set_row(lane, vertex, from);
             *weights = if there { self.weights_from(vertex, from) } else { none };
         }

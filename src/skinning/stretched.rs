@@ -9,9 +9,10 @@ use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 
-/// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, S = Σ wᵢSᵢ, σ as of
-/// [`DualBlend`]. What a joint's matrix has beyond a motion comes first, blended linearly (UsdSkel's
-/// `dualQuaternion`); [`split_palette`](super::split_palette) takes matrices apart.
+/// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, S = Σ
+/// wᵢSᵢ, σ as of [`DualBlend`]. What a joint's matrix has beyond a motion comes first, blended
+/// linearly (UsdSkel's `dualQuaternion`); [`split_palette`](super::split_palette) takes matrices
+/// apart.
 ///
 /// Normals become σ applied to cof(S)n, normalized; tangents σ applied to St, normalized.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,8 @@ pub struct StretchedDualBlend<'a, R> {
 }
 
 impl<'a, R: Scalar> StretchedDualBlend<'a, R> {
-    /// Each joint's motion, unit, and before it its stretch: the rows of a 3×4 matrix without translation.
+    /// Each joint's motion, unit, and before it its stretch: the rows of a 3×4 matrix without
+    /// translation.
     #[must_use]
     pub fn new(motions: &'a [DualQuat<R>], stretches: &'a [[[R; 4]; 3]]) -> Self {
         Self { stretch: Linear::new(stretches), rigid: DualBlend::new(motions) }

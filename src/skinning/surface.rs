@@ -1,7 +1,7 @@
 use crate::storage::shape::{ShapeError, same_length};
 
-/// What there is for each vertex of a mesh, a slice each: written as [`Surface`], at rest, or [`SurfaceMut`], posed, which say
-/// what slices they are.
+/// What there is for each vertex of a mesh, a slice each: written as [`Surface`], at rest, or
+/// [`SurfaceMut`], posed, which say what slices they are.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Vertices<S> {

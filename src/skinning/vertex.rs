@@ -24,12 +24,12 @@ pub fn linear_blend<R: Real>(influences: &[([[R; 4]; 3], R)]) -> [[R; 4]; 3] {
     sum
 }
 
-/// Dual quaternion blending with UsdSkel's signs, Σ ±wᵢσᵢ exactly normalized: each motion turned toward the
-/// first of those with the greatest weight. Motions at right angles to that, half a turn away, count with the
-/// first component of (w, x, y, z) that is not zero positive.
+/// Dual quaternion blending with UsdSkel's signs, Σ ±wᵢσᵢ exactly normalized: each motion
+/// turned toward the first of those with the greatest weight. Motions at right angles to that, half
+/// a turn away, count with the first component of (w, x, y, z) that is not zero positive.
 ///
-/// A single motion of weight 1 is returned as it is. `None` without influences; every component is NaN if the
-/// sum cannot be normalized.
+/// A single motion of weight 1 is returned as it is. `None` without influences; every component is
+/// NaN if the sum cannot be normalized.
 ///
 /// ```
 /// use dq8::DualQuat;

@@ -1,8 +1,8 @@
 use crate::number::{Real, Scalar};
 use core::fmt::Debug;
 
-/// A weight as it lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that the largest
-/// number is 1 exactly (glTF 2.0, §3.11; Vulkan's `UNORM`).
+/// A weight as it lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that
+/// the largest number is 1 exactly (glTF 2.0, §3.11; Vulkan's `UNORM`).
 ///
 /// ```
 /// use dq8::skinning::Weight;

@@ -7,9 +7,9 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `blends[i]` = normalize(Σₖ ±wₖᵢσₖᵢ), each sign turned toward the motion of the first influence: dual
-    /// quaternion linear blending of K slices by a weight each, influence k being `(σₖ, wₖ)`; see
-    /// [`DualQuat::dlb`](crate::DualQuat::dlb).
+    /// `blends[i]` = normalize(Σₖ ±wₖᵢσₖᵢ), each sign turned toward the motion of the
+    /// first influence: dual quaternion linear blending of K slices by a weight each, influence k
+    /// being `(σₖ, wₖ)`; see [`DualQuat::dlb`](crate::DualQuat::dlb).
     ///
     /// # Errors
     /// If the slices differ in length; `blends` is untouched.

@@ -24,8 +24,8 @@ impl Backend {
         interpolate(self, Nlerp, a, b, One(t), between)
     }
 
-    /// [`nlerp`](Self::nlerp) with a t for each, in the precision of the motions: `&[0.5_f32; 4]`, where bare literals are
-    /// `f64`.
+    /// [`nlerp`](Self::nlerp) with a t for each, in the precision of the motions: `&[0.5_f32; 4]`,
+    /// where bare literals are `f64`.
     ///
     /// # Errors
     /// If the slices differ in length; `between` is untouched.

@@ -28,8 +28,8 @@ errors! {
 }
 
 impl Backend {
-    /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4 matrices,
-    /// with the row 0 0 0 1, for sixteen.
+    /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4
+    /// matrices, with the row 0 0 0 1, for sixteen.
     ///
     /// # Errors
     /// If the slices differ in length; `matrices` is untouched.
@@ -62,8 +62,9 @@ impl Backend {
     }
 
     /// `motions[i]` = the motion of a matrix that is known to be rigid, p_w ≥ 0
-    /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)); garbage in, garbage out. 3×4 matrices for twelve numbers
-    /// per element, 4×4 matrices, whose last row is not read, for sixteen.
+    /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)); garbage in, garbage out.
+    /// 3×4 matrices for twelve numbers per element, 4×4 matrices, whose last row is not read, for
+    /// sixteen.
     ///
     /// # Errors
     /// If the slices differ in length; `motions` is untouched.
@@ -97,8 +98,8 @@ impl Backend {
     /// [`try_from_matrix4`](crate::DualQuat::try_from_matrix4) have it.
     ///
     /// # Errors
-    /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one: the first such. All
-    /// matrices are looked at before any motion is written.
+    /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one:
+    /// the first such. All matrices are looked at before any motion is written.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
@@ -168,8 +169,8 @@ where
     }
 }
 
-/// The first matrix that is no rigid motion. Lanes find the tile, and what they find is looked at once more one by one, which
-/// says what is wrong.
+/// The first matrix that is no rigid motion. Lanes find the tile, and what they find is looked at
+/// once more one by one, which says what is wrong.
 struct Check<'s, M: RigidMatrix<C>, const C: usize> {
     matrices: &'s [M],
     order: MatrixOrder,

@@ -20,9 +20,9 @@
 //! | [`matrices`](Backend::matrices), [`from_matrices`](Backend::from_matrices), [`try_from_matrices`](Backend::try_from_matrices) | to and from 3×4 and 4×4 matrices, by rows or by columns |
 //!
 //! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
-//! [`storage`](crate::storage). Plain slices may have any length and lie anywhere: they are transposed in registers,
-//! and the last few elements go through the same kernel with the lanes that are left filled up.
-//! Blocks are read as they are: the fastest way.
+//! [`storage`](crate::storage). Plain slices may have any length and lie anywhere: they are
+//! transposed in registers, and the last few elements go through the same kernel with the lanes
+//! that are left filled up. Blocks are read as they are: the fastest way.
 //!
 //! ```
 //! use dq8::{Backend, DualQuat, Quat};

@@ -5,7 +5,8 @@ use crate::scalar::{DualQuat, MatrixError};
 use crate::storage::Element;
 use dq8_simd::Lanes;
 
-/// A rigid matrix that is read: 3×4 (`C` = 12) or 4×4 (16), in the forms of a [`PaletteEntry`]. Sealed.
+/// A rigid matrix that is read: 3×4 (`C` = 12) or 4×4 (16), in the forms of a [`PaletteEntry`].
+/// Sealed.
 pub trait RigidMatrix<const C: usize>: PaletteEntry<C> {
     /// The motions of rigid matrices.
     #[doc(hidden)]

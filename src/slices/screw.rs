@@ -9,8 +9,9 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `logs[i]` = log σᵢ of unit motions, (θ̂/2)(l + εm): six numbers, a and then b of a + εb; see
-    /// [`DualQuat::log`](crate::DualQuat::log). Twice that is the twist that leads to σᵢ in one second.
+    /// `logs[i]` = log σᵢ of unit motions, (θ̂/2)(l + εm): six numbers, a and then b of a +
+    /// εb; see [`DualQuat::log`](crate::DualQuat::log). Twice that is the twist that leads to
+    /// σᵢ in one second.
     ///
     /// # Errors
     /// If the slices differ in length; `logs` is untouched.
@@ -52,8 +53,8 @@ impl Backend {
         Ok(())
     }
 
-    /// `twists[i]` = 2 log σᵢ of unit motions: the twist that leads to σᵢ in one second, angular part first; see
-    /// [`DualQuat::to_twist`](crate::DualQuat::to_twist).
+    /// `twists[i]` = 2 log σᵢ of unit motions: the twist that leads to σᵢ in one second,
+    /// angular part first; see [`DualQuat::to_twist`](crate::DualQuat::to_twist).
     ///
     /// # Errors
     /// If the slices differ in length; `twists` is untouched.
@@ -95,7 +96,8 @@ impl Backend {
         Ok(())
     }
 
-    /// `powers[i]` = σᵢᵗ of unit motions, with a t each; see [`DualQuat::pow`](crate::DualQuat::pow).
+    /// `powers[i]` = σᵢᵗ of unit motions, with a t each; see
+    /// [`DualQuat::pow`](crate::DualQuat::pow).
     ///
     /// # Errors
     /// If the slices differ in length; `powers` is untouched.
@@ -112,8 +114,8 @@ impl Backend {
         Ok(())
     }
 
-    /// `later[i]` = σᵢ exp(½ξᵢ dt): where unit σᵢ is after `dt` seconds of the body twist ξᵢ; see
-    /// [`DualQuat::integrate_body`](crate::DualQuat::integrate_body).
+    /// `later[i]` = σᵢ exp(½ξᵢ dt): where unit σᵢ is after `dt` seconds of the body twist
+    /// ξᵢ; see [`DualQuat::integrate_body`](crate::DualQuat::integrate_body).
     ///
     /// # Errors
     /// If the slices differ in length; `later` is untouched.

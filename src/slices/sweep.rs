@@ -29,11 +29,12 @@ pub(super) fn part<T>(slice: &[T], elements: Range<usize>) -> &[T] {
     slice.get(elements).unwrap_or_default()
 }
 
-/// The fewest elements in a task: some microseconds of work, where starting a task takes a fraction of one.
+/// The fewest elements in a task: some microseconds of work, where starting a task takes a fraction
+/// of one.
 pub(super) const GRAIN: usize = 2048;
 
-/// From this size on, in bytes, an output is written past the caches: a line that is written whole need
-/// not be read first. Products of 16-lane blocks, ns each, on a server with 2 MiB of L2 cache:
+/// From this size on, in bytes, an output is written past the caches: a line that is written whole
+/// need not be read first. Products of 16-lane blocks, ns each, on a server with 2 MiB of L2 cache:
 ///
 /// | output | AVX-512 | past the caches | AVX2 | past the caches |
 /// |---|---|---|---|---|
@@ -90,12 +91,13 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
     fn run<V: Level>(self, level: V) {
         let Self { output, kernel } = self;
         let (records, registers) = (Q::Layout::records::<V>(), Q::Layout::registers::<V>());
-        // Two plain loops, which the compiler unrolls over the registers of a block; `storage::tiles` is
-        // one, and 5 % slower where a block has two registers.
+        // Two plain loops, which the compiler unrolls over the registers of a block;
+        // `storage::tiles` is one, and 5 % slower where a block has two registers.
         for i in 0..output.len().div_ceil(records) {
             for register in 0..registers {
                 let tile = Tile::at(i * records, register);
-                // The lengths were checked, so this always is something; the compiler need not know.
+                // The lengths were checked, so this always is something; the compiler need not
+                // know.
                 let Some(components) = kernel.compute(level, output, tile) else { return };
                 Q::store(components, output, tile);
             }

@@ -18,7 +18,8 @@ use crate::storage::{Element, Tile, tiles};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// The number of samples that are looked up before they are computed: few enough to stay in the first cache, on the stack.
+/// The number of samples that are looked up before they are computed: few enough to stay in the
+/// first cache, on the stack.
 const CHUNK: usize = 64;
 
 errors! {
@@ -39,14 +40,14 @@ errors! {
 }
 
 impl Backend {
-    /// `samples[i]` = the pose at the time `at[i]` on the trajectory through `poses[k]` at `times[k]`:
-    /// screw motion between neighbours, [`DualQuat::sclerp`] by the shorter way; before the first and
-    /// after the last pose, that pose. Samples may be asked for in any order; rising ones are found
-    /// fastest.
+    /// `samples[i]` = the pose at the time `at[i]` on the trajectory through `poses[k]` at
+    /// `times[k]`: screw motion between neighbours, [`DualQuat::sclerp`] by the shorter way; before
+    /// the first and after the last pose, that pose. Samples may be asked for in any order; rising
+    /// ones are found fastest.
     ///
     /// # Errors
-    /// If lengths differ (`times` and `poses`, `at` and `samples`), there is no pose, times do not rise
-    /// or one is not finite, or a sample is asked for at NaN; `samples` is untouched.
+    /// If lengths differ (`times` and `poses`, `at` and `samples`), there is no pose, times do not
+    /// rise or one is not finite, or a sample is asked for at NaN; `samples` is untouched.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat};
@@ -66,10 +67,11 @@ impl Backend {
         self.sample(times, poses, at, samples, &mut [])
     }
 
-    /// [`resample`](Self::resample), and `twists[i]` = how the pose moves there: the twist in the frame of the moving body, of the
-    /// unit of time of `times`, which on a screw motion is the same from one pose to the next,
-    /// log((p*q)²) / (t_q − t_p). At a pose it is that of the way to the next one; before the first pose, and from the
-    /// last one on, it is zero. [`integrate_body`](Self::integrate_body) goes along it.
+    /// [`resample`](Self::resample), and `twists[i]` = how the pose moves there: the twist in the
+    /// frame of the moving body, of the unit of time of `times`, which on a screw motion is the
+    /// same from one pose to the next, log((p*q)²) / (t_q − t_p). At a pose it is that of the
+    /// way to the next one; before the first pose, and from the last one on, it is zero.
+    /// [`integrate_body`](Self::integrate_body) goes along it.
     ///
     /// # Errors
     /// As there, and if `twists` is not as long as `at`; nothing is written.
@@ -223,8 +225,8 @@ impl<R: Scalar> Trajectory<'_, R> {
     }
 }
 
-/// The index of the first of the `times` later than `time`; `near` is a guess, right if samples rise
-/// slowly.
+/// The index of the first of the `times` later than `time`; `near` is a guess, right if samples
+/// rise slowly.
 fn first_after<R: Scalar>(times: &[R], time: R, near: usize) -> usize {
     let before = |index: usize| times.get(index).is_some_and(|&t| t <= time);
     for guess in near..near.saturating_add(4) {

@@ -87,7 +87,8 @@ impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
         let [x, y, z] = P::load(level, self.from.or(output), tile, &storage::identity())?;
         let mut moved = [x; 3];
         for (moved, row) in moved.iter_mut().zip(self.rows) {
-            // The compiler keeps the twelve lanes in registers from one turn of the loop to the next.
+            // The compiler keeps the twelve lanes in registers from one turn of the loop to the
+            // next.
             let [a, b, c, t] = row.map(
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |number| Register::<P, V, 3>::splat(level, number),

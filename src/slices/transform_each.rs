@@ -50,8 +50,8 @@ impl Backend {
         Ok(())
     }
 
-    /// `moved[i]` = Rᵢl + ε(Rᵢm + tᵢ × Rᵢl) of a unit motion each. A line is six numbers, direction and
-    /// moment; see [`Line`](crate::Line).
+    /// `moved[i]` = Rᵢl + ε(Rᵢm + tᵢ × Rᵢl) of a unit motion each. A line is six numbers,
+    /// direction and moment; see [`Line`](crate::Line).
     ///
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.
@@ -78,8 +78,8 @@ impl Backend {
         Ok(())
     }
 
-    /// `moved[i]` = the plane n′ = Rᵢn, d′ = d + n′·tᵢ of a unit motion each. A plane is four numbers,
-    /// normal and offset; see [`Plane`](crate::Plane).
+    /// `moved[i]` = the plane n′ = Rᵢn, d′ = d + n′·tᵢ of a unit motion each. A plane is
+    /// four numbers, normal and offset; see [`Plane`](crate::Plane).
     ///
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.
@@ -96,8 +96,8 @@ impl Backend {
         Ok(())
     }
 
-    /// `moved[i]` = ω′ = Rᵢω, v′ = Rᵢv + tᵢ × ω′, the adjoint of a unit motion each: a body twist of σᵢ
-    /// becomes the spatial one.
+    /// `moved[i]` = ω′ = Rᵢω, v′ = Rᵢv + tᵢ × ω′, the adjoint of a unit motion
+    /// each: a body twist of σᵢ becomes the spatial one.
     ///
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.

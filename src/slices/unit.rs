@@ -8,8 +8,8 @@ use core::ops::Range;
 use dq8_simd::Level;
 
 impl Backend {
-    /// `units[i]` = σᵢ/√(σᵢσᵢ*), exactly; some component is NaN where the result does not exist (see
-    /// [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
+    /// `units[i]` = σᵢ/√(σᵢσᵢ*), exactly; some component is NaN where the result does
+    /// not exist (see [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
     ///
     /// # Errors
     /// If the slices differ in length; `units` is untouched.

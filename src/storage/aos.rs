@@ -7,9 +7,10 @@ use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, Records};
 
-/// Array of structures: one thing after the other. They are transposed in registers on the way in, and
-/// back on the way out. An error of the compiler that expects `Aos<f32>` and finds `Aos<f64>` has met numbers of two
-/// precisions: a slice of bare literals such as `&[0.5; 4]` is one of `f64`, and `&[0.5_f32; 4]` is not.
+/// Array of structures: one thing after the other. They are transposed in registers on the way in,
+/// and back on the way out. An error of the compiler that expects `Aos<f32>` and finds `Aos<f64>`
+/// has met numbers of two precisions: a slice of bare literals such as `&[0.5; 4]` is one of `f64`,
+/// and `&[0.5_f32; 4]` is not.
 #[derive(Clone, Copy, Debug)]
 pub struct Aos<R>(PhantomData<R>);
 
@@ -19,8 +20,8 @@ impl<R: Scalar> Layout for Aos<R> {
     type Record<const C: usize> = [R; C];
     type Register<V: Level> = R::Lanes<V>;
     const THINGS: usize = 1;
-    // Transposes are shuffles, and the compiler makes AVX-512 shuffles of them, which run on one port
-    // instead of two: products take 2.2 ns instead of 1.8, points 0.69 instead of 0.52.
+    // Transposes are shuffles, and the compiler makes AVX-512 shuffles of them, which run on one
+    // port instead of two: products take 2.2 ns instead of 1.8, points 0.69 instead of 0.52.
     const WIDE: bool = false;
     // Records are pieces of cache lines, which cannot be written past the caches.
     const STREAMS: bool = false;

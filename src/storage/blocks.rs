@@ -4,8 +4,9 @@ use crate::number::Scalar;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level, Native, Row};
 
-/// `N` things of `C` components each: `C` rows of `N` numbers, of motions ([px, py, pz, pw, qx, qy, qz, qw]) where nothing
-/// else is said. `Block<f32, 8>` is 256 bytes; `Block<f32, 8, 3>` holds eight points.
+/// `N` things of `C` components each: `C` rows of `N` numbers, of motions ([px, py, pz, pw, qx, qy,
+/// qz, qw]) where nothing else is said. `Block<f32, 8>` is 256 bytes; `Block<f32, 8, 3>` holds
+/// eight points.
 pub type Block<R, const N: usize, const C: usize = 8> = dq8_simd::Block<[R; N], C>;
 
 /// Array of structures of arrays: [`Row::LANES`] things to a block, a row `A` of numbers for each

@@ -1,20 +1,21 @@
-//! [`Layout`] and [`Element`], which name each other: a layout has elements of any number of components, and
-//! an element has a layout.
+//! [`Layout`] and [`Element`], which name each other: a layout has elements of any number of
+//! components, and an element has a layout.
 
 use super::tile::Tile;
 use crate::number::Scalar;
 use core::fmt::Debug;
 use dq8_simd::{Lanes, Level};
 
-/// The form in which things of any number of components lie in memory, and the registers that read them: [`Aos`](super::Aos) or
-/// [`AoSoA`](super::AoSoA). Sealed.
+/// The form in which things of any number of components lie in memory, and the registers that read
+/// them: [`Aos`](super::Aos) or [`AoSoA`](super::AoSoA). Sealed.
 ///
 /// A layout whose numbers in memory are not those in registers, say 16 bits each, would be another
 /// implementation; no kernel would change.
 pub trait Layout: Copy + Debug + sealed::Sealed {
     /// The number in a register.
     type Real: Scalar;
-    /// The element of a slice of which only the number of components is known: `[R; C]`, or a block.
+    /// The element of a slice of which only the number of components is known: `[R; C]`, or a
+    /// block.
     type Record<const C: usize>: Element<C, Layout = Self>;
     /// One register of `V`.
     type Register<V: Level>: Lanes<Real = Self::Real, Level = V>;
@@ -22,7 +23,8 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     const THINGS: usize;
     /// `true` if kernels over this layout gain from AVX-512.
     const WIDE: bool;
-    /// `true` if it can be written past the caches, on targets that may have more memory than caches.
+    /// `true` if it can be written past the caches, on targets that may have more memory than
+    /// caches.
     const STREAMS: bool;
 
     /// The number of registers that read one component of a record.
@@ -45,8 +47,8 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     }
 }
 
-/// An element of a slice: a thing of `C` numbers, or a block of such things. The one bound that code
-/// for any [`Layout`] needs; [the table](super) says what implements it. Sealed.
+/// An element of a slice: a thing of `C` numbers, or a block of such things. The one bound that
+/// code for any [`Layout`] needs; [the table](super) says what implements it. Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not known to dq8 as a thing of {C} numbers",
     label = "not an element of {C} numbers",
@@ -58,8 +60,8 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// The form in which it lies in memory.
     type Layout: Layout;
 
-    /// Each component of the things of a tile, a register each. What lies beyond the end of `from` is
-    /// `padding` (see [`identity`](super::identity)); `None` if the tile begins beyond it.
+    /// Each component of the things of a tile, a register each. What lies beyond the end of `from`
+    /// is `padding` (see [`identity`](super::identity)); `None` if the tile begins beyond it.
     fn load<V: Level>(
         level: V,
         from: &[Self],
@@ -108,8 +110,8 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
         }
     }
 
-    /// The same numbers as arrays, if they lie one after the other: for one thing this is faster than
-    /// lanes. `None` for blocks.
+    /// The same numbers as arrays, if they lie one after the other: for one thing this is faster
+    /// than lanes. `None` for blocks.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn plain(slice: &[Self]) -> Option<&[[Number<Self, C>; C]]> {

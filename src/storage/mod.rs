@@ -2,9 +2,9 @@
 //!
 //! A *record* is the `C` numbers of one thing: a motion has 8, a point 3. A slice holds records one
 //! after the other ([`Aos`], array of structures), or in [`Block`]s of `N` ([`AoSoA`], array of
-//! structures of arrays): row `c` of a block holds component `c` of `N` things. Kernels compute with a
-//! register for each component, a thing in each lane. So a block is read as it is, the fastest way, and
-//! plain records are transposed in registers.
+//! structures of arrays): row `c` of a block holds component `c` of `N` things. Kernels compute
+//! with a register for each component, a thing in each lane. So a block is read as it is, the
+//! fastest way, and plain records are transposed in registers.
 //!
 //! | `C` | what | one record |
 //! |---|---|---|
@@ -22,9 +22,10 @@
 //! | 36 | a 6×6 matrix of twists, a covariance, angular first | `[[R; 6]; 6]` |
 //! | 36 | the same, linear first | `[`[`LinearFirst<R>`](LinearFirst)`; 6]` |
 //!
-//! `[R; C]` is a record of any number of components, and [`Block<R, N, C>`](Block) holds `N` of them. [`Element<C>`](Element) is the one bound that
-//! generic code needs: it says what a slice is made of, and reads and writes it by [`Tile`]s, a register
-//! for each component at a time. [`Kernel`](crate::Kernel) has an example.
+//! `[R; C]` is a record of any number of components, and [`Block<R, N, C>`](Block) holds `N` of
+//! them. [`Element<C>`](Element) is the one bound that generic code needs: it says what a slice is
+//! made of, and reads and writes it by [`Tile`]s, a register for each component at a time.
+//! [`Kernel`](crate::Kernel) has an example.
 //!
 //! ```
 //! use dq8::storage::{Element, Number};

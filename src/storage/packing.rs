@@ -6,8 +6,8 @@ use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
 use dq8_simd::{Lanes, Level, Row};
 
-/// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the last
-/// blocks that have no instance hold the [`identity`], with which arithmetic is never slow.
+/// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the
+/// last blocks that have no instance hold the [`identity`], with which arithmetic is never slow.
 ///
 /// For everything that blocks hold: motions, rotations, points, twists, matrices, numbers. Things
 /// that do not belong to a skeleton have one joint.
@@ -43,8 +43,8 @@ where
     Ok(())
 }
 
-/// Writes `blocks`, `[instance block][joint]`, into `things`, `[instance][joint]`; the lanes beyond the
-/// last instance are dropped.
+/// Writes `blocks`, `[instance block][joint]`, into `things`, `[instance][joint]`; the lanes beyond
+/// the last instance are dropped.
 ///
 /// # Errors
 /// If `things` holds no whole number of instances, or `blocks` is not just large enough for them;
@@ -118,8 +118,8 @@ pub(crate) fn blocks_for<const N: usize>(joints: usize, instances: usize) -> usi
     instances.div_ceil(N).saturating_mul(joints)
 }
 
-/// Thing `lane · stride + joint` of each group of `N · stride` goes to `lane` of its block `joint`.
-/// Lengths have been checked.
+/// Thing `lane · stride + joint` of each group of `N · stride` goes to `lane` of its block
+/// `joint`. Lengths have been checked.
 pub(crate) struct Pack<'s, E, B> {
     pub(crate) stride: usize,
     pub(crate) things: &'s [E],

@@ -1,8 +1,8 @@
 use crate::number::Scalar;
 use core::marker::PhantomData;
 
-/// The filling of lanes without a thing: the motion, rotation or matrix that changes nothing, and zero for
-/// vectors and numbers. Computing with it is never slow, as it is with garbage.
+/// The filling of lanes without a thing: the motion, rotation or matrix that changes nothing, and
+/// zero for vectors and numbers. Computing with it is never slow, as it is with garbage.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn identity<R: Scalar, const C: usize>() -> [R; C] {

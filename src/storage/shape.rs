@@ -27,11 +27,12 @@ errors! {
         /// A range of joints that is not a range of this hierarchy.
         Joints { range: Range<usize> = "The range.", joints: usize = "The number of joints." }
             => "joints {range:?} are not a range of a hierarchy of {}", Count(*joints, "joint");
-        /// A joint of a range, whose parent is not in it: models that go through scratch are not kept for it.
+        /// A joint of a range, whose parent is not in it: models that go through scratch are not
+        /// kept for it.
         NoParent { joint: usize = "The joint.", parent: usize = "Its parent." }
             => "the parent of joint {joint}, joint {parent}, is not among those that are computed";
-        /// A pair of an order that is not a joint and its parent, or comes before the last root: the order was made for
-        /// other parents, or not at all.
+        /// A pair of an order that is not a joint and its parent, or comes before the last root:
+        /// the order was made for other parents, or not at all.
         NotOrder { place: usize = "The number of the pair." } => "pair {place} of the order is not one of these parents";
         /// A job was given the plan of other parents than its own.
         OtherPlan => "the plan is of other parents than the job";
@@ -71,7 +72,8 @@ pub fn same_length(what: &'static str, length: usize, expected: usize) -> Result
     if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
 }
 
-/// The number of instances of `joints` joints (links, values …) in the slice that is called `what`.
+/// The number of instances of `joints` joints (links, values …) in the slice that is called
+/// `what`.
 ///
 /// # Errors
 /// If it holds no whole number of them.

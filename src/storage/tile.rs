@@ -1,5 +1,6 @@
-/// The things that a register reads: register `register` of the block `element`; or, where a record is
-/// one thing, those at `element`, `element + stride`, `element + 2·stride`, … one in each lane.
+/// The things that a register reads: register `register` of the block `element`; or, where a record
+/// is one thing, those at `element`, `element + stride`, `element + 2·stride`, … one in each
+/// lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
     pub(crate) element: usize,
@@ -9,14 +10,16 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// The lanes of one register of the block `element`, or as many records as it reads from there on.
+    /// The lanes of one register of the block `element`, or as many records as it reads from there
+    /// on.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn at(element: usize, register: usize) -> Self {
         Self { element, register, stride: None }
     }
 
-    /// The same, of plain records that lie `stride` records apart; of blocks, the register alone counts.
+    /// The same, of plain records that lie `stride` records apart; of blocks, the register alone
+    /// counts.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn strided(self, stride: usize) -> Self {

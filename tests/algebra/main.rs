@@ -1,5 +1,5 @@
-//! The laws in the documentation of [`Quaternion`](dq8::Quaternion) and [`DualNumber`](dq8::DualNumber), on every
-//! implementation: scalar, and all lanes that there are.
+//! The laws in the documentation of [`Quaternion`](dq8::Quaternion) and
+//! [`DualNumber`](dq8::DualNumber), on every implementation: scalar, and all lanes that there are.
 
 mod dual_number;
 mod quaternion;

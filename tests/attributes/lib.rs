@@ -1,5 +1,6 @@
-//! Attributes by the names that `dq8_simd::plain!` lets through, and that are looked up where it is called. They give what
-//! they are put on an alignment of its own, and so padding: the programs below read memory that is not theirs if it compiles.
+//! Attributes by the names that `dq8_simd::plain!` lets through, and that are looked up where it is
+//! called. They give what they are put on an alignment of its own, and so padding: the programs
+//! below read memory that is not theirs if it compiles.
 #![forbid(unsafe_code)]
 
 use proc_macro::TokenStream;

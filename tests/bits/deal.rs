@@ -23,8 +23,8 @@ impl Hash {
     }
 }
 
-/// What an operation takes its arguments from, and answers to. Each element has random numbers and a hash of its own, so
-/// that it does not matter how many are computed together.
+/// What an operation takes its arguments from, and answers to. Each element has random numbers and
+/// a hash of its own, so that it does not matter how many are computed together.
 pub(crate) struct Deal<M: Sample> {
     level: M::Level,
     randoms: [Random; MOST],

@@ -1,8 +1,10 @@
-//! What every function and job computes, as hashes that are the same on every machine: `tests/vectors/bits.tsv`. Without
-//! std and without a heap, so that boards run it too. The inputs are made of integers, so that no generator can hide a
-//! difference; NaN is one value, because its sign and payload differ between machines.
+//! What every function and job computes, as hashes that are the same on every machine:
+//! `tests/vectors/bits.tsv`. Without std and without a heap, so that boards run it too. The inputs
+//! are made of integers, so that no generator can hide a difference; NaN is one value, because its
+//! sign and payload differ between machines.
 //!
-//! `operations` and `geometry` read the tables of the accuracy contract: what is new there is hashed here.
+//! `operations` and `geometry` read the tables of the accuracy contract: what is new there is
+//! hashed here.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -49,7 +51,8 @@ pub type Sink<'s> = dyn FnMut([&str; 3], u64) + 's;
 /// The hashes that all machines have.
 pub const KNOWN: &str = include_str!("../vectors/bits.tsv");
 
-/// Everything, by all instructions of this CPU whose bits are promised: a name comes once for each of them.
+/// Everything, by all instructions of this CPU whose bits are promised: a name comes once for each
+/// of them.
 pub fn hashes(sink: &mut Sink<'_>) {
     parts(sink);
     example(sink);

@@ -47,7 +47,8 @@ impl Random {
         [(); N].map(|()| self.number())
     }
 
-    /// p + ½εtp, unit but for rounding; one in eight turns by half a turn, so that motions are at right angles.
+    /// p + ½εtp, unit but for rounding; one in eight turns by half a turn, so that motions are at
+    /// right angles.
     pub(crate) fn motion<R: Scalar>(&mut self) -> [R; 8] {
         let mut p = [(); 4].map(|()| self.signed::<R>());
         if self.below(8) == 0 {
@@ -63,8 +64,8 @@ impl Random {
         [x, y, z, w, dual[0], dual[1], dual[2], last]
     }
 
-    /// A turn about a coordinate axis, one in three by half a turn, then a translation that is often along one: most numbers
-    /// are zeros, of both signs.
+    /// A turn about a coordinate axis, one in three by half a turn, then a translation that is
+    /// often along one: most numbers are zeros, of both signs.
     pub(crate) fn turned<R: Scalar>(&mut self) -> [R; 8] {
         let turns =
             [[0.8, -0.6], [-0.96, -0.28], [1.0, 0.0], [-0.0, 1.0], [-1.0, -0.0], [0.6, 0.8]];

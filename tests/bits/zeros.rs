@@ -1,5 +1,6 @@
-//! Jobs whose input has zeros of both signs, quarter turns and half turns, for every number of instances: the sign of a
-//! zero that comes out must not depend on how many are computed together. Of one precision: `super::R`.
+//! Jobs whose input has zeros of both signs, quarter turns and half turns, for every number of
+//! instances: the sign of a zero that comes out must not depend on how many are computed together.
+//! Of one precision: `super::R`.
 
 use super::R;
 use super::jobs::{M, hash};

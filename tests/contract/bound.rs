@@ -1,9 +1,9 @@
 //! [`Bound`]: how large an error may be, and why; [`Scale`]: what it is measured against.
 //!
-//! Unit: the unit roundoff u of the type, 2⁻²⁴ for `f32` and 2⁻⁵³ for `f64`, times a scale. One bound
-//! serves both types, the scalar reference and every lane type: the formulas are the same, and fused
-//! or not is less than a factor of two. Bounds are about one and a half times the worst that has been
-//! measured; where one is large, the reason says what it is made of.
+//! Unit: the unit roundoff u of the type, 2⁻²⁴ for `f32` and 2⁻⁵³ for `f64`, times a
+//! scale. One bound serves both types, the scalar reference and every lane type: the formulas are
+//! the same, and fused or not is less than a factor of two. Bounds are about one and a half times
+//! the worst that has been measured; where one is large, the reason says what it is made of.
 
 use dq8::Real;
 
@@ -74,8 +74,8 @@ impl Scale {
     }
 }
 
-/// The distance of two numbers in units of u · `scale`. Equal numbers and two NaN have none; NaN or
-/// an infinity beside a number is infinitely far.
+/// The distance of two numbers in units of u · `scale`. Equal numbers and two NaN have none; NaN
+/// or an infinity beside a number is infinitely far.
 pub fn distance(left: f64, right: f64, scale: f64, single: bool) -> f64 {
     if left == right || left.is_nan() && right.is_nan() {
         return 0.0;

@@ -1,5 +1,5 @@
-//! [`Case`]: one element of input, what any operation may ask for; [`Arguments`]: cases dealt out to
-//! the lanes of an implementation.
+//! [`Case`]: one element of input, what any operation may ask for; [`Arguments`]: cases dealt out
+//! to the lanes of an implementation.
 
 use crate::bound::largest;
 use crate::implementation::On;
@@ -108,7 +108,8 @@ pub fn length(components: &[f64]) -> f64 {
 }
 
 impl Arguments {
-    /// The motions normalized, for the laws of unit ones: rounded ones are unit to their last place.
+    /// The motions normalized, for the laws of unit ones: rounded ones are unit to their last
+    /// place.
     pub fn unit(self) -> Self {
         let [a, b, c, d] = [self.a, self.b, self.c, self.d].map(Motions::normalize);
         Self { a, b, c, d, ..self }

@@ -48,7 +48,8 @@ macro_rules! operations {
     };
 }
 
-/// The operation under the names of [`lanes`](crate::lanes): a method of motions if it begins with one.
+/// The operation under the names of [`lanes`](crate::lanes): a method of motions if it begins with
+/// one.
 macro_rules! method {
     ($name:ident(any $($rest:tt)*) -> $result:ident) => {
         method! { @of_motions $name(any $($rest)*) -> $result }

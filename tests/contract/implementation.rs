@@ -1,5 +1,5 @@
-//! [`Implementation`]: an implementation of [`dq8::Motion`] as a table of functions on rows of numbers.
-//! Here, and nowhere else, every operation is compiled for every one of them.
+//! [`Implementation`]: an implementation of [`dq8::Motion`] as a table of functions on rows of
+//! numbers. Here, and nowhere else, every operation is compiled for every one of them.
 
 use crate::bound::unit_roundoff;
 use crate::geometry::{self, Geometry};
@@ -48,7 +48,8 @@ impl Implementation {
         self.calls[operation](given)
     }
 
-    /// The rows of an argument, made unit where it must be: rounded motions are so to their last place.
+    /// The rows of an argument, made unit where it must be: rounded motions are so to their last
+    /// place.
     pub(crate) fn in_domain(&'static self, domain: Domain, mut rows: Vec<Row>) -> Vec<Row> {
         match domain {
             // Influences are motions with their weights.
@@ -126,7 +127,8 @@ pub fn scalar_f64() -> On {
     &textbook_f64::IMPLEMENTATION
 }
 
-/// For what needs the type itself: laws of quaternions and dual numbers. It is compiled for every implementation again.
+/// For what needs the type itself: laws of quaternions and dual numbers. It is compiled for every
+/// implementation again.
 pub trait Visitor {
     fn visit<M: Sample>(&mut self, name: &'static str);
 }

@@ -80,7 +80,8 @@ pub fn vector() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(-2.0..2.0_f64)
 }
 
-/// Any bits of the type with weight 2, numbers that hurt with 1, and ordinary ones with the weight given.
+/// Any bits of the type with weight 2, numbers that hurt with 1, and ordinary ones with the weight
+/// given.
 pub fn any_number(single: bool, ordinary: u32) -> impl Strategy<Value = f64> {
     let bits = if single {
         any::<u32>().prop_map(|bits| f64::from(f32::from_bits(bits))).boxed()
@@ -93,8 +94,8 @@ pub fn any_number(single: bool, ordinary: u32) -> impl Strategy<Value = f64> {
     prop_oneof![2 => bits, 1 => prop::sample::select(hard), ordinary => -4.0..4.0_f64]
 }
 
-/// Interpolation parameters and exponents: inside [0, 1], its ends, and beyond. Multiples of 2⁻¹⁰,
-/// so that sums of two are exact in every type.
+/// Interpolation parameters and exponents: inside [0, 1], its ends, and beyond. Multiples of
+/// 2⁻¹⁰, so that sums of two are exact in every type.
 pub fn parameter() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => (0..=1024_i32).prop_map(|i| f64::from(i) / 1024.0),
@@ -191,8 +192,8 @@ pub fn cluster() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Angles where something happens: nothing at all, subnormal and vanishing squares, where series end
-/// (1, √10), half and whole turns.
+/// Angles where something happens: nothing at all, subnormal and vanishing squares, where series
+/// end (1, √10), half and whole turns.
 const ANGLES: [f64; 32] = [
     0.0, 1e-45, 1e-38, 1e-30, 1e-20, 1e-12, 1e-8, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 0.999_999,
     1.000_001, 1.5, 2.0, 2.5, 3.0, 3.135, PI, 3.145, 3.162, 3.1623, 3.2, 4.0, 5.0, 6.0, 6.2, 6.8,
@@ -248,8 +249,8 @@ pub fn draw<S: Strategy>(strategy: S, count: usize) -> Vec<S::Value> {
     (0..count).map(|_| next()).collect()
 }
 
-/// `check` for `cases` values of a strategy, as [`proptest_config`] has it, where a test collects what
-/// it saw: the macro `proptest!` has no room for that.
+/// `check` for `cases` values of a strategy, as [`proptest_config`] has it, where a test collects
+/// what it saw: the macro `proptest!` has no room for that.
 pub fn for_all<S: Strategy>(cases: u32, strategy: &S, check: impl Fn(S::Value)) {
     let done = TestRunner::new(proptest_config(cases)).run(strategy, |value| {
         check(value);

@@ -1,5 +1,5 @@
-//! The kinds of arguments and answers that the [table](crate::operations) is written in: how each is
-//! picked from a case, made of rows, and turned into rows.
+//! The kinds of arguments and answers that the [table](crate::operations) is written in: how each
+//! is picked from a case, made of rows, and turned into rows.
 
 use crate::bound::Kind;
 use crate::case::Flat;

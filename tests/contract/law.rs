@@ -98,7 +98,8 @@ pub struct Law {
 }
 
 impl Law {
-    /// Checks it on all `cases` and every implementation, as many cases at a time as there are lanes.
+    /// Checks it on all `cases` and every implementation, as many cases at a time as there are
+    /// lanes.
     ///
     /// # Panics
     /// Where its sides lie further apart than it allows.
@@ -125,9 +126,9 @@ impl Law {
     }
 }
 
-/// A list of laws, a test for each: for what, on which scale, how far the sides may lie apart in units
-/// of u · scale, and why. About 1.6 times the worst of all implementations in 60 000 random cases, built
-/// for SSE2 and for AVX2 with fused multiplication.
+/// A list of laws, a test for each: for what, on which scale, how far the sides may lie apart in
+/// units of u · scale, and why. About 1.6 times the worst of all implementations in 60 000 random
+/// cases, built for SSE2 and for AVX2 with fused multiplication.
 #[macro_export]
 macro_rules! laws {
     ($(

@@ -98,8 +98,8 @@ impl Ledger {
 /// fewer implementations and another library of functions.
 pub(crate) const LOOSE: f64 = 3.0;
 
-/// Whether a bound must be near what is measured. Whoever asks for fewer inputs meets fewer bad ones, and other hosts
-/// round otherwise than those on which bounds were measured.
+/// Whether a bound must be near what is measured. Whoever asks for fewer inputs meets fewer bad
+/// ones, and other hosts round otherwise than those on which bounds were measured.
 pub(crate) fn sampled_as_usual() -> bool {
     let as_usual = ["PROPTEST_CASES", "PROPTEST_RNG_SEED", "DQ8_SWEEP_STRIDE"]
         .iter()

@@ -1,5 +1,6 @@
 //! The accuracy contract: the [table](operations) of operations with the errors allowed, every
-//! [implementation] of [`dq8::Motion`], and reference vectors. Shared by the tests and by the example `conform`.
+//! [implementation] of [`dq8::Motion`], and reference vectors. Shared by the tests and by the
+//! example `conform`.
 
 #![allow(missing_docs, reason = "made for the tests of dq8, which read it")]
 

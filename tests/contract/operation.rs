@@ -1,5 +1,5 @@
-//! [`Operation`]: what one line of the [table](crate::operations) becomes: a caller by name, its inputs,
-//! the scale of its errors, and its bounds.
+//! [`Operation`]: what one line of the [table](crate::operations) becomes: a caller by name, its
+//! inputs, the scale of its errors, and its bounds.
 
 use crate::bound::{Bound, Kind, Scale, distance};
 use crate::case::Case;
@@ -15,8 +15,8 @@ pub type Call = fn(&[Vec<Row>]) -> Answer;
 pub struct Operation {
     pub name: &'static str,
     pub arguments: &'static [Argument],
-    /// What its error is measured against: the size that the answer, or a term of the sum that it is,
-    /// can have.
+    /// What its error is measured against: the size that the answer, or a term of the sum that it
+    /// is, can have.
     pub scale: fn(&Case) -> Scale,
     pub bounds: &'static [Held],
     /// The kind of its answer, as the table calls it.
@@ -49,22 +49,23 @@ pub enum Domain {
 /// What the answers are held against.
 #[derive(Debug)]
 pub enum Held {
-    /// Lanes against the scalar reference of the same precision. About 1.6 times the worst of 150 000
-    /// random cases of each kind, built for SSE2 and for AVX2 with fused multiplication.
+    /// Lanes against the scalar reference of the same precision. About 1.6 times the worst of 150
+    /// 000 random cases of each kind, built for SSE2 and for AVX2 with fused multiplication.
     Scalar(Bound),
-    /// Every implementation against the scalar path in `f64`, on the same rounded input: the truth of
-    /// what has no reference vectors, though to `f64` itself it is another way only.
+    /// Every implementation against the scalar path in `f64`, on the same rounded input: the truth
+    /// of what has no reference vectors, though to `f64` itself it is another way only.
     Double { inputs: Inputs, sign: Sign, bounds: &'static [Bound] },
-    /// Every implementation against answers of 60 digits: about one and a half times the worst of the vectors in the
-    /// files, which other input may pass.
+    /// Every implementation against answers of 60 digits: about one and a half times the worst of
+    /// the vectors in the files, which other input may pass.
     Digits {
         /// What the file calls it.
         name: &'static str,
-        /// The fields of each argument, with lengths where there are several; none for what is the same in every case.
+        /// The fields of each argument, with lengths where there are several; none for what is the
+        /// same in every case.
         fields: &'static [&'static str],
         sign: Sign,
-        /// From max(1, |t|), |t| the largest translation, vector or moment among the inputs, to what
-        /// the error is measured against.
+        /// From max(1, |t|), |t| the largest translation, vector or moment among the inputs, to
+        /// what the error is measured against.
         scale: fn(&Vector, f64) -> f64,
         bounds: &'static [Bound],
     },
@@ -125,8 +126,8 @@ impl Operation {
         self.answer_given(on, &lanes)
     }
 
-    /// The worst error over `cases` against the scalar path in `f64`, in units of u · scale, and where;
-    /// NaN is infinite.
+    /// The worst error over `cases` against the scalar path in `f64`, in units of u · scale, and
+    /// where; NaN is infinite.
     pub fn worst_error(&self, on: On, sign: Sign, cases: &[Case]) -> (f64, Case) {
         let mut worst = (0.0, cases[0]);
         for chunk in cases.chunks(on.lanes) {
@@ -177,7 +178,8 @@ impl Operation {
         !restricted && domains().any(|d| d == Domain::Any)
     }
 
-    /// Whether both ways between two motions of the case are equally long up to rounding: either is right.
+    /// Whether both ways between two motions of the case are equally long up to rounding: either is
+    /// right.
     pub fn is_a_tie(&self, on: On, case: &Case) -> bool {
         let apart = |other: &[f64; 8]| {
             let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();

@@ -1,19 +1,21 @@
-//! Every operation of [`dq8::Motion`] on one line of `table.rs`, from which come its caller by name, its
-//! inputs, the scale of its errors, the reference vectors that are its own, and its bounds with their
-//! reasons. A new operation needs a line there, and nothing else in the tests: `tests/bits` reads the same table.
+//! Every operation of [`dq8::Motion`] on one line of `table.rs`, from which come its caller by
+//! name, its inputs, the scale of its errors, the reference vectors that are its own, and its
+//! bounds with their reasons. A new operation needs a line there, and nothing else in the tests:
+//! `tests/bits` reads the same table.
 //!
 //! ```text
 //! name(kind of argument and where in a Case it is, …) -> kind of answer, scale of the error, [bounds];
 //! ```
 //!
-//! Arguments that are `unit` must be unit, `any` may be any dual quaternion. Bounds: `agrees`, lanes
-//! with the scalar reference of the same precision; `double`, with the scalar path in `f64`; `digits`,
-//! with answers of 60 digits. Every operation has one of the first two.
+//! Arguments that are `unit` must be unit, `any` may be any dual quaternion. Bounds: `agrees`,
+//! lanes with the scalar reference of the same precision; `double`, with the scalar path in `f64`;
+//! `digits`, with answers of 60 digits. Every operation has one of the first two.
 //!
-//! All three are measured and not proved. `digits` holds for the vectors in the files and is no bound for other input:
-//! a search that climbs finds 3.2 u in the product on lanes (2.5 here), 3.7 in `mul_rotation_translation` (3) and
-//! 4.0 in `normalize` (3.5). `agrees` and `double` are enforced on edge cases and random input, which
-//! is no proof for all input either. What is proved is in `proofs/bounds.toml`.
+//! All three are measured and not proved. `digits` holds for the vectors in the files and is no
+//! bound for other input: a search that climbs finds 3.2 u in the product on lanes (2.5 here), 3.7
+//! in `mul_rotation_translation` (3) and 4.0 in `normalize` (3.5). `agrees` and `double` are
+//! enforced on edge cases and random input, which is no proof for all input either. What is proved
+//! is in `proofs/bounds.toml`.
 
 use crate::bound::{Bound, Kind, on, within};
 use crate::entry::{method, operations};

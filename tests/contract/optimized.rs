@@ -1,5 +1,6 @@
-//! What tests run for long. A program takes an instance of a generic function from a crate that it depends on and that
-//! has one: what is named here is compiled once for all tests, and optimised as this crate is.
+//! What tests run for long. A program takes an instance of a generic function from a crate that it
+//! depends on and that has one: what is named here is compiled once for all tests, and optimised as
+//! this crate is.
 
 use crate::kinematics::after;
 use crate::records::Place;

@@ -2,7 +2,8 @@
 
 use dq8::Real;
 
-/// How records lie in memory: `[instance block][joint][component][lane]`, one lane where things are plain.
+/// How records lie in memory: `[instance block][joint][component][lane]`, one lane where things are
+/// plain.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     pub joints: usize,

@@ -194,7 +194,8 @@ mod found {
     }
 }
 
-/// Calls `check::<L>` with every lane type that this machine can run: those of any machine, and those of every level it has.
+/// Calls `check::<L>` with every lane type that this machine can run: those of any machine, and
+/// those of every level it has.
 #[macro_export]
 macro_rules! on_every_lane_type {
     (@each $check:ident $given:tt $($L:ty),*) => { $($check::<$L> $given;)* };

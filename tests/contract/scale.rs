@@ -1,4 +1,5 @@
-//! What errors are measured against: the size of answers, and of the terms of the sums that they are.
+//! What errors are measured against: the size of answers, and of the terms of the sums that they
+//! are.
 
 use crate::bound::Scale;
 use crate::case::{Case, length};

@@ -61,8 +61,8 @@ impl Vector {
         find(self.known.bounds, &self.kind)
     }
 
-    /// What vectors that are computed together have in common: how many influences there are, and what is one
-    /// number for all lanes, an order of Euler angles or an exponent.
+    /// What vectors that are computed together have in common: how many influences there are, and
+    /// what is one number for all lanes, an order of Euler angles or an exponent.
     pub fn shape(&self) -> (usize, i32) {
         let of_all = [self.input("order"), self.input("n")].concat();
         (self.input("w").len(), of_all.first().map_or(0, |&number| number as i32))
@@ -124,8 +124,8 @@ impl Vector {
         }
     }
 
-    /// The largest error of `answer` over its components, relative to the scale of the operation. NaN
-    /// counts as infinite.
+    /// The largest error of `answer` over its components, relative to the scale of the operation.
+    /// NaN counts as infinite.
     pub fn error(&self, answer: &[f64]) -> f64 {
         match self.known.of {
             Of::Motions(of) => self.error_of_motions(of, answer),

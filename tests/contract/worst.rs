@@ -5,8 +5,8 @@ use crate::ledger::{LOOSE, sampled_as_usual};
 use std::cell::Cell;
 use std::fmt::Debug;
 
-/// The largest error so far, in units of what errors are relative to. Dropped, it has been neared: a bound that is far
-/// from every error says nothing.
+/// The largest error so far, in units of what errors are relative to. Dropped, it has been neared:
+/// a bound that is far from every error says nothing.
 #[derive(Debug)]
 pub struct Worst {
     name: &'static str,

@@ -158,7 +158,8 @@ impl Draw {
     }
 }
 
-/// The motions, with numbers beside them: angular ones of the size `turn`, lengths of the size `size`.
+/// The motions, with numbers beside them: angular ones of the size `turn`, lengths of the size
+/// `size`.
 fn numbers(random: &mut Random, poses: [[f64; 8]; 4], turn: f64, size: f64) -> Case {
     let [a, b, c, d] = poses;
     let angle = match random.between(0.0, 4.0) as u32 {

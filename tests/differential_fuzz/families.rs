@@ -20,8 +20,8 @@ impl Families {
     }
 }
 
-/// The instructions decide, not how many lanes there are. A build for a CPU that fuses has them fused in vectors, and not
-/// in a single number.
+/// The instructions decide, not how many lanes there are. A build for a CPU that fuses has them
+/// fused in vectors, and not in a single number.
 fn family(on: On) -> Option<&'static str> {
     let lanes = on.name.strip_prefix("lanes ")?;
     let portable_fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));

@@ -1,5 +1,5 @@
-//! The tables of geometry: nothing panics on any numbers, and lanes of one family give the same bits, for numbers of every size
-//! side by side.
+//! The tables of geometry: nothing panics on any numbers, and lanes of one family give the same
+//! bits, for numbers of every size side by side.
 
 use super::Findings;
 use super::families::Families;

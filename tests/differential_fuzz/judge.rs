@@ -1,5 +1,5 @@
-//! [`judge`]: what an answer is held to: the bound of its operation where its input is what the operation is for,
-//! and elsewhere what is promised for any input.
+//! [`judge`]: what an answer is held to: the bound of its operation where its input is what the
+//! operation is for, and elsewhere what is promised for any input.
 
 use crate::draw::Draw;
 use dq8_contract::bound::{Kind, Scale, distance, largest, largest_half_angle};
@@ -42,8 +42,8 @@ pub(crate) fn judge(
     }
     let any = |numbers: &[(Kind, f64)]| numbers.iter().any(|(_, number)| !number.is_finite());
     if !question.finite {
-        // An infinity may be a sum of finite numbers that overflowed, and NaN twice a number that is nearly the largest,
-        // times nothing.
+        // An infinity may be a sum of finite numbers that overflowed, and NaN twice a number that
+        // is nearly the largest, times nothing.
         let doubled =
             case.a[..4].iter().any(|c| c.is_finite() && c.abs() > 0.5 * largest(on.single));
         let lost = truth.iter().any(|(_, number)| number.is_nan()) && !any(&got.0) && !doubled;
@@ -84,8 +84,9 @@ pub(crate) fn judge(
     None
 }
 
-/// In units of u · scale. Bounds are one and a half times the worst of 10⁵ answers; so many more reach farther.
-/// Where lanes are held to the scalar reference of the same precision, that has its own error.
+/// In units of u · scale. Bounds are one and a half times the worst of 10⁵ answers; so many more
+/// reach farther. Where lanes are held to the scalar reference of the same precision, that has its
+/// own error.
 fn allowed(operation: &Operation, case: &Case) -> f64 {
     let of = |held: &Held| match held {
         Held::Scalar(bound) => bound.units,
@@ -124,8 +125,8 @@ fn scale(operation: &Operation, case: &Case) -> Scale {
     }
 }
 
-/// Whether what is multiplied on the way is among the normal numbers, or nothing: below them digits are lost, beyond
-/// them everything.
+/// Whether what is multiplied on the way is among the normal numbers, or nothing: below them digits
+/// are lost, beyond them everything.
 fn has_room(name: &str, on: On, case: &Case) -> bool {
     let least = if on.single { 2.0_f64.powi(-100) } else { 2.0_f64.powi(-960) };
     let fits = |number: f64| number == 0.0 || (least..1.0 / least).contains(&number.abs());
@@ -188,7 +189,8 @@ fn half_angle(name: &str, case: &Case) -> f64 {
     }
 }
 
-/// The largest error over what it is measured against; no number that the type has no room for is asked of it.
+/// The largest error over what it is measured against; no number that the type has no room for is
+/// asked of it.
 fn error(
     operation: &Operation,
     on: On,

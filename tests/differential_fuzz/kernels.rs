@@ -1,4 +1,5 @@
-//! Jobs, of which clips and skins are here: the same bits for many at once, one by one, and in blocks of any width.
+//! Jobs, of which clips and skins are here: the same bits for many at once, one by one, and in
+//! blocks of any width.
 
 use super::Findings;
 use dq8::hierarchy::{Clip, Sampled};
@@ -99,8 +100,8 @@ where
         from(self.random.number(R::SINGLE, 0.01))
     }
 
-    /// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as joints do, so that motions are
-    /// at right angles, and has zeros of both signs.
+    /// Unit; seldom with numbers of any bits. One in three turns about a coordinate axis, as joints
+    /// do, so that motions are at right angles, and has zeros of both signs.
     fn motion(&mut self) -> DualQuat<R> {
         if self.random.below(3) == 0 {
             return self.random.turned();

@@ -1,10 +1,11 @@
-//! Random calls of every operation of the contract, on every implementation, against the scalar path in `f64`, with
-//! input of every kind: far, tiny, nearly opposite, of many turns, of any bits. Lanes of one kind of instructions are
-//! held to each other's bits, whatever their width and whatever lies in the other lanes: also in the tables of geometry,
-//! and in the jobs of skeletons, clips and skins, which are run for many at once, split, one by one, and in blocks.
+//! Random calls of every operation of the contract, on every implementation, against the scalar
+//! path in `f64`, with input of every kind: far, tiny, nearly opposite, of many turns, of any bits.
+//! Lanes of one kind of instructions are held to each other's bits, whatever their width and
+//! whatever lies in the other lanes: also in the tables of geometry, and in the jobs of skeletons,
+//! clips and skins, which are run for many at once, split, one by one, and in blocks.
 //!
-//! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what is found names the seed of
-//! its round. One lane of one operation is one call.
+//! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what
+//! is found names the seed of its round. One lane of one operation is one call.
 
 mod draw;
 mod families;

@@ -1,4 +1,5 @@
-//! Jobs of skeletons: the same bits together, in place, split, one by one, on threads, and in blocks of every width.
+//! Jobs of skeletons: the same bits together, in place, split, one by one, on threads, and in
+//! blocks of every width.
 
 use super::kernels::{Entries, Scene, of_motions, of_numbers};
 use dq8::hierarchy::{
@@ -98,7 +99,8 @@ where
         entries
     }
 
-    /// [`models`](Self::models) of motions, and whatever else computes the same: in place, and joint by joint.
+    /// [`models`](Self::models) of motions, and whatever else computes the same: in place, and
+    /// joint by joint.
     fn poses(&self, locals: &[DualQuat<R>]) -> Entries {
         let (joints, job) = (self.joints(), self.tree.job().backend(self.backend));
         let job = job.renormalize(self.renormalize);
@@ -126,7 +128,8 @@ where
         entries
     }
 
-    /// All instances again and again, as many as more than one thread takes; threads may part in the midst of a turn.
+    /// All instances again and again, as many as more than one thread takes; threads may part in
+    /// the midst of a turn.
     #[cfg(feature = "rayon")]
     fn on_threads(&self, locals: &[DualQuat<R>]) -> Vec<u64> {
         let times = 6000_usize.div_ceil(locals.len());
@@ -199,7 +202,8 @@ where
         [of_motions(&models.to_vec()), of_motions(&palette.to_vec())]
     }
 
-    /// A plan computes one instance; what it cuts into segments is multiplied in another order than by a loop.
+    /// A plan computes one instance; what it cuts into segments is multiplied in another order than
+    /// by a loop.
     fn plan(&self, locals: &[DualQuat<R>]) -> Entries {
         let joints = self.joints();
         let (mut order, mut scratch) = (vec![[0; 2]; joints], vec![PlanScratch::default(); joints]);
@@ -257,7 +261,8 @@ where
         }
     }
 
-    /// Models, palettes and locals of motions, of rotations with translations, and of layers of clips.
+    /// Models, palettes and locals of motions, of rotations with translations, and of layers of
+    /// clips.
     pub(crate) fn skeleton(&mut self) -> Vec<Entries> {
         let parents = self.parents();
         let run = self.run(&parents);

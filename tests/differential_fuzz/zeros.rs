@@ -12,7 +12,8 @@ const MOST: usize = 33;
 
 const PARENTS: [u32; 3] = [Hierarchy::ROOT, 0, 1];
 
-/// Three bones that turn about z, as a file has them: zeros of both signs come out of their products.
+/// Three bones that turn about z, as a file has them: zeros of both signs come out of their
+/// products.
 fn leg<R: Scalar>() -> [DualQuat<R>; 3] {
     let number = <R as dq8::Real>::from_f64;
     [[0.0, 0.0, 0.8, -0.6], [0.0, 0.0, -0.96, -0.28], [-0.0, 0.0, -0.6, 0.8]].map(|turn| {
@@ -97,7 +98,8 @@ where
                 in_blocks::<R, W>(count, sampled!(), root),
             ];
             let name = format!("{backend}, {count} instances");
-            // All terms of x are −0: 0.0 · −0.28, −0.6 · 0.0, −(0.8 · 0.0) and 0.0 · −0.96.
+            // All terms of x are −0: 0.0 · −0.28, −0.6 · 0.0, −(0.8 · 0.0) and 0.0 ·
+            // −0.96.
             let negative = (-0.0_f64).to_bits();
             assert!(got[0].chunks(8 * joints).all(|leg| leg[8] == negative), "{name}: x is +0");
             let wanted = of_one.get_or_insert_with(|| got.clone());

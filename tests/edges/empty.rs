@@ -1,4 +1,5 @@
-//! Containers and views of nothing: what can be made of nothing can also be computed; a clip cannot, and has no place.
+//! Containers and views of nothing: what can be made of nothing can also be computed; a clip
+//! cannot, and has no place.
 
 use dq8::hierarchy::{Clip, Crowd, Plan, Poses, Sampled};
 use dq8::law::Nlerp;

@@ -7,7 +7,8 @@ use dq8_contract::operation::{Domain, Operation};
 use dq8_contract::operations::OPERATIONS;
 use dq8_contract::random::{Random, bits};
 
-/// What each lane answers: the bits of its numbers, whether all of them are finite, and its truth values.
+/// What each lane answers: the bits of its numbers, whether all of them are finite, and its truth
+/// values.
 fn said(
     operation: &Operation,
     on: On,
@@ -22,7 +23,8 @@ fn said(
     (0..on.lanes).map(lane).collect()
 }
 
-/// Every number of every argument of every operation, spoilt in lane 0 where the others hold the case as it was.
+/// Every number of every argument of every operation, spoilt in lane 0 where the others hold the
+/// case as it was.
 #[test]
 fn no_operation_answers_what_is_no_number_with_finite_numbers_or_in_another_lane() {
     let ordinary = twist_case(&mut Random(6), 2.0, 1.0);

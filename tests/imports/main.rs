@@ -9,9 +9,9 @@ use std::collections::BTreeSet;
 /// What each module of `dq8` may import beside itself, `std`, `core` and `bytemuck`. A new module
 /// needs a line here, behind those that it imports.
 ///
-/// `scalar` and `batch` never see each other: the twins would share their bugs. Of `everyday`, `scalar`
-/// knows the names of the operations, and the answers come through `Real` alone: so there are numbers
-/// without any, to test with.
+/// `scalar` and `batch` never see each other: the twins would share their bugs. Of `everyday`,
+/// `scalar` knows the names of the operations, and the answers come through `Real` alone: so there
+/// are numbers without any, to test with.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("brief", &[]),
     ("errors", &[]),

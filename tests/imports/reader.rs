@@ -152,7 +152,8 @@ pub(crate) fn paths(module: &[String], code: &str) -> Vec<Vec<String>> {
 }
 
 /// What `module` imports or names with a path: modules of its own crate by their first name, names
-/// at the root by the module that `reexports` says they come from, and other crates of this project.
+/// at the root by the module that `reexports` says they come from, and other crates of this
+/// project.
 pub(crate) fn imports(
     module: &[String],
     code: &str,

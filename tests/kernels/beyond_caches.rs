@@ -54,8 +54,8 @@ fn outputs_larger_than_caches_are_computed_as_small_ones() {
 /// What is done in place, by name.
 type Step<'s, const C: usize> = (&'s str, fn(Backend, &mut [Block<C>]));
 
-/// Each step in place over the same memory; none leaves it as it was. Whether memory is written past the caches does not
-/// depend on the backend.
+/// Each step in place over the same memory; none leaves it as it was. Whether memory is written
+/// past the caches does not depend on the backend.
 fn in_place_beyond_caches<const C: usize>(steps: &[Step<'_, C>]) {
     let mut few = three();
     let mut all = beyond_caches(few);

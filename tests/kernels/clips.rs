@@ -7,7 +7,8 @@ use dq8::{DualQuat, Hierarchy, Quat};
 /// A few products and powers of motions near 1 and some lengths away.
 const ROUNDING: f64 = 1e-12;
 
-/// Five frames of two joints; the root turns and walks from where it stands, 0.5 lengths and 0.3 radians a frame.
+/// Five frames of two joints; the root turns and walks from where it stands, 0.5 lengths and 0.3
+/// radians a frame.
 fn keys() -> [DualQuat<f64>; 10] {
     core::array::from_fn(|i| {
         let (frame, joint) = ((i / 2) as f64, i % 2);
@@ -76,8 +77,8 @@ fn a_pose_of_a_clip_is_that_of_its_samples() {
     assert!(pose.abs_diff_eq(keys[6], ROUNDING));
 }
 
-/// The root's steps are all the same, so that what lies between two times depends on their difference alone, rounds
-/// included.
+/// The root's steps are all the same, so that what lies between two times depends on their
+/// difference alone, rounds included.
 #[test]
 fn root_motion_goes_on_where_a_clip_begins_again() {
     let keys = keys();

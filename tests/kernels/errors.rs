@@ -30,8 +30,8 @@ fn too_many_joints_are_counted() {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The rule of `Hierarchy::new` once more: a parent is ROOT, or smaller than its child. One below the mark of a root
-    /// must not be taken for one.
+    /// The rule of `Hierarchy::new` once more: a parent is ROOT, or smaller than its child. One
+    /// below the mark of a root must not be taken for one.
     #[test]
     fn the_first_joint_whose_parent_does_not_come_before_it_is_named(
         parents in prop::collection::vec(

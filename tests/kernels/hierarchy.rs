@@ -63,8 +63,8 @@ fn locals_of_every_subject(scene: &Scene, on: On, range: Range<usize>) {
     for_every_subject(|s, b| locals(s, b, scene, on, &range, &wanted));
 }
 
-/// Runs the joints of `range` out of place and in place; both must agree with the matrices, with each
-/// other to the bit, and leave the other joints as they were.
+/// Runs the joints of `range` out of place and in place; both must agree with the matrices, with
+/// each other to the bit, and leave the other joints as they were.
 fn models(
     subject: &dyn Subject,
     backend: Backend,
@@ -195,7 +195,8 @@ fn an_instance_gets_the_same_bits_in_every_lane() {
 }
 
 /// Only a root transform that all instances share reaches the lanes without an instance: a job does
-/// not know how many of the last block are in use. They hold that root then, a motion like any other.
+/// not know how many of the last block are in use. They hold that root then, a motion like any
+/// other.
 #[test]
 fn lanes_without_an_instance_stay_at_the_identity() {
     let identity = DualQuat::<f64>::IDENTITY.to_array();

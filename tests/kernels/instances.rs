@@ -1,7 +1,7 @@
 //! The result of an instance is the same, however many instances stand around it.
 //!
-//! Plain motions are computed in lanes of instances, those left over one by one: two ways to the same
-//! sums. Signs of zeros may differ, nothing else.
+//! Plain motions are computed in lanes of instances, those left over one by one: two ways to the
+//! same sums. Signs of zeros may differ, nothing else.
 
 use crate::records::equal;
 use crate::scene::{Forms, MAX_INSTANCES, On, Scene, tree};
@@ -12,8 +12,8 @@ use dq8::{
 };
 use dq8_contract::random::Random;
 
-/// Fewer than lanes, as many, and some more; the last is what the others are held against. Instances of
-/// blocks have their lanes, wherever others are: one, a block, and one more.
+/// Fewer than lanes, as many, and some more; the last is what the others are held against.
+/// Instances of blocks have their lanes, wherever others are: one, a block, and one more.
 fn counts(subject: &dyn Subject) -> Vec<usize> {
     match subject.things() {
         1 => vec![1, 7, 16, 17, MAX_INSTANCES],

@@ -1,4 +1,5 @@
-//! Lanes are joints, instances or segments: what is no number in one of them stays out of the others.
+//! Lanes are joints, instances or segments: what is no number in one of them stays out of the
+//! others.
 
 use crate::records::{is_finite, same_bits};
 use crate::scene::{Forms, MAX_INSTANCES, On, Scene, chain, motions};

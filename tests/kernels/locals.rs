@@ -1,5 +1,5 @@
-//! Locals that are less than a motion, and skinning palettes: in every layout on every backend, what
-//! the products of plain motions are.
+//! Locals that are less than a motion, and skinning palettes: in every layout on every backend,
+//! what the products of plain motions are.
 
 use crate::memory::{Memory, lay, read};
 use crate::records::{assert_same_bits, entries, same_bits};
@@ -89,7 +89,8 @@ fn transforms_are_the_same<L: Memory>() {
                 Layered::blend(NlerpLerp, transforms, RotationsTranslations(&both), &weights);
             job.locals_to_model(layer, &mut layered).expect("they fit");
             for (got, wanted) in records(&layered).iter().zip(records(&wanted)).take(some.end) {
-                // Rotations of a layer are normalized again; models are sums of lengths of a few units in `f32`.
+                // Rotations of a layer are normalized again; models are sums of lengths of a few
+                // units in `f32`.
                 let near = got.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-5);
                 assert!(near, "{got:?} is not {wanted:?}, {backend}");
             }

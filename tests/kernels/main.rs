@@ -1,7 +1,7 @@
 //! Kernels over memory: slices, hierarchies, chains and crowds, in every layout, on every backend.
 //!
-//! The tests compute with `f64` records and do not know layouts: a [`Subject`](subject::Subject) is one
-//! layout behind a plain interface. So every kernel is compiled once for each layout, here.
+//! The tests compute with `f64` records and do not know layouts: a [`Subject`](subject::Subject) is
+//! one layout behind a plain interface. So every kernel is compiled once for each layout, here.
 
 mod backends;
 mod beyond_caches;

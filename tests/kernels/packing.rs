@@ -1,4 +1,5 @@
-//! Between single things and blocks: every number of components, every width, any number of instances.
+//! Between single things and blocks: every number of components, every width, any number of
+//! instances.
 
 use crate::errors::names;
 use crate::memory::round;
@@ -238,7 +239,8 @@ fn assert_lanes(packing: &dyn Packing, joints: usize, things: &[Vec<f64>], lanes
     }
 }
 
-/// Joints and instances: no block, a partial one, one and two full ones, and one instance more or less.
+/// Joints and instances: no block, a partial one, one and two full ones, and one instance more or
+/// less.
 fn shapes(lanes: usize) -> impl Iterator<Item = (usize, usize)> {
     let instances = [0, 1, lanes - 1, lanes, lanes + 1, 2 * lanes - 1, 2 * lanes, 2 * lanes + 1];
     [1, 2, 3, 7].into_iter().flat_map(move |joints| instances.map(|count| (joints, count)))

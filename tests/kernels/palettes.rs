@@ -40,7 +40,8 @@ fn holds_to_the_last_bit<L: Memory>() {
             job.palette_and_models(Poses(&poses), &mut models, &binds, &mut of_poses).expect("fit");
             let mut of_turns = of_poses.clone();
             job.palette_and_models(turned, &mut models, &binds, &mut of_turns).expect("fit");
-            // Scratch for fewer instances than there are lanes, for as many, for more, wherever it begins.
+            // Scratch for fewer instances than there are lanes, for as many, for more, wherever it
+            // begins.
             for (instances, begin) in [(1, 0), (3, 0), (8, 0), (8, 1), (16, 0), (16, 3), (40, 1)] {
                 let mut scratch = vec![L::filled::<8>(L::Real::ONE); instances * JOINTS + begin];
                 let scratch = &mut scratch[begin..];
@@ -65,7 +66,8 @@ fn a_palette_through_scratch_has_the_bits_of_one_with_all_models() {
     holds_to_the_last_bit::<AoSoA<[f32; 8]>>();
 }
 
-/// Models beyond the caches are asked for ahead, which must change nothing: 64 instances are within them, 2,048 not.
+/// Models beyond the caches are asked for ahead, which must change nothing: 64 instances are within
+/// them, 2,048 not.
 #[test]
 fn instances_among_many_have_the_bits_of_those_among_few() {
     let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");

@@ -117,7 +117,8 @@ fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
     }
 }
 
-/// Palettes whose models go through scratch memory, of which each thread has a part: of enough for all, for two, for one.
+/// Palettes whose models go through scratch memory, of which each thread has a part: of enough for
+/// all, for two, for one.
 #[test]
 fn all_cores_compute_the_bits_of_one_of_palettes_without_models() {
     let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");

@@ -59,7 +59,8 @@ fn a_plan_gives_the_models_of_the_scalar_loop_on_every_backend() {
     }
 }
 
-/// Of one instance only long chains are cut into segments, which multiplies in another order: the bits tell.
+/// Of one instance only long chains are cut into segments, which multiplies in another order: the
+/// bits tell.
 #[test]
 fn long_chains_are_cut_and_nothing_else_is() {
     let mut random = Random(3);

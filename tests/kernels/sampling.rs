@@ -15,7 +15,8 @@ use dq8::{
 use dq8_contract::bound::{unit_roundoff, within};
 use dq8_contract::random::Random;
 
-/// More joints than are made ahead at a time, in lanes too that are joints; three deep, with a second root in the second group.
+/// More joints than are made ahead at a time, in lanes too that are joints; three deep, with a
+/// second root in the second group.
 const PARENTS: [u32; JOINTS] = {
     let (mut parents, mut joint) = ([Hierarchy::ROOT; JOINTS], 1);
     while joint < JOINTS {
@@ -86,7 +87,8 @@ impl<const C: usize> Animation<C> {
     }
 }
 
-/// The models of both layers, sampled, blended and added, against the scalar reference, on every backend.
+/// The models of both layers, sampled, blended and added, against the scalar reference, on every
+/// backend.
 fn check<L: Memory, W: Reference<C>, const C: usize>(instances: usize) {
     let animation = Animation::<C>::new::<W, L::Real>(instances);
     let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");
@@ -143,7 +145,8 @@ fn check<L: Memory, W: Reference<C>, const C: usize>(instances: usize) {
         job.locals_to_model(blend, &mut models).expect("they fit");
         holds("blended", &models, &of_blend);
 
-        // A palette through scratch: instances after those of the first part have places, weights and poses of their own.
+        // A palette through scratch: instances after those of the first part have places, weights
+        // and poses of their own.
         let (mut scratch, mut palette) = (models.clone(), blank());
         scratch.truncate(if L::THINGS == 1 { 16 } else { 2 } * JOINTS);
         let binds = [DualQuat::IDENTITY; JOINTS];
@@ -161,7 +164,8 @@ fn check<L: Memory, W: Reference<C>, const C: usize>(instances: usize) {
         let [all, some] = [&models, &again].map(|models| read::<L, 8>(JOINTS, models));
         assert_same_bits(&some, &all, "joints from the third on");
 
-        // The locals themselves are the models of joints that are all roots, on every backend and from any register.
+        // The locals themselves are the models of joints that are all roots, on every backend and
+        // from any register.
         let flat = [Hierarchy::ROOT; JOINTS];
         let flat = Hierarchy::new(&flat).expect("roots are joints");
         let (mut locals, mut wanted) = (blank(), blank());

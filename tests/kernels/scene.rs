@@ -109,7 +109,8 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
 }
 
 impl Scene {
-    /// Every pose of every instance another one; the range leaves out the first two joints and the last.
+    /// Every pose of every instance another one; the range leaves out the first two joints and the
+    /// last.
     pub(crate) fn new(parents: &[u32], instances: usize, seed: u64) -> Self {
         let mut random = Random(seed);
         let mut many = |count: usize| (0..count).map(|_| step(&mut random)).collect::<Vec<_>>();
@@ -138,7 +139,8 @@ impl Scene {
     /// How many instances this layout is given, 0 to 2·lanes + 1. Of no joints there are none: the
     /// length of a slice cannot tell their number.
     pub(crate) fn instances(&self, subject: &dyn Subject) -> usize {
-        // Plain motions are computed in lanes of as many instances as a register has, 16 at the most.
+        // Plain motions are computed in lanes of as many instances as a register has, 16 at the
+        // most.
         let lanes = if subject.things() == 1 { 16 } else { subject.things() };
         if self.joints() == 0 { 0 } else { self.instances % (2 * lanes + 2) }
     }
@@ -231,8 +233,8 @@ impl Scene {
         models
     }
 
-    /// Local poses by the rule local(j) = model(parent(j))⁻¹ · model(j) within `range`, where the
-    /// models are `poses`; outside it they are `others` as they stand.
+    /// Local poses by the rule local(j) = model(parent(j))⁻¹ · model(j) within `range`, where
+    /// the models are `poses`; outside it they are `others` as they stand.
     pub(crate) fn locals(&self, instance: usize, on: On, range: &Range<usize>) -> Vec<Wanted> {
         let others = &self.steps[(instance + 1) % MAX_INSTANCES];
         let model = |joint: usize| Wanted::of(&self.steps[instance][joint]);
@@ -329,8 +331,8 @@ impl Wanted {
         Self { matrix: inverse(&self.matrix), ..*self }
     }
 
-    /// Each product turns what follows by a few units of the last place; the errors are independent,
-    /// so they add up like the root of their number.
+    /// Each product turns what follows by a few units of the last place; the errors are
+    /// independent, so they add up like the root of their number.
     pub(crate) fn assert_is(&self, single: bool, motion: &[f64; 8], place: impl Fn() -> String) {
         let why = "each product turns what follows by a few u; errors are independent";
         let units = within(8.0, why).units;

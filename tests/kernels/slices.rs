@@ -349,7 +349,8 @@ fn what_is_no_motion_is_seen_in_its_own_place_only() {
     });
 }
 
-/// Without optimisation each value of a kernel, and of what it inlines, has a place of its own: `tests/stack.rs`.
+/// Without optimisation each value of a kernel, and of what it inlines, has a place of its own:
+/// `tests/stack.rs`.
 #[test]
 #[cfg(not(target_family = "wasm"))]
 fn every_kernel_needs_one_mebibyte_of_stack() {

@@ -75,8 +75,8 @@ pub(crate) trait Subject {
 
     /// Over `models`, which hold what the joints outside the range are, or locals in place.
     fn forward(&self, task: &Task, given: Given, models: &[[f64; 8]]) -> Vec<[f64; 8]>;
-    /// The models, and the entries of a palette that was `before` in every number: of 8 numbers from
-    /// rotations, of 12 from poses, of 16 from rotations and translations.
+    /// The models, and the entries of a palette that was `before` in every number: of 8 numbers
+    /// from rotations, of 12 from poses, of 16 from rotations and translations.
     fn palette(
         &self,
         task: &Task,
@@ -93,14 +93,14 @@ pub(crate) trait Subject {
     ) -> Vec<[f64; 8]>;
     /// Of one chain, in place and out of place, which are the same to the last bit.
     fn chain(&self, backend: Backend, links: &[[f64; 8]]) -> Vec<[f64; 8]>;
-    /// What a kernel of the table makes of slices, of which the results follow one another; in place, where that can
-    /// be, it is the same.
+    /// What a kernel of the table makes of slices, of which the results follow one another; in
+    /// place, where that can be, it is the same.
     fn slices(&self, backend: Backend, kernel: usize, inputs: &Inputs) -> Vec<Vec<f64>>;
     /// Panics unless every kernel of the table refuses slices of other lengths by their names.
     fn slices_are_as_long(&self, backend: Backend, inputs: &Inputs);
 
-    /// A run with as many input and output elements, and roots if a number of them is given. Panics if
-    /// the output is written in spite of an error.
+    /// A run with as many input and output elements, and roots if a number of them is given. Panics
+    /// if the output is written in spite of an error.
     fn run(
         &self,
         task: &Task,

@@ -1,4 +1,5 @@
-//! Functions of dual numbers at the edges. (`oracle` has value and derivative elsewhere, `sweep` every `f32`.)
+//! Functions of dual numbers at the edges. (`oracle` has value and derivative elsewhere, `sweep`
+//! every `f32`.)
 
 use super::{Provable, lane, lanes};
 use dq8::{Real, batch, scalar};

@@ -1,5 +1,5 @@
-//! What lanes have in addition to [`Motion`](dq8::Motion), against the scalar reference of the same precision or in
-//! `f64`, lane by lane: functions of dual numbers, other representations.
+//! What lanes have in addition to [`Motion`](dq8::Motion), against the scalar reference of the same
+//! precision or in `f64`, lane by lane: functions of dual numbers, other representations.
 
 mod dual;
 mod jacobians;

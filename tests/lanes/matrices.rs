@@ -1,5 +1,5 @@
-//! Matrices that are motions, nearly, or not at all: the same answers, and a mask where the scalar reference has an
-//! error.
+//! Matrices that are motions, nearly, or not at all: the same answers, and a mask where the scalar
+//! reference has an error.
 
 use super::scene::{cases, motion, quat};
 use super::{Provable, columns, holds, lanes, measure, row};
@@ -91,7 +91,8 @@ fn checked_rotations_agree<L: Provable>(ledger: &Ledger) {
 fn rotations_of_matrices_are_read_and_refused_on_lanes_as_by_the_scalar_reference() {
     #[rustfmt::skip]
     let bounds = [
-        // Without registers of four numbers the reference divides by the length; with them, both multiply by its reciprocal.
+        // Without registers of four numbers the reference divides by the length; with them, both
+        // multiply by its reciprocal.
         line("from_matrix3", &[], if FOUR { 3.9 } else { 16.0 }, "another length divides"),
     ];
     Ledger::keep("matrices", &bounds, |ledger| {

@@ -1,5 +1,5 @@
-//! Dual vectors by the laws of vectors over dual numbers (Jia §§3 and 4), on whole numbers without
-//! rounding; and the same operations on lanes.
+//! Dual vectors by the laws of vectors over dual numbers (Jia §§3 and 4), on whole numbers
+//! without rounding; and the same operations on lanes.
 
 use dq8::{Dual, DualQuat, Line, Plane, geometry::DualVector, simd::f32x8};
 use dq8_contract::inputs::{for_all, vector};

@@ -88,8 +88,8 @@ fn the_screw_of_the_dual_angle_takes_one_line_to_the_other() {
             let screw = DualQuat::from_screw(Screw { axis: found.axis, angle, slide });
             let moved = screw.transform_line(a);
             let off = DualVector::from(moved) - DualVector::from(b);
-            // The axis is off by u/sin θ in direction and by 1/sin θ times that in place; a turn by
-            // θ moves what it turns by 2 sin(θ/2) times either.
+            // The axis is off by u/sin θ in direction and by 1/sin θ times that in place; a turn
+            // by θ moves what it turns by 2 sin(θ/2) times either.
             let sine = length(cross(a.direction, b.direction));
             let turned = roundoff::<f64>() / if found.parallel { 1.0 } else { (angle / 2.0).cos() };
             let sine = if found.parallel { 1.0 } else { sine };

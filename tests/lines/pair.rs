@@ -99,7 +99,8 @@ fn small_angles_and_those_near_pi_are_exact<R: Real>(allowed: [f64; 2]) {
             let found = line::<R>(a).common_perpendicular(line(b)).unwrap();
             assert!(!found.parallel, "{theta}");
             worst.see(found.angle.real.into() - angle(a.1, b.1), u, &theta);
-            // Rounding has turned the perpendicular: l × (±l′ − l) keeps what l × l′ rounds away.
+            // Rounding has turned the perpendicular: l × (±l′ − l) keeps what l × l′
+            // rounds away.
             let sense = if theta > 1.0 { -1.0 } else { 1.0 };
             let normal = scale(cross(a.1, sub(scale(b.1, sense), a.1)), sense);
             let feet_off = 3.0 * u / length(normal).powi(2);

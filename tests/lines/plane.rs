@@ -140,7 +140,8 @@ fn a_plane_through_a_line_and_a_point_holds_both() {
         let beside = add(x, cross(l, way));
         let other = Plane::from_line_point(line, beside).unwrap();
         let again = Line::from_planes(plane, other).unwrap();
-        // Planes a few hundredths apart at the least: a line that is off by an angle has the square of it here.
+        // Planes a few hundredths apart at the least: a line that is off by an angle has the square
+        // of it here.
         assert!((dot(again.direction, unit(l)).abs() - 1.0).abs() < 1e-12);
     });
 }

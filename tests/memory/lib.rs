@@ -1,6 +1,7 @@
-//! Plans and skins, whose numbers are checked once and read without a check from then on: any order, any joints, any
-//! lengths, by safe code. All memory is of exactly its length, so that the address sanitizer sees a number too far; what is
-//! computed is what indexing finds. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where.
+//! Plans and skins, whose numbers are checked once and read without a check from then on: any
+//! order, any joints, any lengths, by safe code. All memory is of exactly its length, so that the
+//! address sanitizer sees a number too far; what is computed is what indexing finds.
+//! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where.
 #![cfg(test)]
 #![forbid(unsafe_code)]
 
@@ -36,7 +37,8 @@ fn length(random: &mut Random, right: usize) -> usize {
     }
 }
 
-/// Any pairs as the order of a plan: that of the parents, the same in disorder and with doubles, and what is none.
+/// Any pairs as the order of a plan: that of the parents, the same in disorder and with doubles,
+/// and what is none.
 fn plans(random: &mut Random) {
     let joints = random.below(40);
     let chain = random.below(4) == 0;

@@ -1,4 +1,5 @@
-//! Programs with a mistake each. A comment `SAYS` above one has what the compiler must say of it, on a line each.
+//! Programs with a mistake each. A comment `SAYS` above one has what the compiler must say of it,
+//! on a line each.
 #![cfg(mistakes)]
 #![allow(missing_docs)]
 

@@ -1,4 +1,5 @@
-//! Packed clips by the book: their bytes read as the documentation lists them, and kinematics of `f64` matrices.
+//! Packed clips by the book: their bytes read as the documentation lists them, and kinematics of
+//! `f64` matrices.
 
 /// `[x, y, z, w, tx, ty, tz]`
 pub(crate) type Key = [f64; 7];

@@ -151,8 +151,8 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
     }
 }
 
-/// Joints, clips and keys as many as each other, whose clips have all keys in common: every key is a frame of every joint of
-/// every clip. Read as they say, 10⁵ bytes would take minutes.
+/// Joints, clips and keys as many as each other, whose clips have all keys in common: every key is
+/// a frame of every joint of every clip. Read as they say, 10⁵ bytes would take minutes.
 #[test]
 fn bytes_whose_clips_share_their_keys_are_refused_before_they_are_read() {
     for n in [2, 100, 1600_u32] {

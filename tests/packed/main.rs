@@ -1,5 +1,5 @@
-//! Packed clips: what is played is what their bytes say, on every backend; what an encoder keeps; what it refuses, and what
-//! bytes are no clips.
+//! Packed clips: what is played is what their bytes say, on every backend; what an encoder keeps;
+//! what it refuses, and what bytes are no clips.
 
 mod book;
 mod hostile;
@@ -20,7 +20,8 @@ pub(crate) const JOINTS: usize = PARENTS.len();
 /// Their frames; the third clip is a pose.
 const FRAMES: [usize; 4] = [17, 5, 1, 24];
 
-/// Rotations swing; every third joint keeps still, another every third in one clip alone; roots walk, and joint 13 slides.
+/// Rotations swing; every third joint keeps still, another every third in one clip alone; roots
+/// walk, and joint 13 slides.
 pub(crate) fn frames(clip: usize, count: usize) -> Vec<[f32; 7]> {
     let mut random = Random(3);
     let tracks: Vec<_> = (0..JOINTS)
@@ -195,7 +196,8 @@ fn what_keeps_still_takes_no_frames() {
     assert_eq!(none.clips().moving(0), Some(0));
 }
 
-/// The same on every target: this text was written on one with the other byte order than some that run it.
+/// The same on every target: this text was written on one with the other byte order than some that
+/// run it.
 #[test]
 fn bytes_are_those_of_the_documentation_on_every_target() {
     let turn = [0.6_f32, 0.0, 0.0, 0.8, 1.0, 2.0, 3.0];
@@ -304,7 +306,8 @@ fn on_roots(
     palette
 }
 
-/// Sources nest: packed clips under a layer, plain ones beside them, and into a palette by way of scratch.
+/// Sources nest: packed clips under a layer, plain ones beside them, and into a palette by way of
+/// scratch.
 #[test]
 fn packed_clips_are_layered_and_make_palettes_as_others_do() {
     let packed = library();

@@ -1,5 +1,6 @@
-//! Operations that need unit input judge it in debug builds with `--cfg dq8_debug_assert_unit`, and in no others. Which
-//! operations of motions these are is known from the accuracy contract, by the domain of each argument.
+//! Operations that need unit input judge it in debug builds with `--cfg dq8_debug_assert_unit`, and
+//! in no others. Which operations of motions these are is known from the accuracy contract, by the
+//! domain of each argument.
 #![cfg(test)]
 
 use dq8::geometry::{Plane, Screw, Wrench};
@@ -240,8 +241,8 @@ fn what_drifts_or_is_no_number_passes() {
     for_all_numbers!(law);
 }
 
-/// Operations that take any motions, though their errors are bounded for unit ones: they normalize, are linear in the
-/// motion, or ask the question.
+/// Operations that take any motions, though their errors are bounded for unit ones: they normalize,
+/// are linear in the motion, or ask the question.
 const OF_ANY: &[&str] = &[
     "from_rotation",
     "is_unit",

@@ -89,8 +89,8 @@ fn edges() -> Vec<DualQuat<f64>> {
     edges
 }
 
-/// Points of a motion made from one form, by way of another, beside those of nalgebra. Angles in one order become
-/// angles in the same.
+/// Points of a motion made from one form, by way of another, beside those of nalgebra. Angles in
+/// one order become angles in the same.
 fn all_pairs<R: Real>(motion: DualQuat<f64>, orders: &[EulerOrder], worst: &Worst) {
     let start = DualQuat::<R>::from_array(rounded(motion.to_array())).normalize();
     let wanted = isometry(DualQuat::from_array(exact(start.to_array())));

@@ -12,7 +12,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 /// glam's sines of angles of a few turns, three products.
 const BY_GLAM: f64 = 1e-14;
-/// The outer angles lose as many digits as the sine or cosine of the middle one has, some hundredths here.
+/// The outer angles lose as many digits as the sine or cosine of the middle one has, some
+/// hundredths here.
 const AWAY_FROM_LOCK: f64 = 1e-13;
 
 /// The names that glam has for [`EulerOrder::ALL`].
@@ -59,8 +60,8 @@ fn locks(order: EulerOrder) -> [f64; 2] {
     if order.axes.is_proper() { [0.0, PI] } else { [-FRAC_PI_2, FRAC_PI_2] }
 }
 
-/// Angles at and near every gimbal lock, down to distances far below rounding, on the side where the
-/// middle angle is in its range.
+/// Angles at and near every gimbal lock, down to distances far below rounding, on the side where
+/// the middle angle is in its range.
 fn near_lock(order: EulerOrder) -> impl Iterator<Item = EulerAngles<f64>> {
     let inward = [1.0, -1.0];
     let outer = [[0.3, -1.1], [-2.9, 3.0], [0.0, 0.7], [3.1, 0.0], [FRAC_PI_2, -FRAC_PI_2]];

@@ -20,8 +20,8 @@ pub(super) fn matrices() -> impl Strategy<Value = Matrix3<f64>> {
         .prop_filter("mirrors are another matter", |matrix| matrix.determinant() > 1e-3)
 }
 
-/// The rotation of nalgebra's QR decomposition, by Householder's reflections, with the diagonal of R
-/// made positive.
+/// The rotation of nalgebra's QR decomposition, by Householder's reflections, with the diagonal of
+/// R made positive.
 fn by_reflections(matrix: Matrix3<f64>) -> Matrix3<f64> {
     let (q, r) = matrix.qr().unpack();
     q * Matrix3::from_diagonal(&r.diagonal().map(f64::signum))

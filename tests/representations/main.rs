@@ -34,8 +34,8 @@ fn opinion<R: Real>(quat: Quat<R>) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
 }
 
-/// The angle between two rotations, radians: twice the chord of the quaternions, so small angles are
-/// not lost.
+/// The angle between two rotations, radians: twice the chord of the quaternions, so small angles
+/// are not lost.
 fn between(a: UnitQuaternion<f64>, b: UnitQuaternion<f64>) -> f64 {
     let chord = (a.into_inner() - b.into_inner()).norm();
     2.0 * chord.min((a.into_inner() + b.into_inner()).norm())

@@ -197,7 +197,8 @@ fn the_stretch_of_the_largest_matrices_is_finite_or_refused() {
     assert!(finite > 100 && refused > 100, "{finite} finite, {refused} refused");
 }
 
-/// A matrix that squeezes space onto a line is one column times one row, and rounding leaves a little more.
+/// A matrix that squeezes space onto a line is one column times one row, and rounding leaves a
+/// little more.
 fn squeezed<R: Real>() {
     for i in 0..100 {
         let at = |k: f64| (f64::from(i) + 1.0) * k;

@@ -23,7 +23,8 @@ const NUMBERS: [f64; 16] = [
     0.1,
 ];
 
-/// A number as bits, so that zeros of both signs differ; NaN has many bit patterns that mean the same.
+/// A number as bits, so that zeros of both signs differ; NaN has many bit patterns that mean the
+/// same.
 fn bits(number: f64) -> u64 {
     if number.is_nan() { f64::NAN.to_bits() } else { number.to_bits() }
 }
@@ -368,7 +369,8 @@ fn a_block_holds_what_was_set_in_rows_of_one_component() {
     assert_eq!(std::mem::size_of::<Block<[f32; 8], 8>>(), 256);
 }
 
-/// Sums of such places wrap in a release build, and bounds that are checked with them hold for anything.
+/// Sums of such places wrap in a release build, and bounds that are checked with them hold for
+/// anything.
 #[test]
 fn components_beyond_every_record_are_refused_and_not_read() {
     let table = [[1.0_f32; 8]; 4];

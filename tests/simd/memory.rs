@@ -1,7 +1,8 @@
-//! Random calls of what reads and writes memory without a check of its own, by safe code, with lengths, strides, pitches
-//! and indices that fit, nearly fit, and wrap. All memory is of exactly its length, so that the address sanitizer sees a
-//! number too far; what was read and written is what indexing finds. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by
-//! default), `DQ8_FUZZ_SEED` from where; a failure names the seed of its round.
+//! Random calls of what reads and writes memory without a check of its own, by safe code, with
+//! lengths, strides, pitches and indices that fit, nearly fit, and wrap. All memory is of exactly
+//! its length, so that the address sanitizer sees a number too far; what was read and written is
+//! what indexing finds. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default),
+//! `DQ8_FUZZ_SEED` from where; a failure names the seed of its round.
 
 use dq8_simd::picks::{CheckedIndices, GROUP, Index, Picks};
 use dq8_simd::{CheckedSchedule, Float, Gather, Lanes, Level, Portable, Records};

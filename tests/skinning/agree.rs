@@ -100,8 +100,8 @@ where
     worst
 }
 
-/// Directions are the worst conditioned: those of a linear blend are quotients by a length that cancellation
-/// makes small. 2000 ε covers the shortest of these samples, 1/200.
+/// Directions are the worst conditioned: those of a linear blend are quotients by a length that
+/// cancellation makes small. 2000 ε covers the shortest of these samples, 1/200.
 fn all_agree<R: Scalar + Weight>(epsilon: f64) {
     for influences in [1, 2, 3, 4, 5, 8, 9] {
         for vertices in [0, 1, 7, 8, 9, 16, 33] {

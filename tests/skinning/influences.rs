@@ -1,4 +1,5 @@
-//! Influences that lie between other fields are those that lie one after the other, and nothing else is read.
+//! Influences that lie between other fields are those that lie one after the other, and nothing
+//! else is read.
 
 use crate::scene::{JOINTS, Scene, from};
 use dq8::skinning::{
@@ -20,7 +21,8 @@ fn agrees<R: Scalar + Weight>(vertices: usize, influences: usize) {
     let scene = Scene::<R>::new(vertices, influences);
     let (packed, matrices) = (scene.skin(), scene.matrices());
     let field = |more: usize, first: usize| InfluenceField { stride: influences + more, first };
-    // In the middle and at the end of a vertex; rows of four indices of which one is none; without anything between.
+    // In the middle and at the end of a vertex; rows of four indices of which one is none; without
+    // anything between.
     for (at, of) in
         [(field(5, 2), field(2, 2)), (field(1, 0), field(1, 0)), (field(0, 0), field(0, 0))]
     {

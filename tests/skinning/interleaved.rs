@@ -1,4 +1,5 @@
-//! Vertices that are records of several fields move as those whose fields lie apart, and nothing else is written.
+//! Vertices that are records of several fields move as those whose fields lie apart, and nothing
+//! else is written.
 
 use crate::scene::{Scene, from};
 use dq8::skinning::{
@@ -27,7 +28,8 @@ fn agrees<R: Scalar + Weight>(vertices: usize, influences: usize) {
     let (linear, dual) = (Linear::new(&matrices), DualBlend::new(&scene.motions));
     let stretched = StretchedDualBlend::new(&scene.motions, &scene.stretches);
     let mixed = Mixed::new(linear, dual, &shares).unwrap();
-    // The last field at the very end, one number less than four behind it; and nothing but a position.
+    // The last field at the very end, one number less than four behind it; and nothing but a
+    // position.
     let rest_fields = VertexFields { stride: 11, position: 8, normal: Some(1), tangent: Some(4) };
     let posed_fields = VertexFields { stride: 9, position: 0, normal: Some(6), tangent: Some(3) };
     let rest = buffer(rest_fields, from(f64::NAN), &scene);

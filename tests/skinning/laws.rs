@@ -5,7 +5,8 @@ use dq8::skinning::{
 use dq8::{Backend, DualQuat, Quat, Scalar, representation::Affine};
 use dq8_contract::random::Random;
 
-/// A vertex and its neighbors, with the same influences: 40 ε for some twenty roundings of numbers up to 3.
+/// A vertex and its neighbors, with the same influences: 40 ε for some twenty roundings of numbers
+/// up to 3.
 fn moves_rigidly<R: Scalar + Weight>(epsilon: f64) {
     let scene = Scene::<R>::new(1, 4);
     let (joints, weights) = (scene.joints.repeat(64), scene.weights.repeat(64));
@@ -104,8 +105,8 @@ fn of_equal_weights_the_first_says_on_which_side_the_others_are() {
     }
 }
 
-/// Kavan et al. 2008, §4: of two motions DLB turns at most 8.15° off ScLERP, and slides at most 15.1 % of the
-/// slide between the two off.
+/// Kavan et al. 2008, §4: of two motions DLB turns at most 8.15° off ScLERP, and slides at most
+/// 15.1 % of the slide between the two off.
 #[test]
 fn two_influences_stay_within_the_bound_of_kavan() {
     let mut random = Random(3);
@@ -178,8 +179,9 @@ fn a_stretch_and_then_a_motion_is_the_matrix_of_a_single_influence() {
     }
 }
 
-/// A joint turns on and on, its quaternion now on one side and now on the other; its neighbor follows half an
-/// angle behind. No vertex moves farther in a step than the fastest point of the two.
+/// A joint turns on and on, its quaternion now on one side and now on the other; its neighbor
+/// follows half an angle behind. No vertex moves farther in a step than the fastest point of the
+/// two.
 #[test]
 fn nothing_flips_when_joints_turn_through_a_full_turn() {
     let weights: Vec<f32> =
@@ -210,7 +212,8 @@ fn nothing_flips_when_joints_turn_through_a_full_turn() {
     }
 }
 
-/// Lanes hold four influences of a vertex, or a multiple of that: those that it does not have are no joint.
+/// Lanes hold four influences of a vertex, or a multiple of that: those that it does not have are
+/// no joint.
 #[test]
 fn a_joint_moves_no_vertex_that_does_not_name_it() {
     for influences in [1, 2, 3, 5, 9] {

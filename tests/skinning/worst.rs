@@ -33,7 +33,8 @@ fn a_million_vertices_on_a_thousand_palettes_without_a_nan() {
     });
 }
 
-/// Motions that are equal and opposite, in pairs; weights equal, tiny, zero but for one, and far from a sum of one.
+/// Motions that are equal and opposite, in pairs; weights equal, tiny, zero but for one, and far
+/// from a sum of one.
 fn a_palette_without_a_nan(palette: usize) {
     let mut random = Random(77 + palette as u64);
     let joint_count = 2 + 2 * (palette % 24);

@@ -11,7 +11,8 @@ use std::f64::consts::FRAC_PI_2;
 /// How many floats a backend gets at once.
 const BLOCK: usize = 4096;
 
-/// Of so many blocks, one is computed with the other sign too: rounding to the nearest does not see signs.
+/// Of so many blocks, one is computed with the other sign too: rounding to the nearest does not see
+/// signs.
 const NEGATIVE: u32 = 16;
 
 /// The largest angle that lanes have a sine of.

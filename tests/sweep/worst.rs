@@ -1,5 +1,5 @@
-//! The floats at which functions err most, of all there are, and those closest to a quarter turn, with their right
-//! values: 80 digits by mpmath, rounded to `f64`.
+//! The floats at which functions err most, of all there are, and those closest to a quarter turn,
+//! with their right values: 80 digits by mpmath, rounded to `f64`.
 
 #[rustfmt::skip]
 #[allow(clippy::excessive_precision, reason = "seventeen digits are what always tells one number from the next")]

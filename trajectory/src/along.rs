@@ -104,8 +104,8 @@ fn register<L: Lanes>(level: L::Level, numbers: &[L::Real]) -> L {
     L::load(level, &array)
 }
 
-/// The numbers of a record that moves points: a 3×4 matrix by rows, a twist for one second, and two
-/// that fill fours.
+/// The numbers of a record that moves points: a 3×4 matrix by rows, a twist for one second, and
+/// two that fill fours.
 pub(crate) const MOVES: usize = 20;
 
 /// `moved[i]` = M exp(τξ) `points[i]`: points of the moving body into the wanted frame. Or back,

@@ -2,21 +2,21 @@
 //!
 //! # Which frame, which side, which order
 //!
-//! The error of a pose σ̄ is a small twist ξ = (ω, v) *on the right*, σ = σ̄ exp(ξ): in the axes of
-//! the moving body, in radians and lengths, as [`DualQuat::from_twist`](dq8::DualQuat::from_twist)
-//! takes it. Its covariance P, the mean of ξξᵀ, is 6×6, by rows, *angular first*. GTSAM has the
-//! same.
+//! The error of a pose σ̄ is a small twist ξ = (ω, v) *on the right*, σ = σ̄ exp(ξ): in the
+//! axes of the moving body, in radians and lengths, as
+//! [`DualQuat::from_twist`](dq8::DualQuat::from_twist) takes it. Its covariance P, the mean of
+//! ξξᵀ, is 6×6, by rows, *angular first*. GTSAM has the same.
 //!
 //! | memory | order |
 //! |---|---|
 //! | `[R; 36]`, `[[R; 6]; 6]`, blocks of 36 rows | angular first |
 //! | `[LinearFirst<R>; 6]` | linear first: rows and columns (Barfoot, Solà, Sophus, the messages of ROS) |
 //!
-//! Elsewhere the error stands on the *left*, σ = exp(ζ)σ̄: in the axes of the world and about its
-//! origin (Barfoot and Furgale 2014). As ζ = Ad ξ, [`carry_covariances`] by σ̄ makes the one of the
-//! other, and by σ̄⁻¹ goes back. The messages of ROS have a third form: turns about the axes of the
-//! world, and the error of the *position*. Those are (R̄ω, R̄v), so carrying by the rotation of σ̄
-//! alone makes them, and by its inverse goes back.
+//! Elsewhere the error stands on the *left*, σ = exp(ζ)σ̄: in the axes of the world and about
+//! its origin (Barfoot and Furgale 2014). As ζ = Ad ξ, [`carry_covariances`] by σ̄ makes the
+//! one of the other, and by σ̄⁻¹ goes back. The messages of ROS have a third form: turns about
+//! the axes of the world, and the error of the *position*. Those are (R̄ω, R̄v), so carrying by
+//! the rotation of σ̄ alone makes them, and by its inverse goes back.
 //!
 //! A covariance is symmetric; of two entries that mirror each other one is read, and both are
 //! written. All is of first order in the errors: exact for linear maps, and for motions as good as
@@ -63,9 +63,9 @@ pub fn carry_covariances<M: Element<8>, P: Element<36, Layout = M::Layout>>(
     Ok(())
 }
 
-/// `inverses[i]` = Ad P Adᵀ: the covariance of σ⁻¹, of the pose σ̄ = `poses[i]` with the covariance
-/// P = `covariances[i]`. For (σ̄ exp ξ)⁻¹ = exp(−ξ) σ̄⁻¹ = σ̄⁻¹ exp(−Ad ξ), it is Ad of the pose
-/// and not of its inverse.
+/// `inverses[i]` = Ad P Adᵀ: the covariance of σ⁻¹, of the pose σ̄ = `poses[i]` with the
+/// covariance P = `covariances[i]`. For (σ̄ exp ξ)⁻¹ = exp(−ξ) σ̄⁻¹ = σ̄⁻¹
+/// exp(−Ad ξ), it is Ad of the pose and not of its inverse.
 ///
 /// ```
 /// use dq8::{Backend, DualQuat};
@@ -92,10 +92,10 @@ pub fn inverse_covariances<M: Element<8>, P: Element<36, Layout = M::Layout>>(
     carry_covariances(backend, poses, covariances, inverses)
 }
 
-/// `products[i]` = Ad⁻¹ A Ad⁻ᵀ + B: the covariance of the product ab, where the pose a has the
-/// covariance A = `first[i]`, b has B = `second[i]`, and Ad⁻¹ is that of b̄⁻¹, b̄ = `poses[i]`. For
-/// ā exp(α) b̄ exp(β) = ā b̄ exp(Ad⁻¹ α) exp(β), ā does not count. The errors of a and of b must be
-/// independent.
+/// `products[i]` = Ad⁻¹ A Ad⁻ᵀ + B: the covariance of the product ab, where the pose a has
+/// the covariance A = `first[i]`, b has B = `second[i]`, and Ad⁻¹ is that of b̄⁻¹, b̄ =
+/// `poses[i]`. For ā exp(α) b̄ exp(β) = ā b̄ exp(Ad⁻¹ α) exp(β), ā does not count. The
+/// errors of a and of b must be independent.
 ///
 /// ```
 /// use dq8::{Backend, DualQuat};

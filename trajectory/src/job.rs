@@ -153,8 +153,8 @@ impl<'a> Job<Trajectory<'a>> {
     }
 
     /// [`sample`](Self::sample), and `twists[i]` = the velocity there for one second, in the frame
-    /// of the moving body (angular first): log((σ_k* σ_{k+1})²) / (t_{k+1} − t_k). At a stamp it is
-    /// that of the way to the next one; where the body stands it is zero.
+    /// of the moving body (angular first): log((σ_k* σ_{k+1})²) / (t_{k+1} − t_k). At a stamp
+    /// it is that of the way to the next one; where the body stands it is zero.
     ///
     /// # Errors
     /// As there, and if `twists` is not as long as `poses`; nothing is written.
@@ -169,9 +169,9 @@ impl<'a> Job<Trajectory<'a>> {
         self.poses(times, poses, twists)
     }
 
-    /// `moved[i]` = F⁻¹ σ(`times[i]`) `points[i]`: points that the moving body measured, each at
-    /// its own time, in the frame F of the job. A point has three coordinates first; what else its
-    /// record holds is copied.
+    /// `moved[i]` = F⁻¹ σ(`times[i]`) `points[i]`: points that the moving body measured, each
+    /// at its own time, in the frame F of the job. A point has three coordinates first; what else
+    /// its record holds is copied.
     ///
     /// ```
     /// use dq8::Twist;
@@ -212,8 +212,8 @@ impl<'a> Job<Trajectory<'a>> {
         self.points::<_, _, false, N>(times, None, points)
     }
 
-    /// The inverse of [`deskew`](Self::deskew): `moved[i]` = σ(`times[i]`)⁻¹ F `points[i]`, points
-    /// as the moving body would have measured them, each at its own time.
+    /// The inverse of [`deskew`](Self::deskew): `moved[i]` = σ(`times[i]`)⁻¹ F `points[i]`,
+    /// points as the moving body would have measured them, each at its own time.
     ///
     /// # Errors
     /// As there.
@@ -334,8 +334,8 @@ pub struct Columns<'a, T> {
 }
 
 impl<T: Time> Columns<'_, T> {
-    /// `moved[row][column]` = F⁻¹ σ(`times[column]`) `points[row][column]`, as [`Job::deskew`] does
-    /// for points of their own times. Rows follow each other.
+    /// `moved[row][column]` = F⁻¹ σ(`times[column]`) `points[row][column]`, as [`Job::deskew`]
+    /// does for points of their own times. Rows follow each other.
     ///
     /// ```
     /// use dq8::Twist;

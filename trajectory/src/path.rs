@@ -71,9 +71,9 @@ impl<'a> Trajectory<'a> {
         [self.stamps.first(), self.stamps.last()].map(|stamp| stamp.copied().unwrap_or(f64::NAN))
     }
 
-    /// The pose at a time in seconds: σ_k (σ_k* σ_{k+1})^s between the stamps k and k + 1, at the
-    /// share s of the way (Kavan et al. 2008, ScLERP). Before the first stamp and after the last
-    /// one it is their pose; at NaN it is NaN.
+    /// The pose at a time in seconds: σ_k (σ_k* σ_{k+1})^s between the stamps k and k + 1, at
+    /// the share s of the way (Kavan et al. 2008, ScLERP). Before the first stamp and after the
+    /// last one it is their pose; at NaN it is NaN.
     #[must_use]
     pub fn at(self, time: f64) -> DualQuat<f64> {
         let after = self.stamps.partition_point(|&stamp| stamp <= time);
@@ -156,7 +156,8 @@ impl OwnedTrajectory {
     /// ```
     ///
     /// # Errors
-    /// If a number is not finite, the range does not rise, or the turn is longer than 10⁶ radians.
+    /// If a number is not finite, the range does not rise, or the turn is longer than 10⁶
+    /// radians.
     pub fn of_twist(twist: Twist<f64>, range: Range<f64>) -> Result<Self, TrajectoryError> {
         let numbers = twist.to_array().into_iter().chain([range.start, range.end]);
         if let Some(value) = { numbers }.find(|number| !number.is_finite()) {

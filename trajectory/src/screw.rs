@@ -1,5 +1,5 @@
-//! The motion of a constant twist in closed form, on lanes: `exp(τξ)·p` without an axis, a division
-//! or a branch.
+//! The motion of a constant twist in closed form, on lanes: `exp(τξ)·p` without an axis, a
+//! division or a branch.
 //!
 //! With ξ = (ω, v), φ = τ|ω| and the velocity of the point u = ω×p + v,
 //!
@@ -9,8 +9,8 @@
 //! ```
 //!
 //! It is Rodrigues' formula for the rotation, with the integral of the translation (Selig 2005,
-//! *Geometric Fundamentals of Robotics*, §4.3), sorted by p: the terms in ω×(ω×p) and ω×v are ω×u.
-//! S, C and D are power series in φ², so that nothing cancels where φ vanishes.
+//! *Geometric Fundamentals of Robotics*, §4.3), sorted by p: the terms in ω×(ω×p) and ω×v
+//! are ω×u. S, C and D are power series in φ², so that nothing cancels where φ vanishes.
 
 use dq8::Lanes;
 use dq8::batch::{cos_sin, vector};

@@ -90,7 +90,8 @@ fn what_other_programs_write_is_read() {
 
 #[test]
 fn what_is_put_right_is_said_once() {
-    // Lengths of 2, 10³⁰⁰ and 10⁻³¹⁰; digits of a thousandth; and unsorted twice, a stamp thrice.
+    // Lengths of 2, 10³⁰⁰ and 10⁻³¹⁰; digits of a thousandth; and unsorted twice, a
+    // stamp thrice.
     let text = b"3 0 0 0 0 0 0 2\n2 0 0 0 1e300 0 0 0\n2 1 0 0 0 1e-310 0 0\n\
         1 0 0 0 0.707 0 0 -0.707\n2 2 0 0 0 0 0 1";
     let file = Format::Tum.parse(text).unwrap();

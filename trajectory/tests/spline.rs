@@ -119,8 +119,8 @@ fn twists_and_accelerations_are_those_of_differences() {
                 let time = START + EVERY * (random.below(6) as f64 + random.between(0.02, 0.98));
                 let h = 1e-3 * EVERY;
                 let Moving { twist, acceleration, .. } = spline.moving_at(time);
-                // The way from −h to h is a twist in the frame of −h and of h alike, and to third
-                // order in that of the middle.
+                // The way from −h to h is a twist in the frame of −h and of h alike, and to
+                // third order in that of the middle.
                 let found = difference(h, |h| spline.at(time + h));
                 assert!(largest(found - twist) < 1e-5 * (1.0 + largest(twist)), "{basis:?} {turn}");
                 let slope = |h: f64| {

@@ -1,6 +1,6 @@
-//! The native library's answers to what `tests/package.test.mjs` asks of the module: floats from standard input, in the order
-//! in which they are read below, to floats on standard output. On the instructions of the build target, which round as
-//! simd128 does.
+//! The native library's answers to what `tests/package.test.mjs` asks of the module: floats from
+//! standard input, in the order in which they are read below, to floats on standard output. On the
+//! instructions of the build target, which round as simd128 does.
 
 use bytemuck::{Pod, cast_slice};
 use dq8::hierarchy::{Clip, Layered, Locals, MatrixOrder, PackedClip, Poses, Sampled, Tolerance};

@@ -1,4 +1,5 @@
-//! Crowds: poses in blocks of four instances, the quickest form where nothing else wants them plain.
+//! Crowds: poses in blocks of four instances, the quickest form where nothing else wants them
+//! plain.
 
 use crate::Motion;
 use crate::memory::{exports, frees, status};

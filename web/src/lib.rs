@@ -1,9 +1,11 @@
-//! What JavaScript calls: functions on numbers, which are places and lengths in this module's own memory. `package/` is the
-//! only caller; it hands out no place, and so no page can pass a wrong one.
+//! What JavaScript calls: functions on numbers, which are places and lengths in this module's own
+//! memory. `package/` is the only caller; it hands out no place, and so no page can pass a wrong
+//! one.
 //!
-//! A function returns 0, or another number when it failed, and then [`memory::dq8_error`] is the text of the error. The C
-//! interface is no border for this: it tells errors by numbers alone, has no clips, and leaves the memory of skins and
-//! robots to callers, who could write there what has been checked.
+//! A function returns 0, or another number when it failed, and then [`memory::dq8_error`] is the
+//! text of the error. The C interface is no border for this: it tells errors by numbers alone, has
+//! no clips, and leaves the memory of skins and robots to callers, who could write there what has
+//! been checked.
 
 #[cfg(feature = "skeletons")]
 mod clip;

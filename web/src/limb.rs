@@ -1,4 +1,5 @@
-//! Limbs of two bones in models that are already there: what stands on a foot follows it, as it was turned.
+//! Limbs of two bones in models that are already there: what stands on a foot follows it, as it was
+//! turned.
 
 use crate::Motion;
 use crate::memory::{exports, status};
@@ -14,8 +15,8 @@ fn length([x, y, z]: Point) -> f32 {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// The turn about `from` that takes the way to `end` to `way`, and then what lies at `from` to `to`. A bone without
-/// length does not turn.
+/// The turn about `from` that takes the way to `end` to `way`, and then what lies at `from` to
+/// `to`. A bone without length does not turn.
 fn swing(from: Point, end: Point, way: Point, to: Point) -> Motion {
     let bone = sub(end, from);
     let turn = if length(bone) > 0.0 && length(way) > 0.0 {
@@ -112,7 +113,8 @@ fn two_bone(
 }
 
 exports! {
-    /// Moves the third joint of a limb to the target of its instance, the second one toward the pole.
+    /// Moves the third joint of a limb to the target of its instance, the second one toward the
+    /// pole.
     fn dq8_skeleton_two_bone(
         rig: &Rig, root: usize, hinge: usize, end: usize;
         targets[target_count]: Point, poles[pole_count]: Point; models[model_count]: Motion

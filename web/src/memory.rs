@@ -1,4 +1,5 @@
-//! Memory for arrays, and what is true of all functions here: places become slices, errors become a text.
+//! Memory for arrays, and what is true of all functions here: places become slices, errors become a
+//! text.
 
 use std::alloc::{Layout, alloc_zeroed, dealloc};
 use std::cell::RefCell;
@@ -43,8 +44,9 @@ pub(crate) unsafe fn slice_mut<'a, T>(at: *mut T, count: usize) -> &'a mut [T] {
     if count == 0 { &mut [] } else { unsafe { slice::from_raw_parts_mut(at, count) } }
 }
 
-/// Exports functions of numbers, then slices that are read, then slices that are written: each slice as its place and its
-/// count. The only caller is the package, which has made and measured all of them.
+/// Exports functions of numbers, then slices that are read, then slices that are written: each
+/// slice as its place and its count. The only caller is the package, which has made and measured
+/// all of them.
 macro_rules! exports {
     ($($(#[$doc:meta])* fn $name:ident(
         $($argument:ident: $Argument:ty),*; $($read:ident[$reads:ident]: $Read:ty),*; $($write:ident[$writes:ident]: $Write:ty),*

@@ -74,8 +74,9 @@ exports! {
         status(mechanism.job().links(&[link]).jacobians(World, values, poses, columns))
     }
 
-    /// Moves values until a link is at its target, a pose (0) or a position (1). What became of it: a number of
-    /// `Outcome`, or 255 and an error. `report` gets iterations, restarts and the two errors.
+    /// Moves values until a link is at its target, a pose (0) or a position (1). What became of it:
+    /// a number of `Outcome`, or 255 and an error. `report` gets iterations, restarts and the two
+    /// errors.
     fn dq8_robot_reach(
         robot: &mut Robot, link: usize, goal: u32, restarts: u32, report: &mut [f32; 4];
         target[target_count]: Motion; values[value_count]: f32

@@ -8,7 +8,8 @@ use dq8::{Backend, ShapeError};
 
 type Row = [[f32; 4]; 3];
 
-/// A skin and what it was made of, which nobody else can write to: it is trusted once it has been checked.
+/// A skin and what it was made of, which nobody else can write to: it is trusted once it has been
+/// checked.
 #[derive(Debug)]
 struct OwnedSkin {
     _joints: Box<[u16]>,
@@ -27,7 +28,8 @@ impl OwnedSkin {
         weights: &[f32],
     ) -> Result<Self, SkinningError> {
         let (joints, weights): (Box<[u16]>, Box<[f32]>) = (joints.into(), weights.into());
-        // SAFETY: both live, unwritten, until `self` is dropped, and the skin is not handed out for longer.
+        // SAFETY: both live, unwritten, until `self` is dropped, and the skin is not handed out for
+        // longer.
         let lasting = unsafe {
             (slice(joints.as_ptr(), joints.len()), slice(weights.as_ptr(), weights.len()))
         };

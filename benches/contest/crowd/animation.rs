@@ -1,5 +1,5 @@
-//! What a crowd needs for a frame: two clips sampled at each character's own times, blended by its own weight,
-//! to model space, and the palette of 3×4 matrices.
+//! What a crowd needs for a frame: two clips sampled at each character's own times, blended by its
+//! own weight, to model space, and the palette of 3×4 matrices.
 
 use crate::backends;
 use crate::contest::Contest;
@@ -49,7 +49,8 @@ impl Crowd {
         scene.parents.truncate(joints);
         let joints = scene.parents.len();
         let mut random = Random(4);
-        // The joints swing between the poses of two of the scene's instances, at speeds of their own.
+        // The joints swing between the poses of two of the scene's instances, at speeds of their
+        // own.
         let poses = scene.locals.different();
         let swing = |first: usize, frame: usize, joint: usize| {
             let [a, b] = [first, first + 1].map(|instance| poses[instance * all + joint]);

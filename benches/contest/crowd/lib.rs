@@ -1,4 +1,5 @@
-//! The contest of what a crowd needs for a frame: most of what there is to compile, so in a package of its own.
+//! The contest of what a crowd needs for a frame: most of what there is to compile, so in a package
+//! of its own.
 
 #![allow(missing_docs, reason = "shared by programs, not published")]
 #![allow(missing_debug_implementations, reason = "contests hold closures")]

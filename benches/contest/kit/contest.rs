@@ -191,9 +191,9 @@ pub struct InPlace<E, P, N> {
 
 /// Passes in place before the input is restored.
 ///
-/// Repeated without end, model = parent · model makes translations and errors of the norm grow like
-/// binomial coefficients, until they overflow. Eight passes over the levels of a skeleton keep every
-/// number ordinary, and take long enough that starting and stopping the clock does not show.
+/// Repeated without end, model = parent · model makes translations and errors of the norm grow
+/// like binomial coefficients, until they overflow. Eight passes over the levels of a skeleton keep
+/// every number ordinary, and take long enough that starting and stopping the clock does not show.
 const PASSES: u32 = 8;
 
 impl<E: Copy, P: Fn(&mut [E]), N> Run for InPlace<E, P, N> {

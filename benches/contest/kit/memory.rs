@@ -25,8 +25,8 @@ pub trait Product: Copy {
     fn product(&self, first: &Self) -> Self;
 }
 
-/// `product!(|a, first| expression; types)`. A macro because references to some types have no `Mul`,
-/// and by value nalgebra's dual quaternions take half as long again down a hierarchy.
+/// `product!(|a, first| expression; types)`. A macro because references to some types have no
+/// `Mul`, and by value nalgebra's dual quaternions take half as long again down a hierarchy.
 macro_rules! product {
     (|$a:ident, $first:ident| $product:expr; $($M:ty),* $(,)?) => {$(
         impl Product for $M {
@@ -55,8 +55,8 @@ pub trait Element: Copy + 'static {
     /// How many instances one holds.
     const LANES: usize = 1;
 
-    /// A motion as the rows of its matrix, since σ and −σ are one motion and some peers have nothing
-    /// else; anything else as it is.
+    /// A motion as the rows of its matrix, since σ and −σ are one motion and some peers have
+    /// nothing else; anything else as it is.
     fn numbers(&self, lane: usize) -> Vec<f64>;
 }
 

@@ -1,7 +1,7 @@
 //! The skeleton: 64 joints in twelve levels, numbered depth first as in a BVH file.
 //!
-//! The 31 joints of the CMU motion capture skeleton (its ASF files), five fingers of three joints on
-//! each hand, where game skeletons have them, and jaw and eyes on the head.
+//! The 31 joints of the CMU motion capture skeleton (its ASF files), five fingers of three joints
+//! on each hand, where game skeletons have them, and jaw and eyes on the head.
 
 use dq8::{DualQuat, Hierarchy, Quat};
 use dq8_fixtures::random::Random;
@@ -80,8 +80,9 @@ pub fn bones() -> Vec<Option<f64>> {
     joints().iter().map(|&(_, parent, length)| (parent != ROOT).then_some(length)).collect()
 }
 
-/// Local poses, `[instance][joint]`: any turn up to a radian at every joint, bones that are the same
-/// in all instances, and the roots on a ground of ten metres. Computed in `f64` and rounded once.
+/// Local poses, `[instance][joint]`: any turn up to a radian at every joint, bones that are the
+/// same in all instances, and the roots on a ground of ten metres. Computed in `f64` and rounded
+/// once.
 pub fn locals(bones: &[Option<f64>], instances: usize) -> Vec<DualQuat<f32>> {
     let mut random = Random(8);
     let bones: Vec<Option<[f64; 3]>> = bones

@@ -100,8 +100,8 @@ macro_rules! own {
     };
 }
 
-/// `lanes!(pairs, contest, |a, b| outcome)`: the plain loop that users of scalars and of lanes write,
-/// with the instructions that the build has.
+/// `lanes!(pairs, contest, |a, b| outcome)`: the plain loop that users of scalars and of lanes
+/// write, with the instructions that the build has.
 macro_rules! lanes {
     ($pairs:ident, $contest:ident, |$a:ident, $b:pat_param| $outcome:expr) => {
         $pairs.each($contest, "dq8 scalar", |$a: &Motion, $b: &Motion| $outcome);

@@ -34,8 +34,8 @@ pub(crate) fn with_contest(shape: Shape, way: Way, run: &mut dyn FnMut(&Contest<
         Way::In => ("", "in place"),
         Way::Rotations => (" rotations", "from rotations"),
     };
-    // A rounding per joint, and each turns all that follows; the twelve levels of a skeleton lose a few
-    // millionths.
+    // A rounding per joint, and each turns all that follows; the twelve levels of a skeleton lose a
+    // few millionths.
     let of_a_chain = (1e-6 * joints as f64).max(3e-5);
     let (size, title, tolerance) = match shape {
         Shape::Crowd { instances: 1 } => {

@@ -1,7 +1,7 @@
 //! A mesh with four influences per vertex, positions, in plain slices.
 //!
-//! ozz-animation is C++. What is here is its layout and its order of computing, in the lanes of the build target, which is
-//! not its code.
+//! ozz-animation is C++. What is here is its layout and its order of computing, in the lanes of the
+//! build target, which is not its code.
 
 use crate::backends;
 use crate::contest::Contest;
@@ -155,8 +155,9 @@ fn glam<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
     contest.add("glam Affine3A LBS, sum of points", None, memory, points, numbers);
 }
 
-/// Points of three numbers, joints of 16 bits, one weight less than joints, matrices of four columns of four numbers; for
-/// one vertex after the other the matrices are summed, and the point is a sum of columns.
+/// Points of three numbers, joints of 16 bits, one weight less than joints, matrices of four
+/// columns of four numbers; for one vertex after the other the matrices are summed, and the point
+/// is a sum of columns.
 fn ozz_layout<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
     /// The palette, weights, points.
     type Given = (Vec<Mat4>, Vec<[f32; 3]>, Vec<[f32; 3]>);

@@ -1,5 +1,5 @@
-//! Every everyday operation, one motion at a time, built as a user builds: beside nalgebra and glam on
-//! the same numbers, in turns, in nanoseconds an operation.
+//! Every everyday operation, one motion at a time, built as a user builds: beside nalgebra and glam
+//! on the same numbers, in turns, in nanoseconds an operation.
 //!
 //! ```text
 //! cargo run --release --manifest-path benches/everyday/Cargo.toml -- [--rounds 60] [OPERATION]...

@@ -34,7 +34,8 @@ impl Poses {
     }
 }
 
-/// `w` is what of the scalar part is not chance: the larger, the smaller the turn. The sign is chance.
+/// `w` is what of the scalar part is not chance: the larger, the smaller the turn. The sign is
+/// chance.
 fn pose(random: &mut Random, w: f64) -> Pose {
     let [x, y, z, chance] = random.vector();
     let turn = Quat::from_xyzw(x, y, z, w + chance) * random.signed().signum();

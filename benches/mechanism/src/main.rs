@@ -1,5 +1,5 @@
-//! From joint values to poses of links, 10,000 random configurations, one thread: nanoseconds per configuration,
-//! the least of many rounds, in which dq8 and its peers take turns.
+//! From joint values to poses of links, 10,000 random configurations, one thread: nanoseconds per
+//! configuration, the least of many rounds, in which dq8 and its peers take turns.
 //!
 //! ```text
 //! cargo run --release --manifest-path benches/mechanism/Cargo.toml [--features peers] -- [ROUNDS]

@@ -1,5 +1,6 @@
-//! dq8's poses of links are those of the crate `k`, which has another reader of files and another algebra: for the robots of
-//! the repository and for random trees, within 10⁻¹² of the rotation and 10⁻¹² · max(1, |t|) of the translation t.
+//! dq8's poses of links are those of the crate `k`, which has another reader of files and another
+//! algebra: for the robots of the repository and for random trees, within 10⁻¹² of the rotation
+//! and 10⁻¹² · max(1, |t|) of the translation t.
 
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
@@ -17,8 +18,8 @@ fn written([x, y, z]: [f64; 3]) -> String {
     format!("\"{x:?} {y:?} {z:?}\"")
 }
 
-/// A tree whose joints stand in the file in any order. k follows a mimic to one joint and no farther, and refuses
-/// values beyond limits.
+/// A tree whose joints stand in the file in any order. k follows a mimic to one joint and no
+/// farther, and refuses values beyond limits.
 fn tree(random: &mut Random, joints: usize) -> String {
     let size = [0.5, 30.0][random.below(2)];
     let mut elements: Vec<String> = Vec::new();

@@ -1,4 +1,5 @@
-//! What every function of the table keeps to, of a call that is right: the tests are these, for all of them.
+//! What every function of the table keeps to, of a call that is right: the tests are these, for all
+//! of them.
 
 use crate::argument::{Array, Value};
 use crate::function::Function;
@@ -8,8 +9,8 @@ use dq8_fixtures::random::Random;
 use std::collections::BTreeSet;
 use std::ptr::null_mut;
 
-/// It says and writes what the Rust function does, number for number, and nothing else: whatever is null that may be, whichever
-/// number is passed, and in place.
+/// It says and writes what the Rust function does, number for number, and nothing else: whatever is
+/// null that may be, whichever number is passed, and in place.
 pub(crate) fn agrees(call: &Call<'_>) {
     let function = call.function;
     same(call, |_| (), "as it is", true);
@@ -34,7 +35,8 @@ fn same(call: &Call<'_>, change: impl Fn(&mut Call<'_>), what: &str, changes: bo
     same_as(call, &change, &change, what, changes);
 }
 
-/// The same of what C is given and of what Rust is, which never lies over anything; and not nothing.
+/// The same of what C is given and of what Rust is, which never lies over anything; and not
+/// nothing.
 fn same_as(
     call: &Call<'_>,
     in_c: impl Fn(&mut Call<'_>),
@@ -158,8 +160,8 @@ pub(crate) fn refuses(call: &Call<'_>, wrong: Wrong) {
     }
 }
 
-/// Outputs lie apart from all inputs, from each other, and from what inputs point to; where a function says so, on an
-/// input, or anywhere.
+/// Outputs lie apart from all inputs, from each other, and from what inputs point to; where a
+/// function says so, on an input, or anywhere.
 pub(crate) fn lies_apart(call: &Call<'_>) {
     let function = call.function;
     let arrays = || function.arrays().filter(|(_, array)| array.bytes > 0);

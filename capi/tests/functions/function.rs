@@ -62,7 +62,8 @@ impl<T, E: Into<Status>> Says for Result<T, E> {
     }
 }
 
-/// Rows of the table: `the name in C, path in Rust = (argument: what it is, …) => the Rust function of the arguments;`.
+/// Rows of the table:
+/// `the name in C, path in Rust = (argument: what it is, …) => the Rust function of the arguments;`.
 macro_rules! functions {
     ($to:ident: $($name:expr, $c:path = ($($argument:ident: $role:expr),* $(,)?) => $rust:expr;)+) => {$({
         #[allow(unused_imports, reason = "not all functions have all of them")]
@@ -94,8 +95,8 @@ macro_rules! functions {
     })+};
 }
 
-/// [`functions`] whose names in C and in Rust are made of: the number type, `single` or `double`; a word before the name in C,
-/// the room.
+/// [`functions`] whose names in C and in Rust are made of: the number type, `single` or `double`; a
+/// word before the name in C, the room.
 macro_rules! of_numbers {
     ($to:ident $R:ident $of:ident: $($prefix:literal $module:ident $name:ident ($($arguments:tt)*) => $rust:expr;)+) => {
         functions! { $to: $(

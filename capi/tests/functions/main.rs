@@ -1,9 +1,11 @@
-//! Every C function keeps to what the header says of all of them. [`table`] says of each what its arguments are and which Rust
-//! function it stands for; from that follow
-//! - calls: it says and writes what the Rust function does, number for number, and writes nothing else;
-//! - calls that are wrong in every way: each has an error of its own and names the index that is wrong, and nothing is written;
-//! - random calls. Arrays have just the length that is said, so that the address sanitizer sees a number read or written
-//!   beyond:
+//! Every C function keeps to what the header says of all of them. [`table`] says of each what its
+//! arguments are and which Rust function it stands for; from that follow
+//! - calls: it says and writes what the Rust function does, number for number, and writes nothing
+//!   else;
+//! - calls that are wrong in every way: each has an error of its own and names the index that is
+//!   wrong, and nothing is written;
+//! - random calls. Arrays have just the length that is said, so that the address sanitizer sees a
+//!   number read or written beyond:
 //!
 //! ```text
 //! RUSTC_BOOTSTRAP=1 RUSTFLAGS=-Zsanitizer=address DQ8_FUZZ_SECONDS=60 cargo test --release -p dq8-capi \
@@ -64,7 +66,8 @@ fn random_calls_stay_within_their_arrays() {
     });
 }
 
-/// The table has each function of the header once, by its own name, but those that have a test of their own.
+/// The table has each function of the header once, by its own name, but those that have a test of
+/// their own.
 #[test]
 fn the_table_has_every_function_of_the_header() {
     const OWN: [&str; 6] = [

@@ -1,5 +1,6 @@
-//! The arrays of a call, each with memory of its own, aligned no more than it must be. Those of random calls have just so many
-//! bytes, so that the address sanitizer sees what is read or written beyond.
+//! The arrays of a call, each with memory of its own, aligned no more than it must be. Those of
+//! random calls have just so many bytes, so that the address sanitizer sees what is read or written
+//! beyond.
 
 use crate::argument::{Contents, Value};
 use crate::function::Function;
@@ -10,7 +11,8 @@ use std::ptr::null_mut;
 /// A cache line: no array is aligned to more.
 const LINE: usize = 64;
 
-/// Behind an array of a call that is not random: as much as a wrong length may say that it has more.
+/// Behind an array of a call that is not random: as much as a wrong length may say that it has
+/// more.
 const BEHIND: usize = 4096;
 
 /// So many bytes, and memory before them, or around.
@@ -76,7 +78,8 @@ impl<'f> Call<'f> {
             let room = Room::new(array.align, array.bytes, behind);
             let contents = random.as_deref_mut().map_or(Contents::Sample(at), Contents::Random);
             (array.fill)(room.start, contents);
-            // What may be null is null where there is nothing: how long it is, another argument says.
+            // What may be null is null where there is nothing: how long it is, another argument
+            // says.
             let is_there = array.bytes > 0 || array.group.is_none();
             given[at] = Value::Pointer(if is_there { room.start } else { null_mut() });
             rooms[at] = Some(room);
@@ -99,7 +102,8 @@ impl<'f> Call<'f> {
     pub(crate) fn start(&self, at: usize) -> *mut u8 {
         self.room(at).start
     }
-    /// What is around the array of each argument; of a call with one slid, nothing: that lies around another.
+    /// What is around the array of each argument; of a call with one slid, nothing: that lies
+    /// around another.
     pub(crate) fn around(&self) -> Vec<[Vec<u8>; 2]> {
         if self.function.arrays().any(|(at, _)| self.rooms[at].is_none()) {
             return Vec::new();

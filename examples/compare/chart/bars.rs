@@ -20,7 +20,8 @@ pub(crate) struct Kind {
 
 const PEER: Kind = Kind { class: "peer", said: "" };
 const SCALAR: Kind = Kind { class: "scalar", said: "" };
-/// What the names of contenders end with. The names of backends, also of those that this machine lacks.
+/// What the names of contenders end with. The names of backends, also of those that this machine
+/// lacks.
 const INSTRUCTIONS: [Kind; 3] = [
     Kind { class: "avx512", said: "AVX-512" },
     Kind { class: "avx2", said: "AVX2" },

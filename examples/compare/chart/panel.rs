@@ -8,11 +8,13 @@ use std::fmt::{self, Write};
 
 const CAPTION: f64 = 13.0;
 const CAPTION_LINE: f64 = 17.0;
-/// Names end here, bars begin a little to the right, the longest ends where there is room for the numbers behind.
+/// Names end here, bars begin a little to the right, the longest ends where there is room for the
+/// numbers behind.
 const NAMES: f64 = 152.0;
 const BARS: f64 = NAMES + 7.0;
 const NUMBERS: f64 = 6.0;
-/// Bars that are longer than so many times the median are cut, so that the others can be told apart.
+/// Bars that are longer than so many times the median are cut, so that the others can be told
+/// apart.
 const CUT: f64 = 3.0;
 /// Above and below a bar, and between those of one name and the next.
 const AROUND: f64 = 2.0;

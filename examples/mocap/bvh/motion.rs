@@ -13,7 +13,8 @@ pub(crate) struct Motion {
     pub(crate) warning: Option<Warning>,
 }
 
-/// The file has one frame more than it announces. Those of well-known collections do, which count from zero.
+/// The file has one frame more than it announces. Those of well-known collections do, which count
+/// from zero.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Warning {
     /// The line on which that frame begins, counted from one.

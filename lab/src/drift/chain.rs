@@ -11,8 +11,8 @@ pub type Steps = [[f32; 3]; LINKS];
 /// On which side of the state of a joint a step is multiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// state · step, the state being translation · rotation: the joint turns about itself, and its
-    /// translation is multiplied by nothing.
+    /// state · step, the state being translation · rotation: the joint turns about itself, and
+    /// its translation is multiplied by nothing.
     StateStep,
     /// step · state, the state being rotation · translation: the step carries the link with it.
     StepState,
@@ -88,7 +88,8 @@ impl<S: Representation> Chain<S> {
         self.levels(|model| model)
     }
 
-    /// The joints from the root, in model space, each put in order before the next is multiplied onto it.
+    /// The joints from the root, in model space, each put in order before the next is multiplied
+    /// onto it.
     pub fn levels(&self, upkeep: impl Fn(S) -> S) -> [S; LINKS] {
         let mut model = S::identity();
         self.joints.each_ref().map(|joint| {

@@ -1,5 +1,5 @@
-//! The chain against the ideal one, as Kenwright §10.1 compares them: what is repaired, where, and whose
-//! state the solver looks at.
+//! The chain against the ideal one, as Kenwright §10.1 compares them: what is repaired, where, and
+//! whose state the solver looks at.
 
 use super::chain::{Chain, LINKS, Order};
 use super::representation::Representation;

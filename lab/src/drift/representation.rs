@@ -14,7 +14,8 @@ pub trait Representation: Copy {
     fn turn(axis: [Self::Real; 3], angle: Self::Real) -> Self;
     /// `other` acts first.
     fn times(self, other: Self) -> Self;
-    /// The same numbers in double precision, and from them what becomes of points: the rows of `[A | t]`.
+    /// The same numbers in double precision, and from them what becomes of points: the rows of
+    /// `[A | t]`.
     fn to_matrix(self) -> Matrix<f64, 3, 4>;
     /// By how much it fails to be what it should be: |det A − 1| of a matrix, ||p| − 1| of a
     /// quaternion, the larger of that and |p·q| of a dual quaternion.
@@ -85,8 +86,9 @@ impl<R: Real> Representation for DualQuat<R> {
     }
 }
 
-/// A dual quaternion that is read by the matrix of Kenwright §13.1, w² + x² − y² − z² and so on, without his
-/// `Normalize` before it. Where |p| is not 1 it scales by |p|² and does not skew.
+/// A dual quaternion that is read by the matrix of Kenwright §13.1, w² + x² − y² − z² and
+/// so on, without his `Normalize` before it. Where |p| is not 1 it scales by |p|² and does not
+/// skew.
 #[derive(Clone, Copy, Debug)]
 pub struct Listing<R>(pub DualQuat<R>);
 

@@ -5,13 +5,15 @@ use crate::matrix::Matrix;
 use dq8::{DualQuat, Quat};
 use nalgebra::{Matrix6, SMatrix, Vector3, Vector6};
 
-/// Damping of the least squares, in links: a joint never turns by much even where the chain is stretched.
+/// Damping of the least squares, in links: a joint never turns by much even where the chain is
+/// stretched.
 const DAMPING: f64 = 0.1;
-/// What is asked for in one frame at most, links and radians together: the start is away from the target.
+/// What is asked for in one frame at most, links and radians together: the start is away from the
+/// target.
 const LONGEST: f64 = 0.1;
 
-/// Where the target is in a frame, with position and orientation, if it goes round in so many frames:
-/// within the reach of the chain. It turns in other times, so that poses do not repeat.
+/// Where the target is in a frame, with position and orientation, if it goes round in so many
+/// frames: within the reach of the chain. It turns in other times, so that poses do not repeat.
 fn target(frame: usize, round: usize) -> DualQuat<f64> {
     let phase = core::f64::consts::TAU * frame as f64 / round as f64;
     let position = [4.0 + 2.0 * phase.cos(), 2.5 * phase.sin(), 2.0 * (0.61 * phase).sin()];
@@ -67,8 +69,8 @@ pub fn follow(frames: usize, round: usize, order: Order) -> (Vec<Steps>, Miss) {
     (steps, missed)
 }
 
-/// One step of all joints together, whose frames in model space are the rows of `[A | t]`, towards where
-/// the target is in a frame.
+/// One step of all joints together, whose frames in model space are the rows of `[A | t]`, towards
+/// where the target is in a frame.
 pub(super) fn towards(
     models: &[Matrix<f64, 3, 4>; LINKS],
     order: Order,

@@ -58,7 +58,8 @@ pub fn limit_of(name: &str, axis: Axis) -> Option<[f64; 2]> {
     Some(if side < 0.0 && axis != Axis::X { [-high, -low] } else { [low, high] })
 }
 
-/// Degrees of a joint in the stance: arms a little away from the body, elbows and knees not quite straight.
+/// Degrees of a joint in the stance: arms a little away from the body, elbows and knees not quite
+/// straight.
 fn stance(name: &str, axis: Axis) -> f64 {
     match (name, axis) {
         ("LeftUpperArm", Axis::Z) => 12.0,
@@ -179,7 +180,8 @@ fn sector(
     canvas.path(outline, colour::OCHRE, 1.0);
 }
 
-/// Names and degrees of freedom beside the front view: of the left ones, and of those in the middle.
+/// Names and degrees of freedom beside the front view: of the left ones, and of those in the
+/// middle.
 fn names(canvas: &mut Canvas, place: &Projection, joints: &[Joint], models: &[DualQuat<f64>]) {
     // The lowest name so far, on the left and on the right.
     let mut lowest = [f64::NEG_INFINITY; 2];

@@ -3,7 +3,8 @@
 use crate::report::escape;
 use core::fmt::Write;
 
-/// The colours of drawings, none like another, also for those who do not see red and green (Okabe, Ito 2008).
+/// The colours of drawings, none like another, also for those who do not see red and green (Okabe,
+/// Ito 2008).
 pub mod colour {
     /// Lines that are only there to hold on to.
     pub const FRAME: &str = "#999999";
@@ -128,7 +129,8 @@ impl Canvas {
         }
     }
 
-    /// What moves: a line from a point that stands still to one of a path, once through it in so many seconds.
+    /// What moves: a line from a point that stands still to one of a path, once through it in so
+    /// many seconds.
     pub fn swept(&mut self, from: [f64; 2], path: &[[f64; 2]], seconds: f64, stroke: &str) {
         let values = |i: usize| {
             let values: Vec<_> = path.iter().map(|point| format!("{:.1}", point[i])).collect();

@@ -16,7 +16,8 @@ const LENGTH: f64 = 0.9;
 
 type Tip = fn(usize, f64) -> [f64; 2];
 
-/// Each window with its colour and where the tip is in a frame; the number is what is added to t of SLERP.
+/// Each window with its colour and where the tip is in a frame; the number is what is added to t of
+/// SLERP.
 const WINDOWS: [(&str, &str, Tip); 4] = [
     ("rotation matrix", colour::RED, by_matrix),
     ("dual quaternion", colour::BLUE, by_dual_quaternion),

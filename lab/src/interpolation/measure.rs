@@ -61,13 +61,13 @@ pub struct Facts {
     pub speed: f64,
     /// The largest speed of turning over the smallest; NaN where nothing turns.
     pub turning: f64,
-    /// The angle turned on the way from a to b, or from a to −b if that is more, over the angle between
-    /// the poses; NaN where nothing turns.
+    /// The angle turned on the way from a to b, or from a to −b if that is more, over the angle
+    /// between the poses; NaN where nothing turns.
     pub detour: f64,
     /// The largest element of AᵀA − 1 on the way.
     pub distortion: f64,
-    /// The largest difference between the way from ca to cb and c times that from a to b: another frame
-    /// of the world.
+    /// The largest difference between the way from ca to cb and c times that from a to b: another
+    /// frame of the world.
     pub left: f64,
     /// The same for ac and bc: another frame of the body.
     pub right: f64,

@@ -41,8 +41,8 @@ fn dlb(a: DualQuat<f64>, b: DualQuat<f64>, t: f64) -> Matrix<f64, 3, 4> {
     blend.expect("two influences are not none").to_matrix3x4()
 }
 
-/// exp((1−t) log A + t log B). Its logarithm ends before half a turn from the frame that A and B are
-/// told in: NaN from there on.
+/// exp((1−t) log A + t log B). Its logarithm ends before half a turn from the frame that A and B
+/// are told in: NaN from there on.
 fn alexa(a: DualQuat<f64>, b: DualQuat<f64>, t: f64) -> Matrix<f64, 3, 4> {
     let between = keyframe::interpolate(&keyframe::matrix(a), &keyframe::matrix(b), t);
     from_fn(|i| from_fn(|j| between.as_ref().map_or(f64::NAN, |between| between[(i, j)])))

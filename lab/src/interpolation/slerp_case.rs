@@ -90,8 +90,8 @@ pub fn slerp_cases() -> [SlerpCase; 7] {
     ]
 }
 
-/// The largest norm that Arends' SLERP gives between rotations and the same after a whole turn, which
-/// are opposite quaternions but for rounding, at a quarter of the way.
+/// The largest norm that Arends' SLERP gives between rotations and the same after a whole turn,
+/// which are opposite quaternions but for rounding, at a quarter of the way.
 pub fn largest_norm() -> f32 {
     let norms = (1_u8..=90).map(|degrees| {
         let degrees = f32::from(degrees);

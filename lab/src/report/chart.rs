@@ -11,7 +11,8 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// A line chart. Every line has a colour of its own; one that would hide an earlier line is drawn in dashes over it.
+/// A line chart. Every line has a colour of its own; one that would hide an earlier line is drawn
+/// in dashes over it.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// Above the chart.
@@ -63,8 +64,8 @@ impl Chart {
             mesh.x_label_formatter(&|x| plain(*x)).y_label_formatter(&|y| plain(*y));
             mesh.bold_line_style(BLACK.mix(0.12)).label_style(("sans-serif", LETTERS));
             if self.logarithmic {
-                // Ticks at whole exponents, of which there is one more than there are decades; at every other one
-                // of many.
+                // Ticks at whole exponents, of which there is one more than there are decades; at
+                // every other one of many.
                 let decades = (y.1 - y.0) as usize;
                 mesh.y_labels(decades / (1 + decades / 17) + 1)
                     .y_label_formatter(&|exponent| power_of_ten(exponent.round() as i32))
@@ -111,7 +112,8 @@ fn plain(tick: f64) -> String {
     ((tick * 1e6).round() / 1e6).to_string()
 }
 
-/// As many as a chart has lines at most, none like another (after Okabe and Ito 2008, with three more).
+/// As many as a chart has lines at most, none like another (after Okabe and Ito 2008, with three
+/// more).
 const COLOURS: [(u8, u8, u8); 10] = [
     (0, 114, 178),
     (213, 94, 0),
@@ -128,7 +130,8 @@ const WIDTH: u32 = 1000;
 const HEIGHT: u32 = 400;
 /// Pixels at the right for the names of the lines.
 const LEGEND: u32 = 340;
-/// Heights of a line of text, of which letters have four fifths: read where the picture is 800 pixels wide.
+/// Heights of a line of text, of which letters have four fifths: read where the picture is 800
+/// pixels wide.
 const LETTERS: u32 = 16;
 const TITLE: u32 = 20;
 

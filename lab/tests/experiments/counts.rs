@@ -158,8 +158,8 @@ fn counting_inside_of_counting_is_apart() {
     assert_eq!(inner.map(|counts| (counts.additions, counts.multiplications)), Some((0, 1)));
 }
 
-/// Or the branches that are counted would not be those that are taken. Floats themselves have quicker forms,
-/// which are not what is counted.
+/// Or the branches that are counted would not be those that are taken. Floats themselves have
+/// quicker forms, which are not what is counted.
 #[test]
 fn counted_numbers_compute_what_floats_compute_by_the_book() {
     fn way<R: Real>() -> [f64; 8] {

@@ -30,7 +30,8 @@ proptest! {
         }
     }
 
-    /// 2 ∂ᵢ∂ⱼσ σ* = ∂ⱼJᵢ + ½JᵢJⱼ, whose vector part is ½[Jⱼ, Jᵢ] for j ≤ i.
+    /// 2 ∂ᵢ∂ⱼσ σ* = ∂ⱼJᵢ + ½JᵢJⱼ, whose vector part is ½[Jⱼ, Jᵢ] for j
+    /// ≤ i.
     #[test]
     fn second_derivatives_of_the_pose_are_half_the_brackets_of_screws(q in reals::<6>(3.0)) {
         let arm = Arm::example();

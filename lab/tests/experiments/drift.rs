@@ -104,8 +104,8 @@ fn the_end_of_orthonormal_matrices_is_off_by_more_than_that_of_normalized_dual_q
     }
 }
 
-/// Kenwright §10: matrices repaired "at each level (and at each update frame)", with a solver that sees
-/// them.
+/// Kenwright §10: matrices repaired "at each level (and at each update frame)", with a solver that
+/// sees them.
 fn repaired(order: Order, repair: Repair, closed: Loop) -> [Deviation; 2] {
     let run = [FRAMES, 1000];
     [

@@ -125,8 +125,8 @@ fn arends_slerp_breaks_where_the_report_says_and_dq8_does_not() {
     assert!(largest_norm() > 1.1, "{}", largest_norm());
 }
 
-/// What is nearer than 10⁻⁵ is equal to his code, which then gives the beginning; what is farther apart is not, and with
-/// a foreign angle becomes longer by √2.
+/// What is nearer than 10⁻⁵ is equal to his code, which then gives the beginning; what is
+/// farther apart is not, and with a foreign angle becomes longer by √2.
 #[test]
 fn arends_if_takes_for_equal_what_differs_by_no_more_than_a_hundred_thousandth() {
     let begin = Quat::from_wxyz([0.0_f64, 1.0, 0.0, 0.0]);

@@ -5,8 +5,8 @@ use core::f64::consts::{FRAC_PI_2, SQRT_2};
 use dq8::{DualQuat, Quat, scalar::MatrixError};
 use lab::arends::{side_by_side, slerp, slerp_formula};
 
-/// Equations 8 to 10: e v e⁻¹ mirrors v in the line e, so half the sum and half the difference with v
-/// are its parts along and across e.
+/// Equations 8 to 10: e v e⁻¹ mirrors v in the line e, so half the sum and half the difference
+/// with v are its parts along and across e.
 #[test]
 fn chapter_3_eqs_8_to_10_the_parts_of_a_vector_along_and_across_an_axis() {
     let (e, v) = ([2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0], [1.0, -2.0, 0.5]);
@@ -27,8 +27,8 @@ fn chapter_3_eqs_8_to_10_the_parts_of_a_vector_along_and_across_an_axis() {
     assert_close([dot(e, cross(across, turned)) / size], [1.1_f64.sin()], 1e-15);
 }
 
-/// (1,0,0,0) + ε(0, x, y, z) under q_t, step by step as the thesis has it. The daggers' bars are lost
-/// in print: his worked q_t† is p* − εq*.
+/// (1,0,0,0) + ε(0, x, y, z) under q_t, step by step as the thesis has it. The daggers' bars are
+/// lost in print: his worked q_t† is p* − εq*.
 #[test]
 fn chapter_4_section_4_translation_step_by_step() {
     let (v, t) = ([3.0, 1.0, -1.0], [2.0, -4.0, 6.0]);
@@ -52,7 +52,8 @@ fn chapter_4_section_4_erratum_rotation_times_translation_is_not_their_parts_sid
         assert_far((q_t * q_r).to_array(), printed.to_array());
         // It is not even a motion.
         assert!(!printed.is_unit(0.1));
-        // The product is r + ½ε r t: translate, then rotate. His code has ½ t r, the usual order.
+        // The product is r + ½ε r t: translate, then rotate. His code has ½ t r, the usual
+        // order.
         let translate_first = DualQuat::from_translation_rotation(t, r);
         assert_close((q_r * q_t).to_array(), translate_first.to_array(), 1e-14);
         let rotate_first = DualQuat::new(r, (pure(t) * r).scale(0.5));
@@ -77,8 +78,8 @@ fn chapter_5_section_6_2_reflection_is_q_p_q_with_the_normal_of_the_plane() {
     assert_eq!((j * p * j).scale(3.0), quat(0.0, 3.0, -3.0, 3.0));
 }
 
-/// Reflections, non-uniform scale and shear are no motions, so no dual quaternion holds them (§6 of
-/// chapter 5): the conversion from a matrix says so and names the rows.
+/// Reflections, non-uniform scale and shear are no motions, so no dual quaternion holds them (§6
+/// of chapter 5): the conversion from a matrix says so and names the rows.
 #[test]
 fn chapter_5_section_6_mirrors_scale_and_shear_are_no_dual_quaternions() {
     let rows = |x: [f64; 3], y: [f64; 3], z: [f64; 3]| [x, y, z].map(|[a, b, c]| [a, b, c, 0.0]);
@@ -92,7 +93,8 @@ fn chapter_5_section_6_mirrors_scale_and_shear_are_no_dual_quaternions() {
     assert_eq!(shear, MatrixError::NotOrthonormal { row: 1, column: 2, value: 1e-3 });
 }
 
-/// slerp(q, q, ½) with the angle 90° given beside them: he prints 2√2, it is √2, and must be 1.
+/// slerp(q, q, ½) with the angle 90° given beside them: he prints 2√2, it is √2, and must
+/// be 1.
 #[test]
 fn chapter_6_erratum_slerp_between_equal_quaternions_with_a_foreign_angle_gives_root_two() {
     let q = quat(0.0, 1.0, 0.0, 0.0);
@@ -117,7 +119,8 @@ fn chapter_6_interpolation_between_equal_motions_stays_there() {
     }
 }
 
-/// His test for equality looks at x, y and z; w alone may differ, in sign. Then he stays at the beginning.
+/// His test for equality looks at x, y and z; w alone may differ, in sign. Then he stays at the
+/// beginning.
 #[test]
 fn chapter_6_erratum_quaternions_with_equal_vector_parts_need_not_be_equal() {
     let [a, b] = [0.6, -0.6].map(|w| DualQuat::from_rotation(quat(w, 0.8, 0.0, 0.0)));

@@ -70,8 +70,8 @@ fn chapter_2_section_2_the_three_matrices_turn_about_their_axes_and_do_not_commu
     assert_far(product(turn_x, turn_y)[0], product(turn_y, turn_x)[0]);
 }
 
-/// "First about x, then y, then z: Rx(φ) Ry(θ) Rz(ψ) (x, y, z)". On a column the right factor acts
-/// first: about z, then y, then x. About axes that turn along it is x, y, z, as he says.
+/// "First about x, then y, then z: Rx(φ) Ry(θ) Rz(ψ) (x, y, z)". On a column the right factor
+/// acts first: about z, then y, then x. About axes that turn along it is x, y, z, as he says.
 #[test]
 fn chapter_2_section_2_erratum_his_product_turns_about_the_fixed_z_first() {
     let (phi, theta, psi, v) = (0.7, -1.1, 0.4, [3.0, 1.0, -2.0]);
@@ -113,8 +113,8 @@ fn chapter_2_section_5_erratum_at_minus_90_degrees_the_difference_is_left() {
     assert_far(motion.to_matrix3x4()[1], locked(0.95, 0.15).to_matrix3x4()[1]);
 }
 
-/// Printed: Refl(v) = 2 (v·l)/(l·l) l. That is twice the part along l; the mirror image in the line l
-/// is v less, and keeps lengths.
+/// Printed: Refl(v) = 2 (v·l)/(l·l) l. That is twice the part along l; the mirror image in the
+/// line l is v less, and keeps lengths.
 #[test]
 fn chapter_2_section_7_2_erratum_the_reflection_in_a_line_needs_minus_v() {
     let (l, v) = ([2.0, 6.0, -3.0], [1.0, -2.0, 0.5]);

@@ -23,8 +23,8 @@ fn chapter_3_eqs_5_and_6_products_of_vectors_hold_cosine_and_sine_of_their_angle
     assert_close((pure(a) * inverse).to_array(), quotient.to_array(), 1e-15);
 }
 
-/// sin((1−t)Ω)/sin Ω q₁ + sin(tΩ)/sin Ω q₂: in the plane, a vector at tΩ; in four dimensions, what
-/// screw interpolation makes of rotations.
+/// sin((1−t)Ω)/sin Ω q₁ + sin(tΩ)/sin Ω q₂: in the plane, a vector at tΩ; in four
+/// dimensions, what screw interpolation makes of rotations.
 #[test]
 fn chapter_3_section_3_slerp_goes_along_the_circle_and_is_sclerp_without_translation() {
     let [a, b] = motions().map(DualQuat::rotation);
@@ -55,8 +55,8 @@ fn chapter_3_section_4_erratum_to_normalize_is_not_to_drop_the_real_part() {
     assert_close([rotated.w()], [0.0], 1e-15);
 }
 
-/// p′ = βqpq⁻¹. For a point 1 + εv it is β + εβv′: scaled in the dual part as he reads it, the same
-/// point as before where the real part is divided by.
+/// p′ = βqpq⁻¹. For a point 1 + εv it is β + εβv′: scaled in the dual part as he reads
+/// it, the same point as before where the real part is divided by.
 #[test]
 fn chapter_5_section_6_1_a_factor_scales_the_dual_part_of_a_point() {
     let ([s, _], v, beta) = (motions(), [3.0, 1.0, -1.0], 2.5);
@@ -71,7 +71,8 @@ fn chapter_5_section_6_1_a_factor_scales_the_dual_part_of_a_point() {
     assert_close(scaled.to_array(), pure(r.rotate(v).map(|c| beta * c)).to_array(), 1e-14);
 }
 
-/// (p₀q₀, p₁q₁, p₂q₂, p₃q₃) scales along the axes; turned along with its factors it is another map.
+/// (p₀q₀, p₁q₁, p₂q₂, p₃q₃) scales along the axes; turned along with its factors it
+/// is another map.
 #[test]
 fn chapter_5_section_6_1_the_product_by_components_depends_on_the_axes() {
     let (beta, v) = ([2.0, 3.0, 5.0], [1.0, -1.0, 0.5]);
@@ -82,8 +83,8 @@ fn chapter_5_section_6_1_the_product_by_components_depends_on_the_axes() {
     assert_close(cross(r.rotate(beta), r.rotate(v)), r.rotate(cross(beta, v)), 1e-14);
 }
 
-/// "With dual quaternions this can be done too." n(1 + εv)n = −1 + ε nvn has the mirror image in its
-/// dual part; as a point, divided by −1, it is half a turn about n, and no mirror.
+/// "With dual quaternions this can be done too." n(1 + εv)n = −1 + ε nvn has the mirror image
+/// in its dual part; as a point, divided by −1, it is half a turn about n, and no mirror.
 #[test]
 fn chapter_5_section_6_2_a_reflected_point_is_one_by_its_dual_part_only() {
     let (n, v) = ([2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0], [1.0, -2.0, 0.5]);
@@ -94,13 +95,15 @@ fn chapter_5_section_6_2_a_reflected_point_is_one_by_its_dual_part_only() {
     assert_close(reflected.real().to_array(), negative.to_array(), 1e-15);
     assert_close(reflected.dual().to_array(), pure(mirror).to_array(), 1e-15);
     assert_close(mirror.map(|c| -c), normal.transform_point(v), 1e-15);
-    // His example mirrors in the plane of x and z; in the x-axis itself (1,1,1) goes to (1,−1,−1).
+    // His example mirrors in the plane of x and z; in the x-axis itself (1,1,1) goes to
+    // (1,−1,−1).
     let half_turn = quat(0.0, 1.0, 0.0, 0.0);
     assert_eq!(half_turn.rotate([1.0; 3]), [1.0, -1.0, -1.0]);
 }
 
-/// glRotatef(90, z), glRotatef(45, y), line to (0,1,0): the second turn "is not carried out, by gimbal
-/// lock". OpenGL multiplies from the right, so it acts first, about the axis on which the vector lies.
+/// glRotatef(90, z), glRotatef(45, y), line to (0,1,0): the second turn "is not carried out, by
+/// gimbal lock". OpenGL multiplies from the right, so it acts first, about the axis on which the
+/// vector lies.
 #[test]
 fn chapter_6_erratum_the_turn_that_opengl_ignores_is_about_the_vector_itself() {
     let [about_z, about_y] = [(Z, FRAC_PI_2), (Y, FRAC_PI_4)]
@@ -112,8 +115,8 @@ fn chapter_6_erratum_the_turn_that_opengl_ignores_is_about_the_vector_itself() {
     assert_far((about_y * about_z).transform_vector(Y), about_z.transform_vector(Y));
 }
 
-/// "(1,0,0) gets to (0,1,0) by 90° about z, or by 90° about y and then x. Quaternions do not have this
-/// problem": they have, because the two are different rotations.
+/// "(1,0,0) gets to (0,1,0) by 90° about z, or by 90° about y and then x. Quaternions do not have
+/// this problem": they have, because the two are different rotations.
 #[test]
 fn conclusion_erratum_quaternions_have_many_rotations_between_two_vectors_too() {
     let quarter = |axis| Quat::from_axis_angle(axis, FRAC_PI_2);
@@ -140,7 +143,8 @@ fn appendix_a_dqtransform_rotates_and_then_translates() {
     assert_close(both.to_array(), motion.to_array(), 1e-15);
 }
 
-/// DEG2RAD is 3.14159/180: over a turn 5·10⁻⁶ are missing, ten times what a float loses by rounding.
+/// DEG2RAD is 3.14159/180: over a turn 5·10⁻⁶ are missing, ten times what a float loses by
+/// rounding.
 #[test]
 fn appendix_a_erratum_degrees_are_short_by_eight_ten_millionths() {
     let turn = radians(360.0);

@@ -1,5 +1,5 @@
-//! B. Arends, thesis (Dutch), chapters 3, 5 and 6: what sums of products can do and single ones cannot, and
-//! how fast his vectors turn.
+//! B. Arends, thesis (Dutch), chapters 3, 5 and 6: what sums of products can do and single ones
+//! cannot, and how fast his vectors turn.
 
 use crate::{add, assert_close, assert_far, cross, dot, length, motions, point, pure, quat};
 use core::f64::consts::FRAC_PI_2;
@@ -14,8 +14,9 @@ fn sandwiched(e: [f64; 3], p: [f64; 3]) -> [f64; 3] {
     (pure(e) * pure(p) * pure(e).conjugate()).xyz()
 }
 
-/// Ch. 5 §6.1: "non-uniform scaling cannot be done with quaternions". His own eq. 8 takes a vector apart into
-/// what is across and along e, ½(p ∓ epe⁻¹); with a factor on the one it is scaled along e.
+/// Ch. 5 §6.1: "non-uniform scaling cannot be done with quaternions". His own eq. 8 takes a vector
+/// apart into what is across and along e, ½(p ∓ epe⁻¹); with a factor on the one it is scaled
+/// along e.
 #[test]
 fn chapter_5_section_6_1_erratum_equation_8_scales_along_an_axis() {
     assert_eq!(scaled_along([1.0, 0.0, 0.0], [3.0, -2.0, 5.0], 2.5), [7.5, -2.0, 5.0]);
@@ -24,8 +25,8 @@ fn chapter_5_section_6_1_erratum_equation_8_scales_along_an_axis() {
     assert_close(scaled_along(e, p, beta), add(p, e.map(|c| (beta - 1.0) * dot(e, p) * c)), 4e-15);
 }
 
-/// Ch. 5 §6.3: "no quaternion of any kind shears". p + (a/2)(p + jpj⁻¹)k adds a times the part along j,
-/// turned to i: x′ = x + ay.
+/// Ch. 5 §6.3: "no quaternion of any kind shears". p + (a/2)(p + jpj⁻¹)k adds a times the part
+/// along j, turned to i: x′ = x + ay.
 #[test]
 fn chapter_5_section_6_3_erratum_a_sum_of_products_shears() {
     let a = 0.7;
@@ -34,8 +35,8 @@ fn chapter_5_section_6_3_erratum_a_sum_of_products_shears() {
     }
 }
 
-/// What is true of both: |apb| = |a||p||b|, so a *single* product with whatever factors lengthens all vectors
-/// alike.
+/// What is true of both: |apb| = |a||p||b|, so a *single* product with whatever factors lengthens
+/// all vectors alike.
 #[test]
 fn chapter_5_section_6_no_single_product_scales_unevenly_or_shears() {
     for (a, b) in [
@@ -51,8 +52,9 @@ fn chapter_5_section_6_no_single_product_scales_unevenly_or_shears() {
     assert_far([length([2.5, 0.0, 0.0])], [length([0.0, 1.0, 0.0])]);
 }
 
-/// Ch. 5 §6.1, the attempt with the dual part: a × b + c × d "cannot be β∘b" because of the missing terms. The
-/// sum can be any vector; what cannot be is that b ↦ a × b scales, as a × b is skew in b.
+/// Ch. 5 §6.1, the attempt with the dual part: a × b + c × d "cannot be β∘b" because of the
+/// missing terms. The sum can be any vector; what cannot be is that b ↦ a × b scales, as a × b
+/// is skew in b.
 #[test]
 fn chapter_5_section_6_1_two_cross_products_can_be_any_vector_but_no_scale() {
     let wanted = [2.0, 3.0, 5.0];
@@ -69,13 +71,14 @@ fn chapter_5_section_6_1_two_cross_products_can_be_any_vector_but_no_scale() {
     }
 }
 
-/// Ch. 3 §2, the steps before eq. 8: |q| = x² + y² + z² is called absolute value there and is its square;
-/// eq. 7; and the mirror image.
+/// Ch. 3 §2, the steps before eq. 8: |q| = x² + y² + z² is called absolute value there and is
+/// its square; eq. 7; and the mirror image.
 #[test]
 fn chapter_3_erratum_the_absolute_value_is_the_root_and_equation_7_needs_the_norm_of_q2() {
     let q2 = [1.0, -2.0, 0.5];
     assert_close([pure(q2).norm()], [5.25_f64.sqrt()], 1e-15);
-    // e q₂⁻¹ = (cos α + f sin α)/‖q₂‖ with e·q₂ = ‖q₂‖ cos α and f along q₂ × e.
+    // e q₂⁻¹ = (cos α + f sin α)/‖q₂‖ with e·q₂ = ‖q₂‖ cos α and f along
+    // q₂ × e.
     let e = [2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0];
     let inverse = pure(q2).conjugate().scale(1.0 / dot(q2, q2));
     let across = cross(q2, e);
@@ -90,7 +93,8 @@ fn chapter_3_erratum_the_absolute_value_is_the_root_and_equation_7_needs_the_nor
     assert_close(add(q2, mirrored), e.map(|c| 2.0 * dot(e, q2) * c), 1e-15);
 }
 
-/// Eqs. 6 and 9: q₁q₂⁻¹ has −e sin α with e along q₁ × q₂; eq. 9 has + e sin θ, for the turn from 2 to 1.
+/// Eqs. 6 and 9: q₁q₂⁻¹ has −e sin α with e along q₁ × q₂; eq. 9 has + e sin θ, for
+/// the turn from 2 to 1.
 #[test]
 fn chapter_3_eq_6_and_eq_9_have_the_sign_of_the_turn_from_the_second_to_the_first() {
     let (q2, e, angle) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 0.7_f64);
@@ -112,8 +116,8 @@ fn chapter_3_section_4_quaternions_leave_the_origin_where_it_is() {
     assert_far(s.transform_point([0.0; 3]), [0.0; 3]);
 }
 
-/// Ch. 6: "the vector that turns by SLERP turns much faster than all others". It is told to: `t += 0.0175`
-/// of a quarter turn is 1.575° a frame, `rotate_angle += 1.0` is 1°.
+/// Ch. 6: "the vector that turns by SLERP turns much faster than all others". It is told to:
+/// `t += 0.0175` of a quarter turn is 1.575° a frame, `rotate_angle += 1.0` is 1°.
 #[test]
 fn chapter_6_erratum_the_vector_of_slerp_is_faster_because_it_is_told_to_be() {
     assert_close([SLERP_STEP * SLERP_ARC], [1.575], 1e-12);
@@ -135,7 +139,8 @@ fn chapter_6_erratum_the_vector_of_slerp_is_faster_because_it_is_told_to_be() {
     }
 }
 
-/// Appendix A, `quaternionRotation`: cos ½θ and n sin ½θ of an axis that it normalizes, and qpq*.
+/// Appendix A, `quaternionRotation`: cos ½θ and n sin ½θ of an axis that it normalizes, and
+/// qpq*.
 #[test]
 fn appendix_a_quaternion_rotation_turns_by_the_angle_about_the_axis() {
     let (axis, angle, p) = ([3.0, 0.0, 4.0], 1.2_f64, [0.0, 0.9, 0.0]);

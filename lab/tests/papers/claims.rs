@@ -1,5 +1,6 @@
-//! `docs/claims.md` against the tests: every section of every source has a row, every row a verdict and a name of its own,
-//! every test it names exists, and `lab/mutations.toml` says what falsifies it.
+//! `docs/claims.md` against the tests: every section of every source has a row, every row a verdict
+//! and a name of its own, every test it names exists, and `lab/mutations.toml` says what falsifies
+//! it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -163,8 +164,9 @@ fn every_verdict_on_the_matter_names_a_place() {
     assert!(lines.is_empty(), "{}", lines.join("\n"));
 }
 
-/// The rows that a change of the library or of the laboratory falsifies, or that say why there is none.
-/// `scripts/falsify.py --check` looks closer, at the tests, and without `--check` makes the changes.
+/// The rows that a change of the library or of the laboratory falsifies, or that say why there is
+/// none. `scripts/falsify.py --check` looks closer, at the tests, and without `--check` makes the
+/// changes.
 fn accounted_for() -> BTreeSet<String> {
     let table = read("lab/mutations.toml");
     let mut names = BTreeSet::new();

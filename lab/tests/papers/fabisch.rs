@@ -76,7 +76,8 @@ fn the_other_inverse_root_of_a_dual_number_is_its_negative() {
     }
 }
 
-/// He prints p₁q₂ + p₂q₁. Quaternions do not commute: it is p₁q₂ + q₁p₂, as his norm has it.
+/// He prints p₁q₂ + p₂q₁. Quaternions do not commute: it is p₁q₂ + q₁p₂, as his
+/// norm has it.
 #[test]
 fn dual_quaternion_product_erratum_the_dual_part_keeps_the_order_of_its_factors() {
     let other = DualQuat::from_wxyz([0.5, -1.0, 2.0, 0.25, 1.5, 0.75, -0.5, 1.0]);
@@ -130,8 +131,8 @@ fn side_note_two_solutions_the_other_sign_is_the_same_motion() {
     assert_close(plus.transform_point(v), minus.transform_point(v), 1e-15);
 }
 
-/// He proposes p = 1 and omits it. A motion made up from nothing would hide the fault, so here it is
-/// an error from the checked call and NaN, as in his Out [12], from the other.
+/// He proposes p = 1 and omits it. A motion made up from nothing would hide the fault, so here it
+/// is an error from the checked call and NaN, as in his Out [12], from the other.
 #[test]
 fn out_12_the_edge_case_p_is_zero_is_an_error() {
     let only_dual = DualQuat::new(Quat::ZERO, sigma().dual());

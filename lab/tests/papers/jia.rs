@@ -166,8 +166,8 @@ fn eqs_20_and_21_a_displacement_is_unit_and_its_inverse_the_conjugate() {
     }
 }
 
-/// Both conditions' gradients, (2p, 0) and (q, p), are independent wherever p is not 0: 8 − 2 = 6. The
-/// six twists span what they leave.
+/// Both conditions' gradients, (2p, 0) and (q, p), are independent wherever p is not 0:
+/// 8 − 2 = 6. The six twists span what they leave.
 #[test]
 fn section_6_unit_dual_quaternions_have_six_degrees_of_freedom() {
     for s in motions() {

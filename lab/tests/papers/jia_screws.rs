@@ -153,8 +153,8 @@ fn eqs_37_and_38_every_form_of_the_moment_is_the_same() {
     }
 }
 
-/// §8.2 has the moment infinite "when θ = 0 or π". At π the cotangent is 0: half a turn about the
-/// vertical through (1,2,0), up by 3.
+/// §8.2 has the moment infinite "when θ = 0 or π". At π the cotangent is 0: half a turn about
+/// the vertical through (1,2,0), up by 3.
 #[test]
 fn eq_37_erratum_the_moment_is_finite_at_half_a_turn() {
     let half_turn = Quat::from_wxyz([0.0, 0.0, 0.0, 1.0]);
@@ -188,7 +188,8 @@ fn eq_44_a_power_keeps_the_axis_and_scales_angle_and_slide() {
     }
 }
 
-/// A turn at the angular velocity ω of space, not of the body, from r₀, and a shift at v from t₀.
+/// A turn at the angular velocity ω of space, not of the body, from r₀, and a shift at v from
+/// t₀.
 #[test]
 fn eq_45_the_derivative_takes_the_angular_velocity_of_space() {
     let (omega, v) = ([0.3, -0.8, 0.5], [1.0, 0.25, -2.0]);
@@ -227,8 +228,8 @@ fn section_10_the_difference_of_two_motions_holds_that_of_their_translations() {
     assert_close((a.inverse() * b).to_array(), wanted.to_array(), 1e-15);
 }
 
-/// §10 ends with cos + l sin + ε(τd/2)(−sin + l cos), angles τθ/2: that is the screw about the
-/// parallel through the origin. The term ε sin(τθ/2) m is missing.
+/// §10 ends with cos + l sin + ε(τd/2)(−sin + l cos), angles τθ/2: that is the screw about
+/// the parallel through the origin. The term ε sin(τθ/2) m is missing.
 #[test]
 fn section_10_erratum_screw_interpolation_needs_the_moment_term() {
     let [a, b] = motions();

@@ -79,8 +79,8 @@ fn product(a: Matrix, b: Matrix) -> Matrix {
     core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)))
 }
 
-/// The matrices X, Y and Z of §3.3, each behind the one before: `CreateFromYawPitchRoll` rolls about
-/// z first, then pitches about x, then yaws about y; the translation comes last.
+/// The matrices X, Y and Z of §3.3, each behind the one before: `CreateFromYawPitchRoll` rolls
+/// about z first, then pitches about x, then yaws about y; the translation comes last.
 fn xna_matrix([yaw, pitch, roll]: [f64; 3], [tx, ty, tz]: [f64; 3]) -> Matrix {
     let ((sx, cx), (sy, cy), (sz, cz)) = (pitch.sin_cos(), yaw.sin_cos(), roll.sin_cos());
     let last = [0.0, 0.0, 0.0, 1.0];
@@ -175,7 +175,8 @@ fn appendix_dot_is_the_real_part_of_the_dual_dot() {
     assert_eq!(a.dot(b).real, a.real().dot(b.real()));
 }
 
-/// §11 counts 42 multiplications and 38 additions. Three quaternion products of 16 and 12, and a sum:
+/// §11 counts 42 multiplications and 38 additions. Three quaternion products of 16 and 12, and a
+/// sum:
 #[test]
 fn section_11_erratum_a_product_takes_48_multiplications_and_40_additions() {
     /// e_i e_j = ±e_k over 1, i, j, k: k and the sign.

@@ -1,13 +1,13 @@
-//! B. Kenwright, *A Beginners Guide to Dual-Quaternions*, §13.1: what his class does that its formulas do not
-//! say.
+//! B. Kenwright, *A Beginners Guide to Dual-Quaternions*, §13.1: what his class does that its
+//! formulas do not say.
 
 use crate::{assert_close, assert_far, motions};
 use core::cell::Cell;
 use dq8::{DualQuat, Quat};
 use lab::kenwright::{Object, constructor, times};
 
-/// `operator +` goes through the constructor. Two poses in the same place, two radians apart, mixed half
-/// and half, are elsewhere: 10 cos ½ · cos ½ · 2 is not 10.
+/// `operator +` goes through the constructor. Two poses in the same place, two radians apart, mixed
+/// half and half, are elsewhere: 10 cos ½ · cos ½ · 2 is not 10.
 #[test]
 fn appendix_erratum_a_sum_through_the_constructor_is_no_sum() {
     let place = [10.0, 0.0, 0.0];
@@ -28,8 +28,9 @@ fn appendix_erratum_a_sum_through_the_constructor_is_no_sum() {
     assert_far(sum.to_array(), (c + d).to_array());
 }
 
-/// `public class`: `DualQuaternion_c ret = q; ret.m_real *= scale` writes into q, as here through an `Rc`. So
-/// `q * scale`, `Normalize(q)`, and by it `DualQuaternionToMatrix(q)`, change their argument.
+/// `public class`: `DualQuaternion_c ret = q; ret.m_real *= scale` writes into q, as here through
+/// an `Rc`. So `q * scale`, `Normalize(q)`, and by it `DualQuaternionToMatrix(q)`, change their
+/// argument.
 #[test]
 fn appendix_erratum_a_class_is_a_reference_and_operators_change_their_argument() {
     let [unit, _] = motions();
@@ -43,8 +44,8 @@ fn appendix_erratum_a_class_is_a_reference_and_operators_change_their_argument()
     assert_eq!((kept, twice), (unit, unit.scale(2.0)));
 }
 
-/// `Assert(mag > 0.000001f)` with mag the *square*: lengths below 10⁻³ are refused. dq8 normalizes as long
-/// as the length is a number above zero.
+/// `Assert(mag > 0.000001f)` with mag the *square*: lengths below 10⁻³ are refused. dq8
+/// normalizes as long as the length is a number above zero.
 #[test]
 fn appendix_the_assertion_refuses_lengths_that_dq8_normalizes() {
     let refused = |q: DualQuat<f64>| q.real().dot(q.real()) <= 0.000_001;

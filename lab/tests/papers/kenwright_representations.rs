@@ -1,4 +1,5 @@
-//! B. Kenwright, *A Beginners Guide to Dual-Quaternions*, §§3–6: what he compares dual quaternions with.
+//! B. Kenwright, *A Beginners Guide to Dual-Quaternions*, §§3–6: what he compares dual
+//! quaternions with.
 
 use crate::{assert_close, assert_far, motions};
 use core::f64::consts::{PI, TAU};
@@ -64,7 +65,8 @@ fn section_3_3_neighbours_can_have_angles_a_whole_turn_apart() {
 fn section_3_3_4_a_straight_line_in_euler_angles_is_no_shortest_way() {
     let ends = [[0.1, 0.2, -0.3], [1.8, -1.2, 2.0]];
     assert!(detour(euler, ends) > 1.1, "{}", detour(euler, ends));
-    // Across gimbal lock, 0.04 radians to the other side, two angles jump by half a turn: to π or −π.
+    // Across gimbal lock, 0.04 radians to the other side, two angles jump by half a turn: to π or
+    // −π.
     let near = PI / 2.0 - 0.02;
     let across = |last| detour(euler, [[0.0, near, 0.0], [PI, near, last]]);
     assert_close([across(PI)], [PI / 2.0], 1e-3);
@@ -73,8 +75,8 @@ fn section_3_3_4_a_straight_line_in_euler_angles_is_no_shortest_way() {
     assert_close([detour(euler, [[0.1, 0.0, 0.0], [1.8, 0.0, 0.0]])], [1.0], 1e-12);
 }
 
-/// At 90° about y the three Euler angles turn about two axes only; the dual quaternion there has all six
-/// ways to go, as everywhere.
+/// At 90° about y the three Euler angles turn about two axes only; the dual quaternion there has
+/// all six ways to go, as everywhere.
 #[test]
 fn sections_3_3_3_and_8_dual_quaternions_have_no_gimbal_lock() {
     let slopes = |[x, y, z]: [f64; 3]| {
@@ -99,8 +101,8 @@ fn sections_3_3_3_and_8_dual_quaternions_have_no_gimbal_lock() {
     }
 }
 
-/// "Ill-conditioned": near gimbal lock a turn by 10⁻⁹ changes the outer angles by as much over the distance
-/// from it, and the middle one by no more than itself.
+/// "Ill-conditioned": near gimbal lock a turn by 10⁻⁹ changes the outer angles by as much over
+/// the distance from it, and the middle one by no more than itself.
 #[test]
 fn section_3_3_3_near_gimbal_lock_the_outer_angles_lose_digits() {
     let order = EulerOrder { axes: EulerAxes::XYZ, frame: EulerFrame::Extrinsic };
@@ -116,8 +118,8 @@ fn section_3_3_3_near_gimbal_lock_the_outer_angles_lose_digits() {
     }
 }
 
-/// "Small errors creep in": combined through quaternions a thousand times in single precision, the angle
-/// is off by many times what one conversion loses.
+/// "Small errors creep in": combined through quaternions a thousand times in single precision, the
+/// angle is off by many times what one conversion loses.
 #[test]
 fn section_3_4_2_errors_of_the_angle_accumulate() {
     let (axis, step) = ([0.48_f32, 0.6, 0.64], 1e-3_f32);
@@ -171,7 +173,8 @@ fn section_3_5_the_columns_are_the_turned_axes_and_the_moved_origin() {
     }
 }
 
-/// "The most compact form": eight numbers are fewer than twelve, and one more than quaternion and vector.
+/// "The most compact form": eight numbers are fewer than twelve, and one more than quaternion and
+/// vector.
 #[test]
 fn section_4_erratum_eight_numbers_are_not_the_fewest() {
     let float = size_of::<f32>();
@@ -194,8 +197,9 @@ fn section_5_2_the_normalized_dual_part_of_a_point_on_a_curve_is_its_tangent() {
     assert_close(dual.map(|c| c / norm), tangent, 1e-15);
 }
 
-/// "The SLERP properties of quaternions are inherited": with the angle for a dual number, as in slerp
-/// written over dual numbers. With the angle of the rotation alone it is no motion between the ends.
+/// "The SLERP properties of quaternions are inherited": with the angle for a dual number, as in
+/// slerp written over dual numbers. With the angle of the rotation alone it is no motion between
+/// the ends.
 #[test]
 fn section_6_2_slerp_is_inherited_with_the_dual_angle_only() {
     let [a, b] = motions();

@@ -1,6 +1,6 @@
 //! The worked examples of the papers that dq8 implements, and what they get wrong put right. One
-//! module per paper; names of tests cite equation, slide or section. `claims` holds the list of all claims,
-//! `docs/claims.md`, to the tests that exist.
+//! module per paper; names of tests cite equation, slide or section. `claims` holds the list of all
+//! claims, `docs/claims.md`, to the tests that exist.
 
 mod arends;
 mod arends_matrices;

@@ -90,7 +90,8 @@ fn slides_117_and_118_points_translate_and_rotate() {
     assert_eq!(rotation.transform_point(v), [-1.0, 3.0, 1.0]);
 }
 
-/// Unit and orthogonal are the motions: r + ½εtr of whichever r and t is, and from what is it comes back.
+/// Unit and orthogonal are the motions: r + ½εtr of whichever r and t is, and from what is it
+/// comes back.
 #[test]
 fn slide_112_unit_and_orthogonal_are_the_roto_translations_and_no_others() {
     for s in motions() {
@@ -98,7 +99,8 @@ fn slide_112_unit_and_orthogonal_are_the_roto_translations_and_no_others() {
         let again = DualQuat::from_rotation_translation(s.rotation(), s.translation());
         assert_close(again.to_array(), s.to_array(), 1e-15);
     }
-    // Without either condition the parts do not make it again, and points are not where parts put them.
+    // Without either condition the parts do not make it again, and points are not where parts put
+    // them.
     let [s, _] = motions();
     let long = s.scale(1.5);
     let slanted = DualQuat::new(s.real(), s.dual() + s.real().scale(0.5));
@@ -178,7 +180,8 @@ fn slide_124_opposite_dual_quaternions_are_the_same_motion() {
     }
 }
 
-/// What moves nothing commutes with i, j and k, and only real numbers do: so σ⁻¹τ is ±1, and τ = ±σ.
+/// What moves nothing commutes with i, j and k, and only real numbers do: so σ⁻¹τ is ±1, and
+/// τ = ±σ.
 #[test]
 fn slide_124_there_is_no_third_dual_quaternion_of_a_motion() {
     let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(pure);

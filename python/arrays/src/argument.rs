@@ -13,8 +13,8 @@ use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyWeakrefReference};
 
-/// An argument of a call. All are made before one becomes an [`Input`]: code of the caller may run when one is made
-/// ([`plain`](crate::plain::plain)), and none does afterwards.
+/// An argument of a call. All are made before one becomes an [`Input`]: code of the caller may run
+/// when one is made ([`plain`](crate::plain::plain)), and none does afterwards.
 #[derive(Clone, Debug)]
 pub struct Argument<'py> {
     name: &'static str,
@@ -81,8 +81,8 @@ impl<'py> Argument<'py> {
     }
 }
 
-/// An argument as memory: one element after the other. What is checked is a view that nobody else has, so it stays as
-/// it was checked.
+/// An argument as memory: one element after the other. What is checked is a view that nobody else
+/// has, so it stays as it was checked.
 pub struct Input<'py, R: Number> {
     array: PyReadonlyArrayDyn<'py, R>,
     /// The dimensions before those of one element, and 1 for what has no stride.
@@ -92,8 +92,8 @@ pub struct Input<'py, R: Number> {
 }
 
 impl<'py, R: Number> Input<'py, R> {
-    /// The array of an argument, without a copy if it lies one element after the other, for a call during which other
-    /// threads of Python run.
+    /// The array of an argument, without a copy if it lies one element after the other, for a call
+    /// during which other threads of Python run.
     pub fn of(argument: &Argument<'py>) -> PyResult<Self> {
         Ok(Self::attached(argument)?.held())
     }
@@ -160,8 +160,8 @@ impl<'py, R: Number> Input<'py, R> {
         [&self.full_leading[..], core].concat()
     }
 
-    /// The leading dimensions of the argument, where [`leading`](Self::leading) may have a 1 for one that
-    /// has no stride.
+    /// The leading dimensions of the argument, where [`leading`](Self::leading) may have a 1 for
+    /// one that has no stride.
     pub fn full_leading(&self) -> &[usize] {
         &self.full_leading
     }
@@ -232,7 +232,8 @@ impl<'py, R: Number> Input<'py, R> {
     }
 }
 
-/// Whether a call computes in `f32`: if all its arrays are `f32` or narrower. Python's numbers do not count.
+/// Whether a call computes in `f32`: if all its arrays are `f32` or narrower. Python's numbers do
+/// not count.
 pub fn is_single<'a, 'py: 'a>(arguments: impl IntoIterator<Item = &'a Argument<'py>>) -> bool {
     let mut arrays = arguments.into_iter().filter(|argument| !argument.number).peekable();
     arrays.peek().is_some() && arrays.all(|array| matches!(array.dtype(), (b'f', 2 | 4)))
@@ -270,7 +271,8 @@ fn extent<R: Number>(array: &Bound<'_, PyArrayDyn<R>>) -> (usize, usize) {
     (low, high)
 }
 
-/// The line of docstrings that says the dtype of results, where [`is_single`] decides it of all arguments.
+/// The line of docstrings that says the dtype of results, where [`is_single`] decides it of all
+/// arguments.
 #[macro_export]
 macro_rules! common_dtype {
     () => {

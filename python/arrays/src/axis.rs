@@ -1,4 +1,5 @@
-//! [`Axis`]: the dimension that a function goes along. Kernels have it last, before the numbers of an element.
+//! [`Axis`]: the dimension that a function goes along. Kernels have it last, before the numbers of
+//! an element.
 
 use crate::argument::Argument;
 use crate::call::Answer;
@@ -15,7 +16,8 @@ use pyo3::types::PyTuple;
 pub struct Axis(usize);
 
 impl Axis {
-    /// What Python calls so, of an array of elements whose shape is `expected`; from its last dimension where it is negative.
+    /// What Python calls so, of an array of elements whose shape is `expected`; from its last
+    /// dimension where it is negative.
     pub fn of(array: &Argument<'_>, axis: isize, expected: &str) -> PyResult<Self> {
         let (name, shape) = (array.name(), array.shape());
         let Some(leading) = shape.strip_suffix(array.core()).filter(|it| !it.is_empty()) else {
@@ -31,7 +33,8 @@ impl Axis {
         })
     }
 
-    /// `array` with `count` dimensions from this one on behind all others but the last `core`, as kernels have them.
+    /// `array` with `count` dimensions from this one on behind all others but the last `core`, as
+    /// kernels have them.
     pub fn last<'py>(self, array: &Bound<'py, PyAny>, count: usize, core: usize) -> Answer<'py> {
         self.permuted(array, core, |axes| axes.rotate_left(count))
     }
@@ -68,7 +71,8 @@ impl Axis {
         shape
     }
 
-    /// A result of a kernel, whose shape is `made`: what `write` makes of `out` as the kernel has it, as Python has it.
+    /// A result of a kernel, whose shape is `made`: what `write` makes of `out` as the kernel has
+    /// it, as Python has it.
     pub fn written<'py>(
         self,
         out: Option<&Bound<'py, PyAny>>,

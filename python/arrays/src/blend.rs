@@ -1,5 +1,5 @@
-//! Blends: means of `count` motions each. Of few, lanes are blends, whose influences lie apart in memory; of
-//! many, lanes are influences.
+//! Blends: means of `count` motions each. Of few, lanes are blends, whose influences lie apart in
+//! memory; of many, lanes are influences.
 
 use crate::law::load;
 use crate::number::Number;
@@ -9,8 +9,8 @@ use dq8::{
     Backend, DualQuat, Kernel, Lanes, Level, Real, Twist, batch, geometry::DualVector, storage,
 };
 
-/// From so many influences on, lanes are influences: a blend is then some registers of them, and what is
-/// left empty at the end does not count.
+/// From so many influences on, lanes are influences: a blend is then some registers of them, and
+/// what is left empty at the end does not count.
 const MANY: usize = 64;
 
 /// Which mean.
@@ -31,7 +31,8 @@ impl Mean {
     }
 }
 
-/// What is blended: `count` motions for each result; those of one begin `apart` motions after those of the one before.
+/// What is blended: `count` motions for each result; those of one begin `apart` motions after those
+/// of the one before.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Influences<'s, R> {
     pub(crate) count: usize,
@@ -165,7 +166,8 @@ fn length<R: Number>([x, y, z]: [R; 3]) -> R {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// Σ ±wᵢσᵢ with the signs toward the pivot, Σ wᵢ, and the length of the longest dual part.
+/// Σ ±wᵢσᵢ with the signs toward the pivot, Σ wᵢ, and the length of the longest dual
+/// part.
 struct Linear<'s, R> {
     pivot: [R; 8],
     motions: &'s [[R; 8]],

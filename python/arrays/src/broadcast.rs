@@ -27,8 +27,9 @@ struct Repeat {
 }
 
 impl Broadcast {
-    /// Of arguments with these leading dimensions; `None` if they do not fit each other. `once` are the same
-    /// dimensions, with a 1 for each along which memory has one element, repeated without a stride.
+    /// Of arguments with these leading dimensions; `None` if they do not fit each other. `once` are
+    /// the same dimensions, with a 1 for each along which memory has one element, repeated without
+    /// a stride.
     pub fn of(arguments: [&[usize]; 3], once: [&[usize]; 3]) -> Option<Self> {
         let shape = common(arguments.into_iter())?;
         let (mut run, mut each) = (1, [true; 3]);
@@ -102,8 +103,8 @@ pub fn common<'a>(arguments: impl Iterator<Item = &'a [usize]>) -> Option<Vec<us
     Some(shape)
 }
 
-/// Whether an argument with these leading dimensions is the same elements over and over in `shape`, to
-/// which it broadcasts.
+/// Whether an argument with these leading dimensions is the same elements over and over in `shape`,
+/// to which it broadcasts.
 pub fn cycles(argument: &[usize], shape: &[usize]) -> bool {
     let own =
         argument.iter().position(|&size| size != 1).map_or(&[][..], |first| &argument[first..]);

@@ -22,7 +22,8 @@ const SHORT: usize = 32;
 /// What computes a piece: all that is compiled for each law.
 type Compute<'f, R> = dyn Fn(Piece<'_, R>) + Sync + 'f;
 
-/// `law` of the arguments; the result has the last dimensions `core` and is written to `out`, if given.
+/// `law` of the arguments; the result has the last dimensions `core` and is written to `out`, if
+/// given.
 pub fn call<'py, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     py: Python<'py>,
     law: F,
@@ -95,7 +96,8 @@ fn ready<'py, R: Number>(
     for input in &mut inputs {
         *input = input.take().map(|input| input.apart_from(&output)).transpose()?;
     }
-    // Short runs are made into one: what cycles is read over and over, what does not is repeated in memory.
+    // Short runs are made into one: what cycles is read over and over, what does not is repeated in
+    // memory.
     let short = broadcast.runs() > 1 && broadcast.run < SHORT;
     if short {
         let mut each = [false; 3];
@@ -111,8 +113,8 @@ fn ready<'py, R: Number>(
     Ok(Ready { inputs, broadcast, output, cycling })
 }
 
-/// The elements of an argument. If there must be `cycling` of them and there are fewer, then those over and
-/// over, from `cycle`.
+/// The elements of an argument. If there must be `cycling` of them and there are fewer, then those
+/// over and over, from `cycle`.
 fn operand<'s, R: Number>(
     input: &'s Option<Input<'_, R>>,
     cycling: Option<usize>,

@@ -14,8 +14,8 @@ pub enum Named<'py> {
     Columns(Vec<Bound<'py, PyAny>>),
 }
 
-/// The columns of `value` in the order of `names`, side by side in the last dimension; itself, if its columns have no
-/// names or stand in that order.
+/// The columns of `value` in the order of `names`, side by side in the last dimension; itself, if
+/// its columns have no names or stand in that order.
 pub fn in_order<'py>(
     name: &'static str,
     value: &Bound<'py, PyAny>,

@@ -4,7 +4,8 @@ use crate::plain::odd_one;
 use pyo3::intern;
 use pyo3::prelude::*;
 
-/// By the package and the name of a type, what is called `{}` in the call; `{n}` are the numbers of an element.
+/// By the package and the name of a type, what is called `{}` in the call; `{n}` are the numbers of
+/// an element.
 const CURES: [(&str, &str, &str); 9] = [
     ("dq8", "RigidTransform", "{}.motions"),
     ("scipy", "RigidTransform", "{}.as_dual_quat()"),

@@ -5,10 +5,12 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How often Python is asked for signals: a person does not notice the wait, and a call does not notice the asking.
+/// How often Python is asked for signals: a person does not notice the wait, and a call does not
+/// notice the asking.
 pub(crate) const PERIOD: Duration = Duration::from_millis(50);
 
-/// Whether a signal's handler has raised an exception. The thread of the call asks, all of its threads look.
+/// Whether a signal's handler has raised an exception. The thread of the call asks, all of its
+/// threads look.
 #[derive(Debug)]
 pub(crate) struct Interrupt {
     began: Instant,
@@ -46,7 +48,8 @@ impl Interrupt {
             if main.eq(threading.call_method0("get_ident")?)? {
                 return py.check_signals();
             }
-            // Python handles signals in its main thread; another one would wait for the interpreter in vain.
+            // Python handles signals in its main thread; another one would wait for the interpreter
+            // in vain.
             self.asked.store(u64::MAX, Ordering::Relaxed);
             Ok(())
         });

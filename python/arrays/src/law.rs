@@ -3,20 +3,21 @@
 use dq8::simd::Records;
 use dq8::{Backend, Lanes, Level, Scalar, storage};
 
-/// A function of up to three arguments of `A`, `B` and `C` numbers, whose result has `D`. An argument of
-/// no numbers is not there.
+/// A function of up to three arguments of `A`, `B` and `C` numbers, whose result has `D`. An
+/// argument of no numbers is not there.
 pub trait Law<const A: usize, const B: usize, const C: usize, const D: usize>:
     Copy + Send + Sync
 {
-    /// Whether it computes so much per number that AVX-512 is faster, although the transposes in and out
-    /// are slower there, and that two or three kernels are as fast as one for each combination of operands.
+    /// Whether it computes so much per number that AVX-512 is faster, although the transposes in
+    /// and out are slower there, and that two or three kernels are as fast as one for each
+    /// combination of operands.
     const WIDE: bool = false;
 
     /// On lanes.
     fn of<L: Lanes>(self, a: [L; A], b: [L; B], c: [L; C]) -> [L; D];
 
-    /// Of one first argument and many second ones, where there is a quicker way than lanes of the same;
-    /// false if there is none.
+    /// Of one first argument and many second ones, where there is a quicker way than lanes of the
+    /// same; false if there is none.
     fn of_one<R: Scalar>(
         self,
         backend: Backend,
@@ -61,8 +62,8 @@ impl<R: Scalar, const C: usize> Operand<R, C> for One<R, C> {
 /// One for each element; or so many, over and over.
 #[derive(Clone, Copy, Debug)]
 pub struct Each<'s, R, const C: usize> {
-    /// Where they begin over again, some follow that are the first ones: a register may read beyond the
-    /// end.
+    /// Where they begin over again, some follow that are the first ones: a register may read beyond
+    /// the end.
     pub records: &'s [[R; C]],
     /// After how many they begin over again.
     pub period: usize,
@@ -129,8 +130,8 @@ impl<'s, R> Numbers<'s, R> {
     }
 }
 
-/// One for all elements or one for each: told while it runs, so that there is one kernel for both. For what
-/// computes so much that this does not count.
+/// One for all elements or one for each: told while it runs, so that there is one kernel for both.
+/// For what computes so much that this does not count.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrEach<'s, R, const C: usize> {
     one: [R; C],

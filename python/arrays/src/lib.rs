@@ -1,9 +1,9 @@
 //! NumPy arrays in and out, and the functions on them.
 //!
-//! A call ([`call`]) finds its precision, takes its arguments and its result as memory ([`argument`],
-//! [`output`]), finds runs of elements that lie one after the other ([`broadcast`]), and computes each of
-//! them ([`sweep`]) with the best instructions. What is computed for one element is a [`law::Law`], written
-//! on lanes.
+//! A call ([`call`]) finds its precision, takes its arguments and its result as memory
+//! ([`argument`], [`output`]), finds runs of elements that lie one after the other ([`broadcast`]),
+//! and computes each of them ([`sweep`]) with the best instructions. What is computed for one
+//! element is a [`law::Law`], written on lanes.
 
 pub mod argument;
 pub mod axis;

@@ -16,7 +16,8 @@ static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
 /// Where a result is written.
 pub struct Output<'py, R: Number> {
-    /// What the caller gave as `out`, and a view of it that nobody else has, so that it stays as it was checked.
+    /// What the caller gave as `out`, and a view of it that nobody else has, so that it stays as it
+    /// was checked.
     given: Option<(Bound<'py, PyAny>, Bound<'py, PyArrayDyn<R>>)>,
     /// Contiguous.
     array: Bound<'py, PyArrayDyn<R>>,
@@ -99,7 +100,8 @@ impl<'py, R: Number> Output<'py, R> {
         self.array.try_readwrite().map_err(|error| PyValueError::new_err(format!("`out`: {error}")))
     }
 
-    /// What the function returns, after `write` has written all elements. Other threads of Python run meanwhile.
+    /// What the function returns, after `write` has written all elements. Other threads of Python
+    /// run meanwhile.
     pub fn fill<const C: usize>(
         self,
         threads: &Threads,

@@ -1,4 +1,5 @@
-//! Python objects as plain arrays: no subclasses, and none that stand for more or less than their numbers.
+//! Python objects as plain arrays: no subclasses, and none that stand for more or less than their
+//! numbers.
 
 use crate::cure::cure;
 use numpy::prelude::*;
@@ -14,8 +15,8 @@ static AS_ARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 /// NumPy nests arrays no deeper.
 const DEEPEST: usize = 64;
 
-/// What NumPy makes of a value. Code of the caller may run meanwhile (`__array__`), and may change other
-/// arrays: all arguments of a call become plain before one is looked at.
+/// What NumPy makes of a value. Code of the caller may run meanwhile (`__array__`), and may change
+/// other arrays: all arguments of a call become plain before one is looked at.
 pub fn plain<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
     if let Ok(array) = exact(value) {
         return Ok(array.clone());
@@ -47,7 +48,8 @@ pub fn real<'py>(
         })?;
         return real(name, core, &numbers);
     }
-    // Arrays have a dtype. Of anything else that NumPy makes objects or text of, the type says more.
+    // Arrays have a dtype. Of anything else that NumPy makes objects or text of, the type says
+    // more.
     let is_array = value.is_instance_of::<PyUntypedArray>();
     let given = match dtype.kind() {
         b'O' | b'U' | b'S' if !is_array => format!("{}{}", kind(value)?, cure(name, core, value)?),
@@ -68,7 +70,8 @@ pub fn real_array<'py>(
     view(&real(name, &[], value)?)
 }
 
-/// The same memory as an array that nobody else has, so that nobody changes its dtype, shape or flags.
+/// The same memory as an array that nobody else has, so that nobody changes its dtype, shape or
+/// flags.
 pub fn view<'py>(array: &Bound<'py, PyUntypedArray>) -> PyResult<Bound<'py, PyUntypedArray>> {
     let py = array.py();
     let view = match exact(array.as_any()) {
@@ -79,7 +82,8 @@ pub fn view<'py>(array: &Bound<'py, PyUntypedArray>) -> PyResult<Bound<'py, PyUn
     Ok(view.cast_into::<PyUntypedArray>()?)
 }
 
-/// Keeps NumPy from moving the memory of a view: it resizes no array to which there are weak references.
+/// Keeps NumPy from moving the memory of a view: it resizes no array to which there are weak
+/// references.
 pub fn held<'py>(view: &Bound<'py, PyAny>) -> Option<Bound<'py, PyWeakrefReference>> {
     let base = view.getattr(intern!(view.py(), "base")).ok()?;
     PyWeakrefReference::new(&base).ok()
@@ -98,7 +102,8 @@ pub fn check_mask(name: &str, array: &Bound<'_, PyAny>) -> PyResult<()> {
     )))
 }
 
-/// An error if numbers are not all that matters of a value: it has a mask, or is computed elsewhere.
+/// An error if numbers are not all that matters of a value: it has a mask, or is computed
+/// elsewhere.
 pub fn check_whole(name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
     check(name, value, DEEPEST)
 }
@@ -136,7 +141,8 @@ fn is_lazy(kind: &Bound<'_, PyType>, value: &Bound<'_, PyAny>) -> PyResult<bool>
     Ok(kind.hasattr(graph)? && !value.call_method0(graph)?.is_none())
 }
 
-/// Whether a value offers Arrow's memory. Of the objects of pandas, which does as well, [`cure`] says more.
+/// Whether a value offers Arrow's memory. Of the objects of pandas, which does as well, [`cure`]
+/// says more.
 fn is_arrow(value: &Bound<'_, PyAny>) -> PyResult<bool> {
     let py = value.py();
     if value.get_type().module()?.to_string().split('.').next() == Some("pandas") {

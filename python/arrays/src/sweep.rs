@@ -6,7 +6,8 @@ use dq8::{Backend, Kernel, Lanes, Level, Scalar};
 /// Which of the three arguments has an element for each result, where the others are one for all.
 pub(crate) type Which = [bool; 3];
 
-/// What a law computes at once: the numbers of its arguments and of its results. An argument that is not there has none.
+/// What a law computes at once: the numbers of its arguments and of its results. An argument that
+/// is not there has none.
 pub(crate) struct Piece<'s, R> {
     pub(crate) arguments: [Numbers<'s, R>; 3],
     pub(crate) each: Which,
@@ -15,9 +16,10 @@ pub(crate) struct Piece<'s, R> {
 
 /// Writes `law` of the arguments of a piece, of which some has an element for each result.
 ///
-/// Each combination of operands is a kernel of its own, and what the compiler works for. So there is one where a look at
-/// where an argument lies costs nothing ([`Law::WIDE`], and third arguments); but what is computed of the first argument,
-/// or of the first two, is computed once if they are one for all. (The constants keep it from kernels that nothing calls.)
+/// Each combination of operands is a kernel of its own, and what the compiler works for. So there
+/// is one where a look at where an argument lies costs nothing ([`Law::WIDE`], and third
+/// arguments); but what is computed of the first argument, or of the first two, is computed once if
+/// they are one for all. (The constants keep it from kernels that nothing calls.)
 pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     law: F,
     piece: Piece<'_, R>,

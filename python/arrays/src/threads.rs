@@ -8,7 +8,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// How many elements a piece has: some ten microseconds of work, where starting one takes about one.
+/// How many elements a piece has: some ten microseconds of work, where starting one takes about
+/// one.
 pub const GRAIN: usize = 4096;
 
 /// More than any machine has use for: threads beyond the cores wait for each other.
@@ -45,7 +46,8 @@ impl Threads {
         self.pool.is_some()
     }
 
-    /// Runs `job` while other threads of Python run. Where it is interrupted, it may have left out pieces.
+    /// Runs `job` while other threads of Python run. Where it is interrupted, it may have left out
+    /// pieces.
     pub fn run<T: Send>(
         &self,
         py: Python<'_>,
@@ -58,7 +60,8 @@ impl Threads {
         self.interrupt.take().map_or(done, Err)
     }
 
-    /// (Here and below, what is called is no type parameter: what rayon does is compiled once, not for each function.)
+    /// (Here and below, what is called is no type parameter: what rayon does is compiled once, not
+    /// for each function.)
     fn wait_for(&self, job: &mut (dyn FnMut() + Send)) {
         let Some(pool) = &self.pool else { return job() };
         // This thread only waits: it is the one that Python tells of signals.
@@ -82,7 +85,8 @@ impl Threads {
         self.interrupt.came()
     }
 
-    /// Hands `pieces` to `each`, until it cannot do one or the call is interrupted; whether it could.
+    /// Hands `pieces` to `each`, until it cannot do one or the call is interrupted; whether it
+    /// could.
     pub fn each<T: Send>(&self, mut pieces: impl Iterator<Item = T>, each: &Each<'_, T>) -> bool {
         if !self.many() {
             return pieces.all(|piece| self.interrupted() || each(piece));
@@ -102,7 +106,8 @@ impl Threads {
         could.into_inner()
     }
 
-    /// [`each`](Self::each) of the pieces of `to` that have `size` elements, with the index of its first one.
+    /// [`each`](Self::each) of the pieces of `to` that have `size` elements, with the index of its
+    /// first one.
     pub fn split<'a, T: Send>(
         &self,
         size: usize,
@@ -130,10 +135,11 @@ impl Threads {
     }
 }
 
-/// Let `count` threads, 1 to 256, compute calls of 8192 elements and more; 1, the default, starts none.
+/// Let `count` threads, 1 to 256, compute calls of 8192 elements and more; 1, the default, starts
+/// none.
 ///
-/// The environment variable ``DQ8_NUM_THREADS`` sets it at import. Results do not depend on it, to the
-/// last bit. In a child made by ``fork`` it is 1 again: threads do not survive a fork.
+/// The environment variable ``DQ8_NUM_THREADS`` sets it at import. Results do not depend on it, to
+/// the last bit. In a child made by ``fork`` it is 1 again: threads do not survive a fork.
 #[pyfunction]
 pub fn set_num_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
     let threads = count.extract::<i64>();
@@ -168,7 +174,8 @@ pub fn get_num_threads() -> usize {
     pool.as_ref().map_or(1, |pool| pool.current_num_threads())
 }
 
-/// In a child process after a fork: the threads of the pool are gone, and waiting for them would never end.
+/// In a child process after a fork: the threads of the pool are gone, and waiting for them would
+/// never end.
 #[pyfunction]
 pub fn forget_threads() {
     std::mem::forget(POOL.lock().unwrap_or_else(PoisonError::into_inner).take());

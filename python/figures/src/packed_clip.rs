@@ -14,20 +14,16 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-/// An animation clip in 8 bytes for each track that moves, and frame: 16 bits for each number of a rotation or a
-/// translation; what keeps still is kept once.
+/// An animation clip in 8 bytes for each track that moves, and frame: 16 bits for each number of a
+/// rotation or a translation; what keeps still is kept once.
 ///
-/// Parameters
-/// ----------
-/// frames : array_like, shape (frames, joints, 8)
-///     Unit dual quaternions at equal distances in time: the pose of each joint in its parent. Where a joint turns by 60° or
-///     more from one frame to the next, all joints get one to three frames between.
-/// rate : float, optional
-///     Frames a second: times are seconds. Without, times are frames.
-/// loops : bool
-///     Whether the clip begins again where it ends: its last frame is the first one once more.
-/// angle, length : float
-///     What a rotation (in radians) and a translation may move and still be kept as one: they keep still.
+/// Parameters ---------- frames : array_like, shape (frames, joints, 8) Unit dual quaternions at
+/// equal distances in time: the pose of each joint in its parent. Where a joint turns by 60° or
+/// more from one frame to the next, all joints get one to three frames between. rate : float,
+/// optional Frames a second: times are seconds. Without, times are frames. loops : bool Whether the
+/// clip begins again where it ends: its last frame is the first one once more. angle, length :
+/// float What a rotation (in radians) and a translation may move and still be kept as one: they
+/// keep still.
 ///
 /// Examples
 /// --------
@@ -126,13 +122,9 @@ impl PackedClip {
 
     /// Poses of the joints in their parents at any times.
     ///
-    /// Parameters
-    /// ----------
-    /// at : array_like, shape (...)
-    ///     Times from the first frame, in seconds if the clip has a rate, otherwise in frames. Beyond the clip are its ends, or
-    ///     other rounds if it loops; for NaN all numbers are NaN.
-    /// out : ndarray, optional
-    ///     Where to write the result.
+    /// Parameters ---------- at : array_like, shape (...) Times from the first frame, in seconds if
+    /// the clip has a rate, otherwise in frames. Beyond the clip are its ends, or other rounds if
+    /// it loops; for NaN all numbers are NaN. out : ndarray, optional Where to write the result.
     ///
     /// Returns
     /// -------
@@ -144,8 +136,8 @@ impl PackedClip {
         if is_single([&at]) { self.typed::<f32>(&at, out) } else { self.typed::<f64>(&at, out) }
     }
 
-    /// How far points that hang from joints are from where they were, in model space: the greatest distance, and that
-    /// which 99 of 100 do not pass.
+    /// How far points that hang from joints are from where they were, in model space: the greatest
+    /// distance, and that which 99 of 100 do not pass.
     ///
     /// Parameters
     /// ----------

@@ -40,7 +40,8 @@ enum Dual<R> {
 }
 
 impl<R: Number> Palette<R> {
-    /// From `(..., joints, 8)`, `(..., joints, 3, 4)` or `(..., joints, 4, 4)`, as a method needs it.
+    /// From `(..., joints, 8)`, `(..., joints, 3, 4)` or `(..., joints, 4, 4)`, as a method needs
+    /// it.
     pub(crate) fn new(given: Input<'_, R>, method: Method, threads: &Threads) -> PyResult<Self> {
         let full = given.full_leading().to_vec();
         let (poses, joints, rows) = match full[..] {
@@ -132,7 +133,8 @@ fn split<R: Number>(threads: &Threads, matrices: &[Matrix3x4<R>]) -> Dual<R> {
     Dual::Stretched { motions, stretches }
 }
 
-/// Affine matrices of finite numbers, from those of 3 or 4 rows; fewer where the call is interrupted.
+/// Affine matrices of finite numbers, from those of 3 or 4 rows; fewer where the call is
+/// interrupted.
 fn matrices<R: Number>(
     threads: &Threads,
     numbers: &[R],

@@ -36,12 +36,12 @@ pub struct Search<'py> {
     pub options: Options<f64>,
 }
 
-/// How many configurations a piece has at least, which fill every register, and at most: lanes then seldom wait for the
-/// last.
+/// How many configurations a piece has at least, which fill every register, and at most: lanes then
+/// seldom wait for the last.
 const PIECE: RangeInclusive<usize> = MAX_LANES..=256;
 
-/// A piece that takes longer is too large. One configuration that is out of reach takes a thousand times as long as one
-/// that is reached at once.
+/// A piece that takes longer is too large. One configuration that is out of reach takes a thousand
+/// times as long as one that is reached at once.
 const LONG: Duration = Duration::from_millis(10);
 
 /// How much work a configuration is, in poses of all its links.

@@ -23,12 +23,12 @@ pub struct ReachReport {
     /// How many of them were restarts; uint32.
     #[pyo3(get)]
     restarts: Py<PyAny>,
-    /// The rotation that is left, radians; of several links the largest. NaN where the input is invalid. The dtype is
-    /// that of the values, float32 or float64.
+    /// The rotation that is left, radians; of several links the largest. NaN where the input is
+    /// invalid. The dtype is that of the values, float32 or float64.
     #[pyo3(get)]
     angular_error: Py<PyAny>,
-    /// The distance that is left, a length; of several links the largest. NaN where the input is invalid. The dtype is
-    /// that of the values, float32 or float64.
+    /// The distance that is left, a length; of several links the largest. NaN where the input is
+    /// invalid. The dtype is that of the values, float32 or float64.
     #[pyo3(get)]
     linear_error: Py<PyAny>,
 }
@@ -48,7 +48,8 @@ impl ReachReport {
         Self { converged, outcome, iterations, restarts, angular_error, linear_error }
     }
 
-    /// The arrays by their names, as columns of a table: ``pandas.DataFrame(report.to_dict())`` where the shape is (n,).
+    /// The arrays by their names, as columns of a table: ``pandas.DataFrame(report.to_dict())``
+    /// where the shape is (n,).
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         NAMES.into_iter().zip(self.parts()).into_py_dict(py)
     }

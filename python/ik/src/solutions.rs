@@ -20,7 +20,8 @@ use std::sync::{Mutex, PoisonError};
 /// How many solutions of a target have a place.
 const PLACES: usize = 8;
 
-/// How many targets a piece has: some tenths of a millisecond by formula, as many as one of other arms takes.
+/// How many targets a piece has: some tenths of a millisecond by formula, as many as one of other
+/// arms takes.
 const PIECE: usize = 256;
 
 /// What `Mechanism.solutions` returns, in the order of `Solutions`.

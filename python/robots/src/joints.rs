@@ -128,7 +128,8 @@ fn name_and_axis(kind: JointKind<f64>) -> (&'static str, [f64; 3]) {
     }
 }
 
-/// Names of all values and of all rates: those of the joints, with endings where a joint has several.
+/// Names of all values and of all rates: those of the joints, with endings where a joint has
+/// several.
 pub(crate) fn values_and_rates(
     joints: &[Joint<f64>],
     names: &[Option<String>],
@@ -162,8 +163,8 @@ pub(crate) fn limits(mechanism: &OwnedMechanism<f64>) -> Vec<[f64; 2]> {
     all
 }
 
-/// Between what values are drawn: limits; where there are none half a turn either way and a length of one; NaN for the
-/// components of a rotation.
+/// Between what values are drawn: limits; where there are none half a turn either way and a length
+/// of one; NaN for the components of a rotation.
 pub(crate) fn spans(joints: &[Joint<f64>], mechanism: &OwnedMechanism<f64>) -> Vec<[f64; 2]> {
     const TURN: [f64; 2] = [-core::f64::consts::PI, core::f64::consts::PI];
     const UNIT: [f64; 2] = [-1.0, 1.0];

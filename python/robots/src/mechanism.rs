@@ -22,27 +22,23 @@ use pyo3::types::{PyBytes, PyTuple, PyType};
 
 /// A tree of joints: a robot, from a URDF file or from arrays.
 ///
-/// Link j is what joint j carries. A configuration is one array: the values of joint 0, then those of joint 1, and so on, as
-/// `values` names them. Angles are radians. Fixed joints have no value, revolute and prismatic ones have one, planar ones x, y
-/// and the angle, floating ones the rotation (qx, qy, qz, qw), of any length but zero, and the translation.
+/// Link j is what joint j carries. A configuration is one array: the values of joint 0, then those
+/// of joint 1, and so on, as `values` names them. Angles are radians. Fixed joints have no value,
+/// revolute and prismatic ones have one, planar ones x, y and the angle, floating ones the rotation
+/// (qx, qy, qz, qw), of any length but zero, and the translation.
 ///
-/// Parameters
-/// ----------
-/// parents : sequence of int, length n
-///     ``parents[j]`` is the link that carries link j, or −1 for the base. Parents come before their children.
-/// kinds : str or sequence of str, length n
-///     ``"fixed"``, ``"revolute"``, ``"prismatic"``, ``"planar"`` or ``"floating"``, for all or for each.
-/// axes : array_like, shape (n, 3) or (3,)
-///     Unit axes in the frames of the joints; normals of planar ones. Others do not read them.
-/// placements : array_like, shape (n, 8) or (8,)
-///     Unit dual quaternions: the pose of each link in its parent where the joint is at zero.
-/// limits : array_like, shape (n, 2) or (2,), optional
-///     The least and the largest value of each joint, ``[-inf, inf]`` for none. ``reach`` keeps to
-///     them; poses are computed of any values.
-/// links : sequence of str, length n, optional
-///     Names of the links and their joints; by default numbers.
-/// velocity_limits, effort_limits : array_like, shape (n,) or (), optional
-///     The greatest speed, and torque or force, of each joint; ``inf`` for none. Nothing here asks for them.
+/// Parameters ---------- parents : sequence of int, length n ``parents[j]`` is the link that
+/// carries link j, or −1 for the base. Parents come before their children. kinds : str or
+/// sequence of str, length n ``"fixed"``, ``"revolute"``, ``"prismatic"``, ``"planar"`` or
+/// ``"floating"``, for all or for each. axes : array_like, shape (n, 3) or (3,) Unit axes in the
+/// frames of the joints; normals of planar ones. Others do not read them. placements : array_like,
+/// shape (n, 8) or (8,) Unit dual quaternions: the pose of each link in its parent where the joint
+/// is at zero. limits : array_like, shape (n, 2) or (2,), optional The least and the largest value
+/// of each joint, ``[-inf, inf]`` for none. ``reach`` keeps to them; poses are computed of any
+/// values. links : sequence of str, length n, optional Names of the links and their joints; by
+/// default numbers. velocity_limits, effort_limits : array_like, shape (n,) or (), optional The
+/// greatest speed, and torque or force, of each joint; ``inf`` for none. Nothing here asks for
+/// them.
 ///
 /// Examples
 /// --------
@@ -101,14 +97,12 @@ impl Mechanism {
 
     /// A robot from a URDF file.
     ///
-    /// Link 0 is the root, which has no joint and stands at the base; the others follow in the order of the file as far as
-    /// parents come first. Joints that mimic have no value of their own. What says where links are and cannot be expressed
-    /// is an error, never left out.
+    /// Link 0 is the root, which has no joint and stands at the base; the others follow in the
+    /// order of the file as far as parents come first. Joints that mimic have no value of their
+    /// own. What says where links are and cannot be expressed is an error, never left out.
     ///
-    /// Parameters
-    /// ----------
-    /// source : str, bytes or os.PathLike
-    ///     The file, in any encoding that it declares; or its bytes; or its text, if the first thing in it is ``<``.
+    /// Parameters ---------- source : str, bytes or os.PathLike The file, in any encoding that it
+    /// declares; or its bytes; or its text, if the first thing in it is ``<``.
     ///
     /// Returns
     /// -------
@@ -130,27 +124,31 @@ impl Mechanism {
         self.links.clone()
     }
 
-    /// The names of the joints: ``joints[j]`` carries ``links[j]``. The root of a URDF file has None.
+    /// The names of the joints: ``joints[j]`` carries ``links[j]``. The root of a URDF file has
+    /// None.
     #[getter]
     fn joints(&self) -> Vec<Option<String>> {
         self.joint_names.clone()
     }
 
-    /// A name for each value of a configuration: that of the joint, with ``.x``, ``.y``, ``.angle`` for
-    /// planar joints and ``.qx``, ``.qy``, ``.qz``, ``.qw``, ``.x``, ``.y``, ``.z`` for floating ones.
+    /// A name for each value of a configuration: that of the joint, with ``.x``, ``.y``, ``.angle``
+    /// for planar joints and ``.qx``, ``.qy``, ``.qz``, ``.qw``, ``.x``, ``.y``, ``.z`` for
+    /// floating ones.
     #[getter]
     pub(crate) fn values(&self) -> Vec<String> {
         joints::values_and_rates(&self.joints, &self.joint_names).0
     }
 
-    /// A name for each rate, and column of a Jacobian: that of the value, but for floating joints ``.wx``,
-    /// ``.wy``, ``.wz``, ``.vx``, ``.vy``, ``.vz``, the body twist in the frame of the link.
+    /// A name for each rate, and column of a Jacobian: that of the value, but for floating joints
+    /// ``.wx``, ``.wy``, ``.wz``, ``.vx``, ``.vy``, ``.vz``, the body twist in the frame of the
+    /// link.
     #[getter]
     fn rates(&self) -> Vec<String> {
         joints::values_and_rates(&self.joints, &self.joint_names).1
     }
 
-    /// The least and the largest of each value, radians and lengths: float64, shape (values, 2), infinite for none.
+    /// The least and the largest of each value, radians and lengths: float64, shape (values, 2),
+    /// infinite for none.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> Answer<'py> {
         let limits = joints::limits(&self.double);
@@ -158,7 +156,8 @@ impl Mechanism {
         Ok(numbers.reshape([limits.len(), 2])?.into_any())
     }
 
-    /// The greatest speed of each rate, radians or lengths in a unit of time: float64, shape (rates,), infinite for none.
+    /// The greatest speed of each rate, radians or lengths in a unit of time: float64, shape
+    /// (rates,), infinite for none.
     #[getter]
     fn velocity_limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_vec(py, joints::of_rates(&self.joints, &self.drives, |drive| drive.velocity))
@@ -204,21 +203,18 @@ impl Mechanism {
         Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
     }
 
-    /// The poses of links, in the frame of the base: ``pose(j) = pose(parent(j)) · placement(j) · motion(j)``.
+    /// The poses of links, in the frame of the base: ``pose(j) = pose(parent(j)) · placement(j) ·
+    /// motion(j)``.
     ///
-    /// The motion of a joint is ``exp(½ξq)`` of its axis ξ and its value q, if it has one; that of planar and floating
-    /// ones is the translation and the rotation that their values are.
+    /// The motion of a joint is ``exp(½ξq)`` of its axis ξ and its value q, if it has one; that
+    /// of planar and floating ones is the translation and the rotation that their values are.
     ///
-    /// Parameters
-    /// ----------
-    /// values : array_like, shape (..., values), or columns by name
-    ///     Configurations: radians and lengths. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶ (float64) give NaN. The columns of
-    ///     a dict, a data frame, a table or a record array are put in the order of `Mechanism.values`; those names and no
-    ///     others must be there.
-    /// links : str, int, or sequence of these, optional
-    ///     Which links. What carries none of them is not computed.
-    /// out : ndarray, optional
-    ///     Where to write the result.
+    /// Parameters ---------- values : array_like, shape (..., values), or columns by name
+    /// Configurations: radians and lengths. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶
+    /// (float64) give NaN. The columns of a dict, a data frame, a table or a record array are put
+    /// in the order of `Mechanism.values`; those names and no others must be there. links : str,
+    /// int, or sequence of these, optional Which links. What carries none of them is not computed.
+    /// out : ndarray, optional Where to write the result.
     ///
     /// Returns
     /// -------
@@ -243,19 +239,13 @@ impl Mechanism {
 
     /// The Jacobian of a link: ``twist = J · rates``.
     ///
-    /// Parameters
-    /// ----------
-    /// values : array_like, shape (..., values), or columns by name
-    ///     Configurations: radians and lengths.
-    /// link : str or int
-    ///     Which link.
-    /// frame : {'world', 'body', 'aligned'}
-    ///     ``'world'``: the axes of the base, about its origin, the spatial twist (Lynch & Park, *Modern
-    ///     Robotics*, 2017, eq. 5.11). ``'body'``: the axes of the link, about its origin (eq. 5.18).
-    ///     ``'aligned'``: the axes of the base, about the origin of the link.
-    /// out : ndarray, optional
-    ///     Where to write the result. ``np.empty((..., rates, 6)).swapaxes(-1, -2)`` is written without a
-    ///     copy, and this is how new ones lie in memory.
+    /// Parameters ---------- values : array_like, shape (..., values), or columns by name
+    /// Configurations: radians and lengths. link : str or int Which link. frame : {'world', 'body',
+    /// 'aligned'} ``'world'``: the axes of the base, about its origin, the spatial twist (Lynch &
+    /// Park, *Modern Robotics*, 2017, eq. 5.11). ``'body'``: the axes of the link, about its origin
+    /// (eq. 5.18). ``'aligned'``: the axes of the base, about the origin of the link. out :
+    /// ndarray, optional Where to write the result. ``np.empty((..., rates, 6)).swapaxes(-1, -2)``
+    /// is written without a copy, and this is how new ones lie in memory.
     ///
     /// Returns
     /// -------
@@ -288,44 +278,37 @@ impl Mechanism {
         }
     }
 
-    /// Inverse kinematics: values that bring links to targets, for each pair of a target and a start.
+    /// Inverse kinematics: values that bring links to targets, for each pair of a target and a
+    /// start.
     ///
-    /// Damped least squares, steps δ that make ``|Jδ − e|² + λ²|δ|²`` least of the errors e, rotations and positions, and
-    /// the Jacobian J, within the limits of the joints, on SIMD lanes. Where limits or local minima stop it, a search begins
-    /// again from other values, spread evenly within the limits. The values returned are the best found, also where a target
-    /// is not reached; where numbers are not finite or a target is not unit, they are the start. ``reach(poses(values,
-    /// links), start, links)`` is the inverse of `poses`. With threads, large calls are computed by all of them. A target
-    /// out of reach takes all iterations, a hundred times as long as others; ``restarts=False`` gives up sooner. Ctrl-C
-    /// waits for the configurations that are being computed.
+    /// Damped least squares, steps δ that make ``|Jδ − e|² + λ²|δ|²`` least of the errors
+    /// e, rotations and positions, and the Jacobian J, within the limits of the joints, on SIMD
+    /// lanes. Where limits or local minima stop it, a search begins again from other values, spread
+    /// evenly within the limits. The values returned are the best found, also where a target is not
+    /// reached; where numbers are not finite or a target is not unit, they are the start.
+    /// ``reach(poses(values, links), start, links)`` is the inverse of `poses`. With threads, large
+    /// calls are computed by all of them. A target out of reach takes all iterations, a hundred
+    /// times as long as others; ``restarts=False`` gives up sooner. Ctrl-C waits for the
+    /// configurations that are being computed.
     ///
-    /// Parameters
-    /// ----------
-    /// targets : array_like, shape (..., 8), or (..., links, 8) for a sequence of links
-    ///     Unit dual quaternions: the poses that links should have, in the frame of the base.
-    /// values : array_like, shape (..., values), or columns by name
-    ///     Configurations to start from. Leading dimensions broadcast with those of `targets`.
-    /// links : str, int, or sequence of these
-    ///     Which links.
-    /// weights : array_like, shape (6,), or (links, 6) for a sequence of links, optional
-    ///     How much the components of the error weigh where not all vanish: rotation, then position, in the axes of the
-    ///     target. Zero leaves one free: ``[0, 0, 0, 1, 1, 1]`` asks for the position alone. By default all are 1.
-    /// posture : array_like, shape (values,), or numbers by name, optional
-    ///     A configuration to be near to, where the targets leave freedom.
-    /// angular_tolerance, linear_tolerance : float
-    ///     The errors that may be left: radians, and the robot's unit.
-    /// max_iterations : int
-    ///     The most steps and restarts together.
-    /// length_per_radian : float, optional
-    ///     The distance that weighs as much as a radian, more than 0; by default an eighth of the robot's reach, or
-    ///     where something floats or slides without end, of the longer way that it has to go.
-    /// max_step : float
-    ///     The most that a joint turns in one step, radians, more than 0.
-    /// damping : float
-    ///     λ of the least squares at the target, radians; more than 0 for machines that follow a target.
-    /// restarts : bool
-    ///     False keeps to the start: to follow a target that moves.
-    /// out : ndarray, optional
-    ///     Where to write the values; may be `values`.
+    /// Parameters ---------- targets : array_like, shape (..., 8), or (..., links, 8) for a
+    /// sequence of links Unit dual quaternions: the poses that links should have, in the frame of
+    /// the base. values : array_like, shape (..., values), or columns by name Configurations to
+    /// start from. Leading dimensions broadcast with those of `targets`. links : str, int, or
+    /// sequence of these Which links. weights : array_like, shape (6,), or (links, 6) for a
+    /// sequence of links, optional How much the components of the error weigh where not all vanish:
+    /// rotation, then position, in the axes of the target. Zero leaves one free: ``[0, 0, 0, 1, 1,
+    /// 1]`` asks for the position alone. By default all are 1. posture : array_like, shape
+    /// (values,), or numbers by name, optional A configuration to be near to, where the targets
+    /// leave freedom. angular_tolerance, linear_tolerance : float The errors that may be left:
+    /// radians, and the robot's unit. max_iterations : int The most steps and restarts together.
+    /// length_per_radian : float, optional The distance that weighs as much as a radian, more than
+    /// 0; by default an eighth of the robot's reach, or where something floats or slides without
+    /// end, of the longer way that it has to go. max_step : float The most that a joint turns in
+    /// one step, radians, more than 0. damping : float λ of the least squares at the target,
+    /// radians; more than 0 for machines that follow a target. restarts : bool False keeps to the
+    /// start: to follow a target that moves. out : ndarray, optional Where to write the values; may
+    /// be `values`.
     ///
     /// Returns
     /// -------

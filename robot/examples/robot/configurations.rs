@@ -16,7 +16,8 @@ impl Generator {
     }
 }
 
-/// Where each value may be: its limits, or half a turn to both sides; where that is a length, a unit.
+/// Where each value may be: its limits, or half a turn to both sides; where that is a length, a
+/// unit.
 fn ranges(robot: &Robot) -> Vec<[f64; 2]> {
     let names = robot.value_names().iter();
     let range = |(name, limits): (&String, Option<[f64; 2]>)| {

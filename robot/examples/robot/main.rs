@@ -5,12 +5,14 @@
 //!     [--reach X,Y,Z[,QX,QY,QZ,QW] [--link NAME]]
 //! ```
 //!
-//! Without configurations, all joints are at zero, or as near as their limits allow. The poses of the first one are printed:
-//! the position of each link and its rotation, a unit quaternion with its real part last. The heading of IN is
-//! the names of the joints, in any order. OUT has a row for each configuration and, for every link,
-//! `NAME.x,NAME.y,NAME.z,NAME.qx,NAME.qy,NAME.qz,NAME.qw`. The picture is where the tool can be: the link
-//! with the most joints between it and the base. `--reach` asks for joint values that bring the tool, or the link
-//! of that name, to a point or a pose, and starts from the first configuration.
+//! Without configurations, all joints are at zero, or as near as their limits allow. The poses of
+//! the first one are printed: the position of each link and its rotation, a unit quaternion with
+//! its real part last. The heading of IN is the names of the joints, in any order. OUT has a row
+//! for each configuration and, for every link,
+//! `NAME.x,NAME.y,NAME.z,NAME.qx,NAME.qy,NAME.qz,NAME.qw`. The picture is where the tool can be:
+//! the link with the most joints between it and the base. `--reach` asks for joint values that
+//! bring the tool, or the link of that name, to a point or a pose, and starts from the first
+//! configuration.
 
 mod arguments;
 mod configurations;

@@ -1,5 +1,5 @@
-//! Where the tool can be: how often random configurations put it into each cell, from the side and from
-//! above, and the robot in front of it.
+//! Where the tool can be: how often random configurations put it into each cell, from the side and
+//! from above, and the robot in front of it.
 
 use crate::configurations;
 use crate::tool::tool;
@@ -14,7 +14,8 @@ const CONFIGURATIONS: usize = 400_000;
 /// Cells of a side of a view, and its size in pixels.
 const CELLS: usize = 150;
 const SIDE: f64 = 600.0;
-/// How high letters are in the title and in the captions; and so many of the title fit, whichever they are.
+/// How high letters are in the title and in the captions; and so many of the title fit, whichever
+/// they are.
 const TITLE: f64 = 22.0;
 const CAPTION: f64 = 16.0;
 const LETTERS: usize = 55;
@@ -106,7 +107,8 @@ fn cells(
         counts[row.min(CELLS - 1) * CELLS + column.min(CELLS - 1)] += 1;
     }
     let most = f64::from(counts.iter().copied().max().unwrap_or(1)).ln_1p();
-    // One path for each shade; cells are a little larger than they are apart, so that no seams show.
+    // One path for each shade; cells are a little larger than they are apart, so that no seams
+    // show.
     let mut paths = vec![String::new(); SHADES];
     for (cell, &count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
         let (x, y) = ((cell % CELLS) as f64 * size + left, (cell / CELLS) as f64 * size + top);

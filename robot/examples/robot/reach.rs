@@ -37,7 +37,8 @@ impl FromStr for Target {
     }
 }
 
-/// How a search from `start`, which is drawn into the limits, ended, with the values of the whole robot by name.
+/// How a search from `start`, which is drawn into the limits, ended, with the values of the whole
+/// robot by name.
 pub(crate) fn reach(
     robot: &Robot,
     link: usize,

@@ -74,7 +74,8 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// The poses of one configuration, for people: positions, and rotations as unit quaternions, four decimals each.
+/// The poses of one configuration, for people: positions, and rotations as unit quaternions, four
+/// decimals each.
 pub(crate) fn text(robot: &Robot, poses: &[DualQuat<f64>]) -> String {
     let names = robot.link_names();
     let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0).max(4);

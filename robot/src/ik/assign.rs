@@ -32,8 +32,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
     }
 
-    /// The next frame of a clip, with the values of the one before, or the first of the next clip; where there are no clips,
-    /// the next configuration.
+    /// The next frame of a clip, with the values of the one before, or the first of the next clip;
+    /// where there are no clips, the next configuration.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn following(&mut self, before: Option<usize>, rest: &mut usize) -> Option<usize> {
         // Only what tracks has clips.
@@ -62,8 +62,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         (first < self.work.reports.len()).then_some(first)
     }
 
-    /// Puts the targets and the start of a configuration into a lane, and says whether a target is beyond
-    /// the length of what carries the link. `None` if they are not what a search can begin with.
+    /// Puts the targets and the start of a configuration into a lane, and says whether a target is
+    /// beyond the length of what carries the link. `None` if they are not what a search can begin
+    /// with.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
         let options = self.work.options;
@@ -95,8 +96,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
         }
-        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian. Weights of what
-        // follows do not change on the way.
+        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much
+        // as a radian. Weights of what follows do not change on the way.
         let longest =
             || if TRACK { reach.facts.size } else { reach.typical_length_to(targets, values) };
         let eighth = || longest() * L::Real::from(0.125);

@@ -8,16 +8,17 @@ use dq8::Real;
 use dq8::scalar::{DualQuat, vector};
 
 impl<R: Real> Reach<'_, R> {
-    /// A point that no joint moves, and a distance from it that the link of goal number `goal` never
-    /// exceeds: the sum of the offsets between joints, and of what slides add. Farther targets are out of
-    /// reach; nearer ones may be. `None` if there is no such distance (something floats, or slides without
-    /// end), no joint carries the link, or there is no such goal.
+    /// A point that no joint moves, and a distance from it that the link of goal number `goal`
+    /// never exceeds: the sum of the offsets between joints, and of what slides add. Farther
+    /// targets are out of reach; nearer ones may be. `None` if there is no such distance (something
+    /// floats, or slides without end), no joint carries the link, or there is no such goal.
     #[must_use]
     pub fn reach_bound(&self, goal: usize) -> Option<([R; 3], R)> {
         let goal = self.goals.get(goal)?;
         let mut link = goal.link;
-        // From the link to the base. What lies below the lowest joint that moves is rigid: it places the centre, and adds
-        // nothing to the distance, so the base is kept at the last joint with a value.
+        // From the link to the base. What lies below the lowest joint that moves is rigid: it
+        // places the centre, and adds nothing to the distance, so the base is kept at the last
+        // joint with a value.
         let (mut length, mut base) = (norm(goal.point), None);
         while let Some(step) = self.mechanism.step(link) {
             if step.kind.values() > 0 {
@@ -73,7 +74,8 @@ impl<R: Real> Reach<'_, R> {
         if longest > R::ZERO && longest.is_finite() { longest } else { R::ONE }
     }
 
-    /// The typical length, or where something floats or slides without end, a longer way that it has to go.
+    /// The typical length, or where something floats or slides without end, a longer way that it
+    /// has to go.
     pub(super) fn typical_length_to(&self, targets: &[DualQuat<R>], values: &[R]) -> R {
         let mut longest = self.facts.size;
         if self.facts.is_endless {
@@ -98,8 +100,9 @@ impl<R: Real> Reach<'_, R> {
         has
     }
 
-    /// The target of a goal, exactly unit; one beyond the bound is drawn to its edge, because from beyond it
-    /// would pull the harder the farther it is. The way that it was drawn, if it was. `None` if it is not a target.
+    /// The target of a goal, exactly unit; one beyond the bound is drawn to its edge, because from
+    /// beyond it would pull the harder the farther it is. The way that it was drawn, if it was.
+    /// `None` if it is not a target.
     pub(super) fn clamped(
         &self,
         goal: usize,

@@ -1,9 +1,10 @@
 //! All solutions of the two families, up to eight in each lane.
 //!
-//! With axes and points where all values are zero, the arm is a product of turns e₁ … e₆ that is the target times
-//! [`Geometry::back`] (Brockett 1984). What a turn about its own axis does not change leaves equations of one angle at a
-//! time (Paden and Kahan; Elias and Wen, *IK-Geo*, 2022), each of which has two solutions, or one, or is free. Every angle
-//! but the last of a group makes up for what the ones before were rounded by, so nothing has to be improved afterwards.
+//! With axes and points where all values are zero, the arm is a product of turns e₁ … e₆ that
+//! is the target times [`Geometry::back`] (Brockett 1984). What a turn about its own axis does not
+//! change leaves equations of one angle at a time (Paden and Kahan; Elias and Wen, *IK-Geo*, 2022),
+//! each of which has two solutions, or one, or is free. Every angle but the last of a group makes
+//! up for what the ones before were rounded by, so nothing has to be improved afterwards.
 
 use super::complex::{Apart, Complex, Fork, positive};
 use super::family::{Family, Geometry};
@@ -11,9 +12,10 @@ use dq8::batch::{DualQuat, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-/// What is none, in units of the last place; poses themselves are computed to some ten. By how much of the arm's size a target
-/// may be out of reach; the same within reach, where two solutions are one; the sine between axes that are along each
-/// other; and the square of half the angle between solutions that are hardly two.
+/// What is none, in units of the last place; poses themselves are computed to some ten. By how much
+/// of the arm's size a target may be out of reach; the same within reach, where two solutions are
+/// one; the sine between axes that are along each other; and the square of half the angle between
+/// solutions that are hardly two.
 const SLACK: [f64; 4] = [64.0, 16.0, 32.0, 4096.0];
 
 /// One of the eight.
@@ -96,7 +98,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         branches
     }
 
-    /// Turns of the wrist leave its centre where it is: first an arm of three axes for that, then the wrist.
+    /// Turns of the wrist leave its centre where it is: first an arm of three axes for that, then
+    /// the wrist.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn spherical_wrist(&self, branches: &mut [Branch<L>; 8]) {
         let last = self.goal.transform_vector(self.axis(5));
@@ -183,8 +186,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// The three parallel axes change neither the height along them nor a direction along them: that gives the others;
-    /// then a chain of two links and a hand in the plane.
+    /// The three parallel axes change neither the height along them nor a direction along them:
+    /// that gives the others; then a chain of two links and a hand in the plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
         let way = self.way(self.vector(self.geometry.centre));
@@ -260,7 +263,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let mut root = positive(inner * inner_too * (outer * outer_too)).sqrt();
         let mut is_double = inner.le(merge) | outer.le(merge);
         if self.geometry.crosses {
-            // The direction of the end is asked for afterwards, and the root of a rounding leads it astray.
+            // The direction of the end is asked for afterwards, and the root of a rounding leads it
+            // astray.
             is_double = inner.le(slack) | outer.le(slack);
             root = L::select(is_double, root.constant(0.0), root);
         }
@@ -280,9 +284,10 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
     }
 
-    /// The fifth angle, which brings the last axis to where it is to what it is turned against; and where that is along it,
-    /// as far as the angles before tell: those of a nearly stretched elbow are off by much more than a roundoff, and where the
-    /// axes are along each other but for that, the direction in which they are apart says nothing.
+    /// The fifth angle, which brings the last axis to where it is to what it is turned against; and
+    /// where that is along it, as far as the angles before tell: those of a nearly stretched elbow
+    /// are off by much more than a roundoff, and where the axes are along each other but for that,
+    /// the direction in which they are apart says nothing.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3], blur: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.against);

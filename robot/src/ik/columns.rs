@@ -13,15 +13,16 @@ use dq8_simd::Lanes;
 const MOVED: usize = TARGET + POSE + TURN;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The columns of the Jacobian of all goals. `bent` by half of the last changes, they are of second order:
-    /// what a link does is a product of exponentials, whose logarithm is (Baker, Campbell, Hausdorff)
+    /// The columns of the Jacobian of all goals. `bent` by half of the last changes, they are of
+    /// second order: what a link does is a product of exponentials, whose logarithm is (Baker,
+    /// Campbell, Hausdorff)
     ///
     /// ```text
     /// Σ δⱼ (cⱼ + ½ [Σₖ₍ₖ₍ⱼ₎ δₖcₖ, cⱼ]) + third order
     /// ```
     ///
-    /// over the joints that carry it (Halley's method: Lloyd, Irani & Ahmadi 2022). That the second order is right
-    /// gets an arm out of singular poses and, near them, to its target.
+    /// over the joints that carry it (Halley's method: Lloyd, Irani & Ahmadi 2022). That the second
+    /// order is right gets an arm out of singular poses and, near them, to its target.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn linearize(&mut self, bent: bool) {
         let (level, reach) = (self.level, self.reach);
@@ -69,8 +70,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 continue;
             }
             let mut twist = twist;
-            // Joints are visited from the base up, so what has moved so far is the sum in the brackets above. It is kept
-            // per goal, because each goal has joints of its own.
+            // Joints are visited from the base up, so what has moved so far is the sum in the
+            // brackets above. It is kept per goal, because each goal has joints of its own.
             if bent && goal.is_pose() {
                 let moved = self.move_on(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
@@ -95,13 +96,15 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// What a twist does to the error of a goal: its angular part, and its linear part at the link, in radians.
+    /// What a twist does to the error of a goal: its angular part, and its linear part at the link,
+    /// in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn seen_by(&self, index: usize, goal: &Goal<L::Real>, twist: Twist<L>) -> [[L; 3]; 2] {
         let (level, first) = (self.level, index * GOAL + TARGET);
         let half: [L; 3] = self.scratch.goals.record(level, first + 4);
         let end = vector::add(half, half);
-        // A spatial twist has the velocity of the point at the origin; ω × end makes it that of the link.
+        // A spatial twist has the velocity of the point at the origin; ω × end makes it that of
+        // the link.
         let mut angular = twist.angular;
         let mut linear = vector::cross_onto(angular, end, twist.linear);
         if goal.asks_part_of_rotation() {

@@ -10,8 +10,8 @@ use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The errors of the poses that have been computed last: from the targets of their lanes, or all from
-    /// those of one lane.
+    /// The errors of the poses that have been computed last: from the targets of their lanes, or
+    /// all from those of one lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn compare(&mut self, lane: Option<usize>) -> Apart<L> {
         let level = self.level;
@@ -26,8 +26,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
-            // A position is reached along the straight way. A whole pose is reached along the screw: its twist, as the
-            // velocity of the end and not of the origin.
+            // A position is reached along the straight way. A whole pose is reached along the
+            // screw: its twist, as the velocity of the end and not of the origin.
             let (mut angular, mut linear) = ([zero; 3], way);
             way = vector::add(way, self.drawn(index, lane));
             if goal.asks_rotation() {
@@ -48,8 +48,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 linear = to_target.rotate(linear);
                 way = to_target.rotate(way);
             }
-            // Tolerances are for turns and distances as they are, from the target that was asked for; the square that a step makes smaller is weighted, and
-            // all in radians.
+            // Tolerances are for turns and distances as they are, from the target that was asked
+            // for; the square that a step makes smaller is weighted, and all in radians.
             let turn = asked(angular, goal.angular);
             let distance = asked(way, goal.linear);
             apart.angular = larger(apart.angular, turn);

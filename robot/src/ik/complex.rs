@@ -1,4 +1,5 @@
-//! Angles as complex numbers e^{iθ}, one in each lane: turns are products, and only answers need an arctangent.
+//! Angles as complex numbers e^{iθ}, one in each lane: turns are products, and only answers need
+//! an arctangent.
 
 use dq8::batch::{atan2, vector};
 use dq8_simd::{Float, Lanes};
@@ -64,10 +65,12 @@ impl<L: Lanes> Complex<L> {
         vector::scale_onto(axis, along, turned)
     }
 
-    /// The turn about a unit axis that brings `v` onto `w`, or as near as it can; NaN where one of them is along the axis.
+    /// The turn about a unit axis that brings `v` onto `w`, or as near as it can; NaN where one of
+    /// them is along the axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn onto(axis: [L; 3], v: [L; 3], w: [L; 3]) -> Self {
-        // Only what is across the axis counts. Where that is little, products of the whole vectors would have lost it.
+        // Only what is across the axis counts. Where that is little, products of the whole vectors
+        // would have lost it.
         let (v, w) = (vector::cross(axis, v), vector::cross(axis, w));
         Self::unit(vector::dot(v, w), vector::dot(axis, vector::cross(v, w)))
     }
@@ -80,13 +83,15 @@ pub(super) struct Fork<L: Lanes> {
     pub(super) exists: [L::Mask; 2],
     /// Whether they are one, or hardly apart.
     pub(super) is_singular: L::Mask,
-    /// By how much an angle is off, for a unit of roundoff of what it is computed from: much where the two meet.
+    /// By how much an angle is off, for a unit of roundoff of what it is computed from: much where
+    /// the two meet.
     pub(super) blur: L,
 }
 
 impl<L: Lanes> Fork<L> {
-    /// The angles of base·(re ± i·im), all of any length. An im that is less than `part` of the whole, both squared, is hardly any.
-    /// The roundoff of `re` is that of numbers as large as `size`.
+    /// The angles of base·(re ± i·im), all of any length. An im that is less than `part` of the
+    /// whole, both squared, is hardly any. The roundoff of `re` is that of numbers as large as
+    /// `size`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
@@ -139,8 +144,8 @@ impl<L: Lanes> Apart<L> {
         let both = one * other;
         let base =
             Complex { re: vector::dot(to, v) - both, im: vector::dot(to, vector::cross(axis, v)) };
-        // 1 − cos² − a² − b² + 2ab cos for the cosines a and b to the axis, without its rounding where the sine is small and
-        // they are alike.
+        // 1 − cos² − a² − b² + 2ab cos for the cosines a and b to the axis, without its
+        // rounding where the sine is small and they are alike.
         let is_back = cosine.lt(sine.constant(0.0));
         let (away, other) = (both + both, L::select(is_back, -other, other));
         let away = L::select(is_back, -away, away) * square / (sine.constant(1.0) + cosine.abs());

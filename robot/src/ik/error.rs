@@ -25,14 +25,16 @@ errors! {
             => "component {component} of the point of goal {goal} is not finite: {value}";
         /// All weights of a goal are zero.
         NoWeight { goal: usize = "The goal." } => "all weights of goal {goal} are zero";
-        /// A goal for a link that nothing moves: only fixed joints carry it, and such that mimic others zero times.
+        /// A goal for a link that nothing moves: only fixed joints carry it, and such that mimic
+        /// others zero times.
         Unmoved { goal: usize = "The goal.", link: usize = "The link that it names." }
             => "goal {goal} is for link {link}, and no joint that carries it moves";
         /// Too little room for the freedoms.
         Freedoms { freedoms: usize = "How many there is room for.", rates: usize = "How many rates the mechanism has." }
             => "there is room for {freedoms} freedoms where {rates} rates need one each";
-        /// No value is within the limits of a joint and those of the joints that mimic it, or the limits are angles beyond
-        /// what a float tells (2¹⁷ radians for `f32`, 2⁴⁶ for `f64`).
+        /// No value is within the limits of a joint and those of the joints that mimic it, or the
+        /// limits are angles beyond what a float tells (2¹⁷ radians for `f32`, 2⁴⁶ for
+        /// `f64`).
         Limits { joint: usize = "The joint.", low: f64 = "The lower limit.", high: f64 = "The upper limit." }
             => "joint {joint} cannot move between {low} and {high}: limits, also of what mimics it, must leave a value, and \
                 be angles that a float tells apart";

@@ -12,10 +12,12 @@ use dq8::scalar::{DualQuat, vector};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Family {
-    /// The last three axes meet in a point, and the second and third are parallel, or the first two meet: a shoulder, an
-    /// elbow, and a spherical wrist (PUMA, and most of what welds, paints and lifts).
+    /// The last three axes meet in a point, and the second and third are parallel, or the first two
+    /// meet: a shoulder, an elbow, and a spherical wrist (PUMA, and most of what welds, paints and
+    /// lifts).
     SphericalWrist,
-    /// The second, third and fourth axis are parallel, and the last two meet (UR and other arms that work beside people).
+    /// The second, third and fourth axis are parallel, and the last two meet (UR and other arms
+    /// that work beside people).
     ThreeParallel,
     /// Neither.
     Other,
@@ -28,25 +30,30 @@ pub(super) struct Geometry<R> {
     pub(super) axes: [[R; 3]; 6],
     /// From a target to the motion of what is fixed to the tool.
     pub(super) back: DualQuat<R>,
-    /// A point on the first axis, that where the second crosses it if `crosses`; and where the last axes meet.
+    /// A point on the first axis, that where the second crosses it if `crosses`; and where the last
+    /// axes meet.
     pub(super) crosses: bool,
     pub(super) base: [R; 3],
     pub(super) centre: [R; 3],
-    /// From the base to the third axis; from there to the centre, or of three parallel axes from the centre to the fourth.
+    /// From the base to the third axis; from there to the centre, or of three parallel axes from
+    /// the centre to the fourth.
     pub(super) upper: [R; 3],
     pub(super) lower: [R; 3],
-    /// How near to the second axis, or to where it crosses the first, the end of the lower arm gets, and how far from it.
+    /// How near to the second axis, or to where it crosses the first, the end of the lower arm
+    /// gets, and how far from it.
     pub(super) spans: [R; 2],
-    /// Two directions across the second axis, in which the elbow is a plane one; the base in it, from the second axis.
+    /// Two directions across the second axis, in which the elbow is a plane one; the base in it,
+    /// from the second axis.
     pub(super) across: [[R; 3]; 2],
     pub(super) origin: [R; 2],
-    /// The links there: from the second to the third axis, and from there to the centre or the fourth axis; and the angle
-    /// between them about the third axis.
+    /// The links there: from the second to the third axis, and from there to the centre or the
+    /// fourth axis; and the angle between them about the third axis.
     pub(super) links: [[R; 2]; 2],
     pub(super) between: [R; 2],
     /// Which way the third and fourth axis turn there.
     pub(super) signs: [R; 2],
-    /// How high the centre is over the base along the second axis, and how much of that axis is along the first.
+    /// How high the centre is over the base along the second axis, and how much of that axis is
+    /// along the first.
     pub(super) height: R,
     pub(super) tilt: R,
     /// What the fifth axis turns the last against.
@@ -55,11 +62,13 @@ pub(super) struct Geometry<R> {
     pub(super) end: [[R; 3]; 2],
     /// A length that is typical for the arm.
     pub(super) size: R,
-    /// How far from parallel, or apart, its axes may be: [`fit`], or of an arm that is only nearly of its family, [`NEAR`].
+    /// How far from parallel, or apart, its axes may be: [`fit`], or of an arm that is only nearly
+    /// of its family, [`NEAR`].
     pub(super) fit: R,
 }
 
-/// How far from parallel, or apart, axes may be: what numbers of nine decimals, or chains of rounded turns, differ by.
+/// How far from parallel, or apart, axes may be: what numbers of nine decimals, or chains of
+/// rounded turns, differ by.
 pub(super) fn fit<R: Real>() -> R {
     if R::EPSILON > R::from(1e-10) { R::from(1e-5) } else { R::from(1e-8) }
 }
@@ -175,7 +184,8 @@ impl<R: Real> Geometry<R> {
         geometry
     }
 
-    /// Takes the point where the first two axes cross for the base. Whether the third axis then moves the centre to or from it.
+    /// Takes the point where the first two axes cross for the base. Whether the third axis then
+    /// moves the centre to or from it.
     fn cross(&mut self, crossing: [R; 3], elbow: [R; 3]) -> bool {
         let (upper, lower, axis) = (sub(elbow, crossing), sub(self.centre, elbow), self.axes[2]);
         let (a, b) = (cross(axis, upper), cross(axis, lower));

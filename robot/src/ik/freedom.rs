@@ -14,12 +14,13 @@ pub struct Freedom<R> {
     pub(super) range: Range<R>,
     /// Where its value is; of a floating joint, the first of the seven.
     pub(super) value: u32,
-    /// How much farther in its range every next beginning is, in 2⁻⁶⁴ of it; zero where the range has no end.
+    /// How much farther in its range every next beginning is, in 2⁻⁶⁴ of it; zero where the
+    /// range has no end.
     pub(super) share: u64,
     /// Of the freedom for this rate, its place among those that move a goal.
     pub(super) column: u32,
-    /// The freedom that carries it, how many carry it in all, the first of its entries in the system of the tree, and
-    /// the first row of its twist.
+    /// The freedom that carries it, how many carry it in all, the first of its entries in the
+    /// system of the tree, and the first row of its twist.
     pub(super) above: u32,
     pub(super) depth: u32,
     pub(super) first: u32,
@@ -129,7 +130,8 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // The limits of joints that move no goal do not matter, and of those that mimic neither: many files have them wrong.
+    // The limits of joints that move no goal do not matter, and of those that mimic neither: many
+    // files have them wrong.
     for (_, step) in steps.iter().enumerate().filter(|(at, step)| step.mimics && carries(*at)) {
         if let Some(slot) = moving(freedoms, step.rate as usize) {
             slot.range = narrowed(slot.range, step);
@@ -145,8 +147,8 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // The columns move to the front, in order; the slots of their rates say where they have gone. A column is never behind its
-    // rate, so nothing is overwritten before it is read.
+    // The columns move to the front, in order; the slots of their rates say where they have gone. A
+    // column is never behind its rate, so nothing is overwritten before it is read.
     let mut count = 0;
     for rate in 0..freedoms.len() {
         let Some(&freedom) = freedoms.get(rate) else { continue };
@@ -165,9 +167,10 @@ pub(super) fn freedoms<R: Real>(
     Ok(count)
 }
 
-/// Values of low discrepancy, where ranges have two ends: the additive recurrence ½ + kα modulo 1 with
-/// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises the golden ratio (Roberts 2018). In
-/// integers: a controller has no `f64`, and `f32` would lose what the numbers of later beginnings have in common.
+/// Values of low discrepancy, where ranges have two ends: the additive recurrence ½ + kα modulo 1
+/// with αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises
+/// the golden ratio (Roberts 2018). In integers: a controller has no `f64`, and `f32` would lose
+/// what the numbers of later beginnings have in common.
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     let count = freedoms.iter().filter(|freedom| freedom.has_ends()).count();
     let factor = spacing(count);
@@ -211,8 +214,8 @@ fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>
     freedoms.get_mut(rate).filter(|freedom| freedom.column != NONE)
 }
 
-/// What the limits of a joint that mimics leave of the limits of the other. A turn less of that one must be the
-/// same pose of this one too: it is a hinge that turns a whole number of times as much.
+/// What the limits of a joint that mimics leave of the limits of the other. A turn less of that one
+/// must be the same pose of this one too: it is a hinge that turns a whole number of times as much.
 fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     let is_hinge = match step.kind {
         JointKind::Screw { pitch, .. } => pitch == R::ZERO,

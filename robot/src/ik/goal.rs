@@ -1,11 +1,12 @@
 use dq8::Real;
 
-/// What is asked of a link: which of the six components of its error vanish, and how much each weighs
-/// where not all can.
+/// What is asked of a link: which of the six components of its error vanish, and how much each
+/// weighs where not all can.
 ///
-/// Components are in the axes of the *target*: the rotation from the link to the target as a rotation
-/// vector, radians, and the way from the [`point`](Self::point) of the link to the target's origin. A weight of zero leaves its
-/// component free: a drill may turn about its own axis, a cup on a table slide along it.
+/// Components are in the axes of the *target*: the rotation from the link to the target as a
+/// rotation vector, radians, and the way from the [`point`](Self::point) of the link to the
+/// target's origin. A weight of zero leaves its component free: a drill may turn about its own
+/// axis, a cup on a table slide along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Goal<R> {
@@ -15,7 +16,8 @@ pub struct Goal<R> {
     pub angular: [R; 3],
     /// The weights of the way along the target's x, y and z, likewise.
     pub linear: [R; 3],
-    /// The point of the link, in its frame, that is to be at the target's origin; zero is the link's own origin.
+    /// The point of the link, in its frame, that is to be at the target's origin; zero is the
+    /// link's own origin.
     pub point: [R; 3],
 }
 
@@ -38,13 +40,15 @@ impl<R: Real> Goal<R> {
         Self { linear: [R::ZERO; 3], ..Self::pose(link) }
     }
 
-    /// The same goal at a point of the link, in its frame: a fingertip, a heel, the middle of a camera.
+    /// The same goal at a point of the link, in its frame: a fingertip, a heel, the middle of a
+    /// camera.
     #[must_use]
     pub fn at(self, point: [R; 3]) -> Self {
         Self { point, ..self }
     }
 
-    /// The same goal, of which rotation and position weigh as much as is said; what weighs nothing is free.
+    /// The same goal, of which rotation and position weigh as much as is said; what weighs nothing
+    /// is free.
     #[must_use]
     pub fn weighing(self, rotation: R, position: R) -> Self {
         Self { angular: [rotation; 3], linear: [position; 3], ..self }

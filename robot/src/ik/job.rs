@@ -13,10 +13,12 @@ use dq8::seams::Rows;
 use dq8::{Backend, Kernel, Scalar, ShapeError};
 use dq8_simd::{Level, MAX_LANES};
 
-/// A search for many configurations, as many at a time as there are lanes, with options that all have a default.
+/// A search for many configurations, as many at a time as there are lanes, with options that all
+/// have a default.
 ///
-/// A lane that is done takes the next configuration; the result of one does not depend on the others. Debug builds need a
-/// deep stack: [the table](https://docs.rs/dq8/latest/dq8/guide/firmware/index.html#stack).
+/// A lane that is done takes the next configuration; the result of one does not depend on the
+/// others. Debug builds need a deep stack: [the
+/// table](https://docs.rs/dq8/latest/dq8/guide/firmware/index.html#stack).
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -53,11 +55,12 @@ impl<R> ReachJob<'_, R> {
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// [`Reach::solve`] for many configurations. Allocates [`batch_scratch_len`](Reach::batch_scratch_len) numbers for
-    /// each task that runs at the same time.
+    /// [`Reach::solve`] for many configurations. Allocates
+    /// [`batch_scratch_len`](Reach::batch_scratch_len) numbers for each task that runs at the same
+    /// time.
     ///
-    /// `targets` is `[configuration][goal]`, `values` `[configuration][value]`, and there is a report for each
-    /// configuration.
+    /// `targets` is `[configuration][goal]`, `values` `[configuration][value]`, and there is a
+    /// report for each configuration.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations; nothing is written.
@@ -83,11 +86,13 @@ impl<R: Scalar> ReachJob<'_, R> {
         Ok(())
     }
 
-    /// [`solve`](Self::solve) in memory of the caller, without allocation, on the thread that calls: `scratch` has
-    /// [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more, and may hold anything.
+    /// [`solve`](Self::solve) in memory of the caller, without allocation, on the thread that
+    /// calls: `scratch` has [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more, and
+    /// may hold anything.
     ///
     /// # Errors
-    /// If the slices hold different numbers of configurations, or there is too little scratch; nothing is written.
+    /// If the slices hold different numbers of configurations, or there is too little scratch;
+    /// nothing is written.
     pub fn solve_in(
         &self,
         scratch: &mut [R],
@@ -114,9 +119,9 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-/// How many configurations a task has at least. Some searches take ten times as long as others, so a thread has four
-/// tasks; but the last configurations of a task leave lanes idle, so few are a waste, and many are left over for one
-/// thread.
+/// How many configurations a task has at least. Some searches take ten times as long as others, so
+/// a thread has four tasks; but the last configurations of a task leave lanes idle, so few are a
+/// waste, and many are left over for one thread.
 #[cfg(feature = "alloc")]
 fn grain(configurations: usize) -> usize {
     #[cfg(feature = "rayon")]

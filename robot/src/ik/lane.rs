@@ -1,23 +1,25 @@
 //! What the search in a lane does next.
 //!
-//! *Progress* is a fall of the squared error to a part of what it was within a few steps: those near a
-//! solution converge quadratically, so a search that falls slowly is on its way to a local minimum. A lane
-//! without progress begins again, if it may, and ends if not; one that limits leave no *hope* does not wait.
-//! In the last twelfth of the iterations it goes back to the nearest pose that it found instead, and stays there.
+//! *Progress* is a fall of the squared error to a part of what it was within a few steps: those
+//! near a solution converge quadratically, so a search that falls slowly is on its way to a local
+//! minimum. A lane without progress begins again, if it may, and ends if not; one that limits leave
+//! no *hope* does not wait. In the last twelfth of the iterations it goes back to the nearest pose
+//! that it found instead, and stays there.
 
 use super::report::{Options, Outcome};
 use dq8::Real;
 
-/// The squared error must fall to a part of itself, this one, or where there is no other beginning the next ...
+/// The squared error must fall to a part of itself, this one, or where there is no other beginning
+/// the next ...
 const PROGRESS: f32 = 0.4;
 const LAST_PROGRESS: f32 = 0.999;
 /// ... in this many steps. Patience costs iterations that a restart could use: with 3, fewer of the
 /// random targets in the tests are reached. Without restarts, patience costs nothing.
 const PATIENCE: u32 = 2;
 const LAST_PATIENCE: u32 = 6;
-/// A step that limits cut so short that even its own linear model leaves more than this part of the squared error
-/// is the last, where there is another beginning. Of 10,000 random targets of an arm of seven axes it is 9,997 that
-/// are reached; with the part that is progress as the hope 9,993.
+/// A step that limits cut so short that even its own linear model leaves more than this part of the
+/// squared error is the last, where there is another beginning. Of 10,000 random targets of an arm
+/// of seven axes it is 9,997 that are reached; with the part that is progress as the hope 9,993.
 const HOPE: f32 = 0.2;
 /// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
 const NEAR: f32 = 1e-4;
@@ -39,7 +41,8 @@ pub(super) struct Seen<R> {
     pub(super) linear: R,
     /// The squared distance from the posture.
     pub(super) wish: R,
-    /// What the last step would leave of the squared error, if a limit cut it short; zero if none did.
+    /// What the last step would leave of the squared error, if a limit cut it short; zero if none
+    /// did.
     pub(super) left: R,
     /// The square of all that the last step changed, in radians.
     pub(super) moved: R,
@@ -64,13 +67,13 @@ pub(super) struct Lane<R> {
     ever_stuck: bool,
     /// Whether it went back to the nearest that it had been, to stay.
     settles: bool,
-    /// The squared error after the last step, the one that progress is measured from, and the steps without
-    /// progress since.
+    /// The squared error after the last step, the one that progress is measured from, and the steps
+    /// without progress since.
     square: R,
     mark: R,
     idle_steps: u32,
-    /// By how much more than usual steps are damped: where there is no other beginning and a step led away,
-    /// the next are shorter (Marquardt 1963).
+    /// By how much more than usual steps are damped: where there is no other beginning and a step
+    /// led away, the next are shorter (Marquardt 1963).
     pub(super) caution: R,
     /// What it does next.
     pub(super) next: Next,
@@ -145,7 +148,8 @@ impl<R: Real> Lane<R> {
         if is_best {
             self.best = seen;
         }
-        // Finite values can have a pose that overflows. Later poses are judged by comparisons, which NaN never wins.
+        // Finite values can have a pose that overflows. Later poses are judged by comparisons,
+        // which NaN never wins.
         if self.is_fresh && !seen.square.is_finite() {
             self.is_invalid = true;
             return (false, Next::End);
@@ -167,8 +171,9 @@ impl<R: Real> Lane<R> {
         (is_best, next)
     }
 
-    /// What has arrived is kept even where an earlier pose had the smaller sum of errors: that one had one of the two
-    /// beyond its tolerance. Of those that have arrived, the nearest to the posture.
+    /// What has arrived is kept even where an earlier pose had the smaller sum of errors: that one
+    /// had one of the two beyond its tolerance. Of those that have arrived, the nearest to the
+    /// posture.
     fn is_best(&self, seen: &Seen<R>, arrived: bool) -> bool {
         match (self.is_fresh, self.converged) {
             (true, _) => true,
@@ -177,15 +182,17 @@ impl<R: Real> Lane<R> {
         }
     }
 
-    /// Nearer than the nearest so far. Of a target out of reach the square is that of the way to a place that may be
-    /// reached; on the way there nothing may be lost of both errors that are reported.
+    /// Nearer than the nearest so far. Of a target out of reach the square is that of the way to a
+    /// place that may be reached; on the way there nothing may be lost of both errors that are
+    /// reported.
     fn is_nearer(&self, seen: &Seen<R>) -> bool {
         let gains = seen.linear <= self.best.linear || seen.angular < self.best.angular;
         seen.square < self.best.square && (gains || !self.out_of_reach)
     }
 
-    /// Not there yet: a step, unless steps have stopped paying. Then the search begins again if it may, or ends. The last
-    /// part of the iterations is for steps from the nearest pose so far, without another beginning.
+    /// Not there yet: a step, unless steps have stopped paying. Then the search begins again if it
+    /// may, or ends. The last part of the iterations is for steps from the nearest pose so far,
+    /// without another beginning.
     fn toward_targets(&mut self, seen: &Seen<R>, options: &Options<R>) -> Next {
         let may_restart = options.restarts && !self.out_of_reach && !self.settles;
         let is_stuck = self.is_stuck(seen, may_restart) | self.gains_little(seen, options);
@@ -205,8 +212,9 @@ impl<R: Real> Lane<R> {
         if self.settles { Next::GoBack } else { Next::BeginAgain }
     }
 
-    /// Whether too many steps in a row have brought too little, or the last one shows that no more will. Where there is
-    /// another beginning, less patience and more progress are asked for: to begin again is cheap.
+    /// Whether too many steps in a row have brought too little, or the last one shows that no more
+    /// will. Where there is another beginning, less patience and more progress are asked for: to
+    /// begin again is cheap.
     fn is_stuck(&mut self, seen: &Seen<R>, may_restart: bool) -> bool {
         let (needed, patience) = match may_restart {
             true => (PROGRESS, PATIENCE),
@@ -243,14 +251,16 @@ impl<R: Real> Lane<R> {
         };
     }
 
-    /// The targets are reached, or have been: on to the posture, until poses that reach them come no nearer
-    /// to it, or next to nothing moves. Between them are some that do not, because the way there is bent.
+    /// The targets are reached, or have been: on to the posture, until poses that reach them come
+    /// no nearer to it, or next to nothing moves. Between them are some that do not, because the
+    /// way there is bent.
     fn toward_posture(&mut self, seen: &Seen<R>, arrived: bool, options: &Options<R>) -> Next {
         let least = R::from(POSTURE_STEP);
         let is_nearer = !self.converged || (seen.wish < self.mark && seen.moved > least * least);
         let tolerance = options.angular_tolerance;
         let is_there = arrived && (!is_nearer || seen.wish <= tolerance * tolerance);
-        // Only poses that reach the targets count as progress; on the others the error is what the posture costs.
+        // Only poses that reach the targets count as progress; on the others the error is what the
+        // posture costs.
         if arrived {
             (self.mark, self.idle_steps) = (seen.wish, 0);
         }
@@ -267,7 +277,8 @@ impl<R: Real> Lane<R> {
         Next::Step
     }
 
-    /// Whether a limit cut the last step so short that even its own linear model left most of the error.
+    /// Whether a limit cut the last step so short that even its own linear model left most of the
+    /// error.
     fn is_hopeless(&self, seen: &Seen<R>) -> bool {
         seen.left > self.square * R::from(HOPE) && self.square > R::from(NEAR)
     }
@@ -275,7 +286,8 @@ impl<R: Real> Lane<R> {
     pub(super) fn outcome(&self, is_at_limits: bool) -> Outcome {
         // The last step was the best of all: with more iterations it would go on.
         let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
-        // In falling order of how much they say: a target out of reach also stalls, and may press joints to their limits.
+        // In falling order of how much they say: a target out of reach also stalls, and may press
+        // joints to their limits.
         match self {
             Self { is_invalid: true, .. } => Outcome::Invalid,
             Self { converged: true, .. } => Outcome::Converged,

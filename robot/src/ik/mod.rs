@@ -10,17 +10,16 @@
 //! | [`Reach::rates`], [`ReachJob::sequence`] | velocities; clips of frames |
 //! | [`SixAxisArm`], [`Solutions`] | all ways in which an arm of six hinges reaches a target |
 
-// `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs`: what is asked, checked once, in memory of the caller
-// `bound.rs`: how far a link gets
-// `solve.rs`, `job.rs`, `sequence.rs`: one configuration, many, and clips of frames
-// `search.rs`, `lane.rs`, `assign.rs`: the loop, what a lane does next, what it is given and gives back
-// `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs`: what is computed of it, on lanes
-// `rates.rs`: velocities instead of places
-// `range.rs`, `report.rs`: values within limits; what a search is told, and what it tells
-// `normal.rs`, `tree.rs`: damped least squares of any size; of many goals, in the shape of the tree
-// `six_axis.rs`, `solutions.rs`: all solutions of an arm of six hinges; `family.rs`, `complex.rs`, `branches.rs`: by formula,
-// `starts.rs`: by searches
-// `scratch.rs`: numbers of all lanes in memory of the caller
+// `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs`: what is asked, checked once, in memory of the
+// caller `bound.rs`: how far a link gets `solve.rs`, `job.rs`, `sequence.rs`: one configuration,
+// many, and clips of frames `search.rs`, `lane.rs`, `assign.rs`: the loop, what a lane does next,
+// what it is given and gives back `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`,
+// `wish.rs`, `step.rs`, `restart.rs`: what is computed of it, on lanes `rates.rs`: velocities
+// instead of places `range.rs`, `report.rs`: values within limits; what a search is told, and what
+// it tells `normal.rs`, `tree.rs`: damped least squares of any size; of many goals, in the shape of
+// the tree `six_axis.rs`, `solutions.rs`: all solutions of an arm of six hinges; `family.rs`,
+// `complex.rs`, `branches.rs`: by formula, `starts.rs`: by searches `scratch.rs`: numbers of all
+// lanes in memory of the caller
 
 mod assign;
 mod bound;

@@ -6,8 +6,8 @@ use super::scratch::Scratch;
 use dq8::Scalar;
 use dq8_simd::Lanes;
 
-/// With `TRACK`, steps are of first order, and of many goals in the shape of the tree: a constant of the type, so that
-/// firmware that does not follow many goals does not hold it.
+/// With `TRACK`, steps are of first order, and of many goals in the shape of the tree: a constant
+/// of the type, so that firmware that does not follow many goals does not hold it.
 pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) level: L::Level,
     pub(super) reach: &'s Reach<'s, L::Real>,
@@ -52,8 +52,8 @@ pub(super) struct Apart<L> {
 /// What a step did.
 #[derive(Clone, Copy)]
 pub(super) struct Stepped<L> {
-    /// Where a limit cut it short, the square of the errors that it would leave by its own linear model;
-    /// elsewhere zero.
+    /// Where a limit cut it short, the square of the errors that it would leave by its own linear
+    /// model; elsewhere zero.
     pub(super) left: L,
     /// The square of all changes, in radians.
     pub(super) moved: L,

@@ -13,14 +13,16 @@ pub(super) const FLOOR: f64 = 1e-30;
 const POSE: usize = 6;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// y with (JJᵀ + λ²1) y = e, so that Jᵀy is the x that makes |Jx − e|² + λ²|x|² least (Nakamura & Hanafusa
-    /// 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero. y takes the place of e in `solution`.
+    /// y with (JJᵀ + λ²1) y = e, so that Jᵀy is the x that makes |Jx − e|² + λ²|x|²
+    /// least (Nakamura & Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero. y
+    /// takes the place of e in `solution`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_normal(&mut self, damping: L) {
         let (level, rows, scratch) = (self.level, self.reach.facts.rows, &mut self.scratch);
         let none = damping.constant(0.0).to_array();
-        // One pose is what most ask for: its triangle has 21 numbers, which stay on the stack, and loops of known length.
-        // Machine code for one lane would be as long, to gain little: without std, where memory is short, it is left out.
+        // One pose is what most ask for: its triangle has 21 numbers, which stay on the stack, and
+        // loops of known length. Machine code for one lane would be as long, to gain little:
+        // without std, where memory is short, it is left out.
         if (L::LANES > 1 || cfg!(feature = "std")) && rows == POSE {
             let (mut a, mut b, mut c) = ([none; POSE * (POSE + 1) / 2], [none; POSE], [none; POSE]);
             let (mut triangle, mut reciprocals, mut y) = (Rows(&mut a), Rows(&mut b), Rows(&mut c));
@@ -63,8 +65,9 @@ fn multiply<L: Lanes<Real: Scalar>>(
     }
 }
 
-/// By Cholesky's factorisation in place: to λ² is added what rounding makes of JJᵀ, so that a singular J is not a
-/// special case; and each pivot is at least λ², as it would be without rounding.
+/// By Cholesky's factorisation in place: to λ² is added what rounding makes of JJᵀ, so that a
+/// singular J is not a special case; and each pivot is at least λ², as it would be without
+/// rounding.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn solve<L: Lanes<Real: Scalar>>(
     a: &mut Rows<'_, L>,
@@ -81,7 +84,8 @@ fn solve<L: Lanes<Real: Scalar>>(
     // Where nothing moves anything, nothing is asked of it.
     let floor = damping + damping.constant(FLOOR);
     let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
-    // Row by row: A = LLᵀ and Lz = y at once, z in the place of y. Pivots are kept as reciprocals of their roots.
+    // Row by row: A = LLᵀ and Lz = y at once, z in the place of y. Pivots are kept as reciprocals
+    // of their roots.
     for i in 0..rows {
         let of_i = i * (i + 1) / 2;
         let mut pivot = a.get(level, of_i + i) + least;

@@ -8,19 +8,22 @@ use crate::mechanism::tree::Mechanism;
 use dq8::Real;
 use dq8::seams::brief;
 
-/// An inverse kinematics problem: a mechanism, and what is asked of its links; checked once. Targets and
-/// starts come with each call: [`solve`](Self::solve) for one configuration, [`job`](Self::job) for many.
+/// An inverse kinematics problem: a mechanism, and what is asked of its links; checked once.
+/// Targets and starts come with each call: [`solve`](Self::solve) for one configuration,
+/// [`job`](Self::job) for many.
 ///
 /// It borrows its memory: the goals, and a [`Freedom`] for each rate of the mechanism.
 /// [`OwnedReach`](super::OwnedReach) has its own.
 ///
-/// Joints of every kind move. A whole turn of a hinge is the same pose: of the values within its limits that are,
-/// the result is the nearest to the start, and a start beyond the limits begins a turn or more less far where
-/// that is within them. What has an end stops there. (A float far from zero is a coarse angle: hinges whose limits span
-/// more than 16 turns stay within 64 radians of zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits
-/// that is nearest to it. A turn of a thread, or of a joint that something mimics by a part, is another pose.) Joints
-/// that mimic follow, within the limits of both, [as far](Mechanism::value_limits) as those of the follower leave a range. A floating joint turns about the axes of its link, and then
-/// slides; its quaternion keeps the sign of the start. Joints that carry no link with a goal keep their values.
+/// Joints of every kind move. A whole turn of a hinge is the same pose: of the values within its
+/// limits that are, the result is the nearest to the start, and a start beyond the limits begins a
+/// turn or more less far where that is within them. What has an end stops there. (A float far from
+/// zero is a coarse angle: hinges whose limits span more than 16 turns stay within 64 radians of
+/// zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits that is nearest to it. A
+/// turn of a thread, or of a joint that something mimics by a part, is another pose.) Joints that
+/// mimic follow, within the limits of both, [as far](Mechanism::value_limits) as those of the
+/// follower leave a range. A floating joint turns about the axes of its link, and then slides; its
+/// quaternion keeps the sign of the start. Joints that carry no link with a goal keep their values.
 ///
 /// ```
 /// use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach};
@@ -81,10 +84,11 @@ impl<'a, R: Real> Reach<'a, R> {
     /// Checks what is asked.
     ///
     /// # Errors
-    /// If there is no goal, or one for a link that there is not or that no joint moves, or with weights that are neither
-    /// zero nor between 10⁻⁶ and 10⁶, or all zero, or at a point that is not finite; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
-    /// and of what mimics it leave no value, or are angles that a float does not tell apart. `freedoms` may
-    /// have been written.
+    /// If there is no goal, or one for a link that there is not or that no joint moves, or with
+    /// weights that are neither zero nor between 10⁻⁶ and 10⁶, or all zero, or at a point
+    /// that is not finite; if there are fewer freedoms than rates; if the limits of a joint that
+    /// moves a goal and of what mimics it leave no value, or are angles that a float does not tell
+    /// apart. `freedoms` may have been written.
     pub fn new(
         mechanism: Mechanism<'a, R>,
         goals: &'a [Goal<R>],
@@ -123,12 +127,14 @@ impl<'a, R: Real> Reach<'a, R> {
         Ok(reach)
     }
 
-    /// With a preferred configuration. With an [`Options::posture_weight`](super::Options::posture_weight) it always acts;
-    /// without, a search that has reached its targets goes on toward these values as far
-    /// as the goals leave freedom, until it is there to within the angular tolerance, comes no nearer in 60
-    /// iterations, next to nothing moves (10⁻⁴ rad; so `max_step` should be more), or the iterations are used
-    /// up. Weighs nothing against the goals (the null space of their Jacobian; Liégeois 1977). Beyond a limit,
-    /// the limit is preferred. Of planar and other joints alike; floating joints have no preference.
+    /// With a preferred configuration. With an
+    /// [`Options::posture_weight`](super::Options::posture_weight) it always acts; without, a
+    /// search that has reached its targets goes on toward these values as far as the goals leave
+    /// freedom, until it is there to within the angular tolerance, comes no nearer in 60
+    /// iterations, next to nothing moves (10⁻⁴ rad; so `max_step` should be more), or the
+    /// iterations are used up. Weighs nothing against the goals (the null space of their Jacobian;
+    /// Liégeois 1977). Beyond a limit, the limit is preferred. Of planar and other joints alike;
+    /// floating joints have no preference.
     ///
     /// # Errors
     /// If there are not as many values as a configuration has, or one is not finite.

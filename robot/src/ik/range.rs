@@ -6,8 +6,8 @@ use dq8_simd::Lanes;
 
 /// Hinges that may turn farther than this are endless.
 const ENDLESS_TURNS: f32 = 16.0;
-/// How far from zero those go in `f32`, radians: ten turns, where floats are 4e-6 apart, less than the tolerance of 10⁻⁵
-/// that is the default.
+/// How far from zero those go in `f32`, radians: ten turns, where floats are 4e-6 apart, less than
+/// the tolerance of 10⁻⁵ that is the default.
 const FAR_SINGLE: f32 = 64.0;
 /// And in `f64`, 2²⁰: 167,000 turns, where they are 10⁻¹⁰ apart.
 const FAR_DOUBLE: f32 = 1_048_576.0;
@@ -37,8 +37,8 @@ impl<R: Real> Range<R> {
     /// Zero alone.
     pub(crate) const NONE: Self = Self { low: R::ZERO, high: R::ZERO, turns: Turns::Matter };
 
-    /// The limits, of an endless hinge as far as floats are fine enough. `None` if they are not in order, or angles
-    /// that a float does not tell.
+    /// The limits, of an endless hinge as far as floats are fine enough. `None` if they are not in
+    /// order, or angles that a float does not tell.
     pub(crate) fn within([low, high]: [R; 2], is_hinge: bool, is_angle: bool) -> Option<Self> {
         let turn = R::TWO * R::PI;
         let turns = match high - low {
@@ -78,7 +78,8 @@ impl<R: Real> Range<R> {
     }
 }
 
-/// What is within limits and not farther than `far` from zero, or else the turn within them that is nearest to zero.
+/// What is within limits and not farther than `far` from zero, or else the turn within them that is
+/// nearest to zero.
 fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
     let turn = R::TWO * R::PI;
     let least = |a: R, b: R| if b < a { b } else { a };
@@ -104,9 +105,9 @@ impl<R: Scalar> Range<R> {
         vector::splat(level, [self.low, self.high])
     }
 
-    /// The value within the range where the joint is as it is at `value`, of several the nearest to `to`, which is within
-    /// the range; the nearest value where there is none. Beyond an end by no more than `slack` it is at the end, and not a
-    /// turn away.
+    /// The value within the range where the joint is as it is at `value`, of several the nearest to
+    /// `to`, which is within the range; the nearest value where there is none. Beyond an end by no
+    /// more than `slack` it is at the end, and not a turn away.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn nearest<L: Lanes<Real = R>>(&self, value: L, to: L, slack: L) -> L {
         let clamped = self.clamp(value);
@@ -128,7 +129,8 @@ impl<R: Scalar> Range<R> {
         L::select(low.le(near) & near.le(high), near, clamped)
     }
 
-    /// Where a step from within the range to `value` ends at a limit: where no turn less is within it.
+    /// Where a step from within the range to `value` ends at a limit: where no turn less is within
+    /// it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn stops<L: Lanes<Real = R>>(&self, value: L) -> L::Mask {
         let [low, high] = self.ends(value.level());

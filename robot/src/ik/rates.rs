@@ -21,10 +21,11 @@ where
 {
     /// The rates at which the goals have these velocities, as nearly as they can: those that make
     /// |W(Jq̇ − v)|² + λ²|q̇|² least, λ the `damping`, which keeps them small near singular poses (Nakamura & Hanafusa
-    /// 1986). A joint at a limit is not asked to go farther; the others make up for it. `twists[i]` is what goal i should
-    /// do: the angular velocity of its link and the velocity of its point, in the axes of the base
-    /// ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal, in the axes of its link; a length weighs as
-    /// much as the eighth of the mechanism's longest way to a goal. Rates of joints that carry no goal are zero.
+    /// 1986). A joint at a limit is not asked to go farther; the others make up for it. `twists[i]`
+    /// is what goal i should do: the angular velocity of its link and the velocity of its point, in
+    /// the axes of the base ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal,
+    /// in the axes of its link; a length weighs as much as the eighth of the mechanism's longest
+    /// way to a goal. Rates of joints that carry no goal are zero.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -45,7 +46,8 @@ where
     /// ```
     ///
     /// # Errors
-    /// If lengths do not fit, or a number is not finite or the damping negative: nothing is written.
+    /// If lengths do not fit, or a number is not finite or the damping negative: nothing is
+    /// written.
     pub fn rates(
         &self,
         values: &[R],
@@ -64,9 +66,10 @@ where
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// [`Reach::rates`] for many configurations on the lanes of the CPU, without allocation, on the thread that calls:
-    /// `values` is `[configuration][value]`, `twists` `[configuration][goal]`, `rates` `[configuration][rate]`, and
-    /// `scratch` has [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more.
+    /// [`Reach::rates`] for many configurations on the lanes of the CPU, without allocation, on the
+    /// thread that calls: `values` is `[configuration][value]`, `twists` `[configuration][goal]`,
+    /// `rates` `[configuration][rate]`, and `scratch` has
+    /// [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more.
     ///
     /// # Errors
     /// As there.

@@ -1,8 +1,8 @@
 //! Other beginnings for lanes that got stuck.
 //!
-//! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the limits, all
-//! different from those before, and takes the one whose links are nearest to the targets. The other lanes help to
-//! compute them. What has no ends stays as it was at the start.
+//! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
+//! limits, all different from those before, and takes the one whose links are nearest to the
+//! targets. The other lanes help to compute them. What has no ends stays as it was at the start.
 
 use super::forward::Of;
 use super::lane::Lane;
@@ -10,21 +10,21 @@ use super::model::Model;
 use dq8::Scalar;
 use dq8_simd::{Lanes, MAX_LANES};
 
-/// How many are compared: as many for any lanes, so that all come to the same result. With half as many, fewer than 998
-/// of 1,000 random targets of an arm of seven axes are reached.
+/// How many are compared: as many for any lanes, so that all come to the same result. With half as
+/// many, fewer than 998 of 1,000 random targets of an arm of seven axes are reached.
 const CANDIDATES: usize = 4 * MAX_LANES;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Puts a lane at the nearest of the candidates of its next restart. What has been computed of the poses of
-    /// other lanes is lost.
+    /// Puts a lane at the nearest of the candidates of its next restart. What has been computed of
+    /// the poses of other lanes is lost.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn begin_again(&mut self, lane: usize, search: &mut Lane<L::Real>) {
         let restart = search.restarts;
         search.restarts += 1;
         let mut nearest = None;
         for first in (0..CANDIDATES).step_by(L::LANES) {
-            // Numbers that no other restart has. They depend on the restart alone, neither on the lane nor on how many
-            // lanes there are, so that results do not either.
+            // Numbers that no other restart has. They depend on the restart alone, neither on the
+            // lane nor on how many lanes there are, so that results do not either.
             self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
             self.place_or_call(Of::Candidates);
             let squares = self.compare(Some(lane)).square.to_array();

@@ -78,7 +78,8 @@ impl<L: Lanes> Rows<'_, L> {
 /// What a search remembers.
 #[derive(Debug)]
 pub(super) struct Scratch<'s, L: Lanes> {
-    /// Where each lane is, where it began, the nearest that it has been, and where it might begin again.
+    /// Where each lane is, where it began, the nearest that it has been, and where it might begin
+    /// again.
     pub(super) values: Rows<'s, L>,
     pub(super) start: Rows<'s, L>,
     pub(super) best: Rows<'s, L>,
@@ -89,10 +90,11 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) slots: Rows<'s, L>,
     /// For each goal [`GOAL`] rows.
     pub(super) goals: Rows<'s, L>,
-    /// How the errors fall with each freedom: `[freedom][component]`, zero where the freedom is held.
+    /// How the errors fall with each freedom: `[freedom][component]`, zero where the freedom is
+    /// held.
     pub(super) columns: Rows<'s, L>,
-    /// Of each freedom: its change, in its own unit; what it would change without limits, in radians; the
-    /// way to the posture, in radians; and whether it is held at a limit, 1 or 0.
+    /// Of each freedom: its change, in its own unit; what it would change without limits, in
+    /// radians; the way to the posture, in radians; and whether it is held at a limit, 1 or 0.
     pub(super) changes: Rows<'s, L>,
     pub(super) radians: Rows<'s, L>,
     pub(super) wishes: Rows<'s, L>,
@@ -104,19 +106,21 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) triangle: Rows<'s, L>,
     pub(super) reciprocals: Rows<'s, L>,
     pub(super) solution: Rows<'s, L>,
-    /// The same in the shape of the tree: the entries, their factors, the right side, and the bodies that wait.
+    /// The same in the shape of the tree: the entries, their factors, the right side, and the
+    /// bodies that wait.
     pub(super) system: Rows<'s, L>,
     pub(super) factor: Rows<'s, L>,
     pub(super) right: Rows<'s, L>,
     pub(super) bodies: Rows<'s, L>,
 }
 
-/// Rows of what a link and those that it carries are to `tree.rs`: mass, mass times place, inertia (xx, yy, zz, xy, xz,
-/// yz), and the force as torque and force.
+/// Rows of what a link and those that it carries are to `tree.rs`: mass, mass times place, inertia
+/// (xx, yy, zz, xy, xz, yz), and the force as torque and force.
 pub(super) const BODY: usize = 16;
 
-/// Rows of a goal: the target, drawn to where it may be reached, and the way that it was drawn; the pose (rotation and half the
-/// translation), the rotation to the target, and the twist of the link as far as it has been summed up.
+/// Rows of a goal: the target, drawn to where it may be reached, and the way that it was drawn; the
+/// pose (rotation and half the translation), the rotation to the target, and the twist of the link
+/// as far as it has been summed up.
 pub(super) const GOAL: usize = TARGET + POSE + TURN + MOVED;
 pub(super) const TARGET: usize = DRAWN + 3;
 pub(super) const DRAWN: usize = 8;
@@ -134,8 +138,8 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts::of(self).numbers())
     }
 
-    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and so many goals, before
-    /// they are known.
+    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and so many goals,
+    /// before they are known.
     #[must_use]
     pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
         let mut twists = 0;
@@ -211,7 +215,8 @@ impl Counts {
         Self { values, twists, slots, goals, freedoms, rows, tree }.numbers()
     }
 
-    /// How many numbers a lane needs; as many as can be counted where it is more, which no memory has.
+    /// How many numbers a lane needs; as many as can be counted where it is more, which no memory
+    /// has.
     const fn numbers(&self) -> usize {
         let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
         let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));

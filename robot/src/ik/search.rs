@@ -2,19 +2,23 @@
 //!
 //! # The algorithm
 //!
-//! Each lane holds one configuration. In every round all lanes do the same: take the values into their limits; compute the
-//! poses of the goals and how far they are from the targets; decide, lane by lane, whether to step, end, go back to the best
-//! or begin again; and step, by damped least squares (Wampler 1986, Sugihara 2011) with a second order where a whole pose is
-//! asked for. A lane that ends writes its report and takes the next configuration.
+//! Each lane holds one configuration. In every round all lanes do the same: take the values into
+//! their limits; compute the poses of the goals and how far they are from the targets; decide, lane
+//! by lane, whether to step, end, go back to the best or begin again; and step, by damped least
+//! squares (Wampler 1986, Sugihara 2011) with a second order where a whole pose is asked for. A
+//! lane that ends writes its report and takes the next configuration.
 //!
 //! # Why it is as it is
 //!
-//! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group; a round costs the same, whoever
-//!   takes part.
-//! - *Decisions are scalar, arithmetic is not.* What a lane does next is a page of branches that differ from lane to lane: it
-//!   is taken out of registers once per round, and comes back as masks.
-//! - *What is judged is what is returned*: values are taken into their limits first, whole turns to the side of the start.
-//! - *Idle lanes compute along*, from zeros whatever the scratch held, so that every call has the same bits.
+//! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group; a
+//!   round costs the same, whoever takes part.
+//! - *Decisions are scalar, arithmetic is not.* What a lane does next is a page of branches that
+//!   differ from lane to lane: it is taken out of registers once per round, and comes back as
+//!   masks.
+//! - *What is judged is what is returned*: values are taken into their limits first, whole turns to
+//!   the side of the start.
+//! - *Idle lanes compute along*, from zeros whatever the scratch held, so that every call has the
+//!   same bits.
 //! - *Restarts are a constant of the type*, so that firmware without them does not hold them.
 
 use super::forward::Of;
@@ -33,7 +37,8 @@ pub(super) struct Work<'s, R> {
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
     pub(super) options: &'s Options<R>,
-    /// How many frames each clip has, of which each starts from the one before; none if all start from their own values.
+    /// How many frames each clip has, of which each starts from the one before; none if all start
+    /// from their own values.
     pub(super) clips: Option<&'s [usize]>,
 }
 
@@ -174,7 +179,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
     /// What each lane does next.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn judge(&mut self, apart: Apart<L>, wish: L, last: Stepped<L>) {
-        // Out of registers once per round: the decisions below are branches, and differ from lane to lane.
+        // Out of registers once per round: the decisions below are branches, and differ from lane
+        // to lane.
         let Apart { square, angular, linear } = apart;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
         let has_posture = self.model.reach.posture.is_some();

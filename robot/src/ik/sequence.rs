@@ -14,16 +14,18 @@ use dq8::{Scalar, ShapeError};
 use dq8_simd::MAX_LANES;
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// Clips of frames, one after the other: `clips` says how many frames each has. Each frame starts from the values that
-    /// the one before ended with, the first of a clip from what `values` holds there; that of the others may be anything.
-    /// A lane holds a clip and goes on to the next one when it is done, so clips may have any lengths; with as many clips as
-    /// there are lanes, or more, all of the CPU is used. Each frame is one call of [`Reach::track`](super::Reach::track),
-    /// without restarts. A frame whose targets are none keeps the values of the one before,
-    /// and is [`Invalid`](super::Outcome::Invalid).
+    /// Clips of frames, one after the other: `clips` says how many frames each has. Each frame
+    /// starts from the values that the one before ended with, the first of a clip from what
+    /// `values` holds there; that of the others may be anything. A lane holds a clip and goes on to
+    /// the next one when it is done, so clips may have any lengths; with as many clips as there are
+    /// lanes, or more, all of the CPU is used. Each frame is one call of
+    /// [`Reach::track`](super::Reach::track), without restarts. A frame whose targets are none
+    /// keeps the values of the one before, and is [`Invalid`](super::Outcome::Invalid).
     ///
-    /// `targets` is `[frame][goal]`, `values` `[frame][value]`, and there is a report for each frame. Allocates
-    /// [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers for each task that runs at the same time.
-    /// [`Options::track`] is made for it. For a single clip, `track` once a frame is quicker.
+    /// `targets` is `[frame][goal]`, `values` `[frame][value]`, and there is a report for each
+    /// frame. Allocates [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers for each
+    /// task that runs at the same time. [`Options::track`] is made for it. For a single clip,
+    /// `track` once a frame is quicker.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -77,8 +79,9 @@ impl<R: Scalar> ReachJob<'_, R> {
         Ok(())
     }
 
-    /// [`sequence`](Self::sequence) in memory of the caller, without allocation, on the thread that calls: `scratch` has
-    /// [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers or more, and may hold anything.
+    /// [`sequence`](Self::sequence) in memory of the caller, without allocation, on the thread that
+    /// calls: `scratch` has [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers or more,
+    /// and may hold anything.
     ///
     /// # Errors
     /// As there, or if there is too little scratch; nothing is written.

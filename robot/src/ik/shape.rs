@@ -5,8 +5,9 @@ use super::goal::Goal;
 use crate::mechanism::step::{NONE, Step};
 use dq8::Real;
 
-/// Finds the place of each freedom in the tree. How many entries the system has; none where it does not have the shape:
-/// where a joint that mimics shares a column, weights differ from axis to axis, or a pose is all that is asked.
+/// Finds the place of each freedom in the tree. How many entries the system has; none where it does
+/// not have the shape: where a joint that mimics shares a column, weights differ from axis to axis,
+/// or a pose is all that is asked.
 pub(super) fn shape<R: Real>(
     steps: &[Step<R>],
     goals: &[Goal<R>],

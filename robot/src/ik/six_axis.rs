@@ -7,15 +7,17 @@ use super::starts;
 use crate::mechanism::step::UNIT;
 use dq8::{DualQuat, Real};
 
-/// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose: what it is, found once, to say all of the
-/// ways in which it reaches a target.
+/// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose: what it is, found
+/// once, to say all of the ways in which it reaches a target.
 ///
-/// Arms of two [families](Family), which nearly all of industry is made of, have up to eight, and all of them are found, by
-/// formula. A turn of a hinge more or less is no other way: of those within the limits the nearest to the start is given.
-/// Each is checked by the mechanism itself, which is then at the target but for rounding; so a target may be out of
-/// reach by 64 units of the last place (2⁻⁵² or 2⁻²³) of the arm's size. For other arms there are searches from many starts:
-/// some 99 of 100 are found. Where axes miss a family by 10⁻³ at most, as of arms whose angles were typed with few digits, the
-/// starts are what its formula finds, which are far fewer.
+/// Arms of two [families](Family), which nearly all of industry is made of, have up to eight, and
+/// all of them are found, by formula. A turn of a hinge more or less is no other way: of those
+/// within the limits the nearest to the start is given. Each is checked by the mechanism itself,
+/// which is then at the target but for rounding; so a target may be out of reach by 64 units of the
+/// last place (2⁻⁵² or 2⁻²³) of the arm's size. For other arms there are searches from
+/// many starts: some 99 of 100 are found. Where axes miss a family by 10⁻³ at most, as of arms
+/// whose angles were typed with few digits, the starts are what its formula finds, which are far
+/// fewer.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -55,12 +57,12 @@ pub struct SixAxisArm<'a, R> {
 }
 
 impl<'a, R: Real> SixAxisArm<'a, R> {
-    /// Looks at the axes. Those that are to be parallel, or to meet, may be apart by 10⁻⁸ radians and of the arm's size
-    /// (`f32`: 10⁻⁵). A posture has no part in it.
+    /// Looks at the axes. Those that are to be parallel, or to meet, may be apart by 10⁻⁸
+    /// radians and of the arm's size (`f32`: 10⁻⁵). A posture has no part in it.
     ///
     /// # Errors
-    /// If there are other goals, or it is none of a whole pose, or what carries its link are not six hinges with values
-    /// of their own and fixed joints.
+    /// If there are other goals, or it is none of a whole pose, or what carries its link are not
+    /// six hinges with values of their own and fixed joints.
     pub fn new(reach: Reach<'a, R>) -> Result<Self, SolutionsError> {
         let reach = Reach { posture: None, ..reach };
         Ok(Self { geometry: Geometry::of(&reach)?, reach })
@@ -82,13 +84,15 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         values
     }
 
-    /// How many numbers [`solutions`](Self::solutions) needs to compute in: none for the two families.
+    /// How many numbers [`solutions`](Self::solutions) needs to compute in: none for the two
+    /// families.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
         self.with_values(self.reach.scratch_len())
     }
 
-    /// How many a [`SolutionsJob`](super::SolutionsJob) needs, with any instructions: none for the two families.
+    /// How many a [`SolutionsJob`](super::SolutionsJob) needs, with any instructions: none for the
+    /// two families.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         self.with_values(self.reach.batch_scratch_len())

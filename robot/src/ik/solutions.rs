@@ -3,7 +3,8 @@
 use core::ops::Deref;
 use dq8::Real;
 
-/// All ways in which an arm of six hinges has its tool at a target, the nearest to the start first. A slice of them.
+/// All ways in which an arm of six hinges has its tool at a target, the nearest to the start first.
+/// A slice of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solutions<R> {
@@ -17,8 +18,8 @@ pub struct Solutions<R> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solution<R> {
-    /// The values of the six hinges, from the base up, within their limits; of the turns that are there, the nearest to the
-    /// start.
+    /// The values of the six hinges, from the base up, within their limits; of the turns that are
+    /// there, the nearest to the start.
     pub values: [R; 6],
     /// How far they are from the start: the root of the sum of squares, radians.
     pub distance: R,
@@ -26,12 +27,14 @@ pub struct Solution<R> {
     pub singular: Singular,
 }
 
-/// At which of its joints a solution is singular: it is two that meet, where the target is at the edge of what can be reached,
-/// or one of infinitely many, of which the one with the angle of the start is given.
+/// At which of its joints a solution is singular: it is two that meet, where the target is at the
+/// edge of what can be reached, or one of infinitely many, of which the one with the angle of the
+/// start is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular {
-    /// The first axis. The centre of the wrist is on it, or as far from the plane of the arm as it gets.
+    /// The first axis. The centre of the wrist is on it, or as far from the plane of the arm as it
+    /// gets.
     pub shoulder: bool,
     /// The second and third axis. The arm is stretched, or folded.
     pub elbow: bool,
@@ -65,7 +68,8 @@ impl<R> Deref for Solutions<R> {
 }
 
 impl<R: Real> Solutions<R> {
-    /// Behind those that are nearer. Of more than eight, which a search may find, the farthest is left out.
+    /// Behind those that are nearer. Of more than eight, which a search may find, the farthest is
+    /// left out.
     pub(super) fn insert(&mut self, solution: Solution<R>) {
         let nearer = self.iter().filter(|other| other.distance <= solution.distance).count();
         self.count = self.all.len().min(self.count + 1);

@@ -33,11 +33,13 @@ impl<R> SixAxisArm<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// All values of the six hinges within their limits that bring the tool to a target, the nearest to `start` first.
-    /// None if it cannot be reached. `scratch` has [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
+    /// All values of the six hinges within their limits that bring the tool to a target, the
+    /// nearest to `start` first. None if it cannot be reached. `scratch` has
+    /// [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
     ///
     /// # Errors
-    /// If a number is not finite or the target farther than 10⁻³ from unit, or there is too little scratch.
+    /// If a number is not finite or the target farther than 10⁻³ from unit, or there is too
+    /// little scratch.
     pub fn solutions(
         &self,
         target: DualQuat<R>,
@@ -79,8 +81,8 @@ where
     }
 }
 
-/// Many targets of a [`SixAxisArm`], as many at a time as there are lanes, with options that all have a default. The
-/// solutions of one do not depend on the others.
+/// Many targets of a [`SixAxisArm`], as many at a time as there are lanes, with options that all
+/// have a default. The solutions of one do not depend on the others.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct SolutionsJob<'a, R> {
@@ -94,10 +96,12 @@ impl<R> SolutionsJob<'_, R> {
 
 impl<R: Scalar> SolutionsJob<'_, R> {
     /// [`SixAxisArm::solutions`] for many targets, each with a start of its own. Allocates
-    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers for each task that runs at the same time.
+    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers for each task that runs at the
+    /// same time.
     ///
     /// # Errors
-    /// As there, or if there are not as many starts, or places for what is found, as targets; nothing is written.
+    /// As there, or if there are not as many starts, or places for what is found, as targets;
+    /// nothing is written.
     #[cfg(feature = "alloc")]
     pub fn solutions(
         &self,
@@ -117,8 +121,9 @@ impl<R: Scalar> SolutionsJob<'_, R> {
         Ok(())
     }
 
-    /// The same in memory of the caller, without allocation, on the thread that calls: `scratch` has
-    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers or more, and may hold anything.
+    /// The same in memory of the caller, without allocation, on the thread that calls: `scratch`
+    /// has [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers or more, and may hold
+    /// anything.
     ///
     /// # Errors
     /// As there, or if there is too little scratch; nothing is written.
@@ -172,7 +177,8 @@ impl<R: Scalar> SolutionsJob<'_, R> {
                 values,
                 |targets, values, reports, options| {
                     let work = Work { targets, values, reports, options, clips: None };
-                    // The kernel of other searches, told by `options` that it does not begin again; firmware may have no other.
+                    // The kernel of other searches, told by `options` that it does not begin again;
+                    // firmware may have no other.
                     const AGAIN: bool = cfg!(not(target_os = "none"));
                     arm.reach.job().run::<AGAIN, false>(backend, work, scratch);
                 },

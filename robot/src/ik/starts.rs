@@ -16,8 +16,8 @@ pub(super) fn values<R: Copy>(reach: &Reach<'_, R>) -> usize {
     reach.mechanism.values.saturating_mul(STARTS)
 }
 
-/// The solutions that `search` comes to: from those `found` of an arm that is nearly the same; if there are none, from `start`
-/// and from values that are spread evenly within the limits.
+/// The solutions that `search` comes to: from those `found` of an arm that is nearly the same; if
+/// there are none, from `start` and from values that are spread evenly within the limits.
 pub(super) fn search_all<R: Scalar>(
     reach: &Reach<'_, R>,
     target: DualQuat<R>,

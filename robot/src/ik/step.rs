@@ -1,14 +1,16 @@
 //! One step toward the targets, within the limits of the joints.
 //!
 //! Damped least squares for all freedoms at once; where that takes one beyond a limit, it goes to
-//! the limit and is *held* there, what its way contributes is taken off the errors, its column leaves the
-//! system, and the others are solved again for the rest (Baerlocher & Boulic 2004). So the others make up for it,
-//! where clipping the result would point the link elsewhere. Each round holds at least one more, in some lane.
+//! the limit and is *held* there, what its way contributes is taken off the errors, its column
+//! leaves the system, and the others are solved again for the rest (Baerlocher & Boulic 2004). So
+//! the others make up for it, where clipping the result would point the link elsewhere. Each round
+//! holds at least one more, in some lane.
 //!
-//! Slides and hinges share the system because everything in it is in radians: rows by the length that weighs as
-//! much as a radian, and the column of a slide by the same.
+//! Slides and hinges share the system because everything in it is in radians: rows by the length
+//! that weighs as much as a radian, and the column of a slide by the same.
 //!
-//! A posture adds what the goals leave free: with the way z to the posture, the change is z + J⁺(e − Jz).
+//! A posture adds what the goals leave free: with the way z to the posture, the change is z +
+//! J⁺(e − Jz).
 
 use super::freedom::{Freedom, Kind};
 use super::model::{Apart, Model, Stepped};
@@ -17,19 +19,19 @@ use dq8::Scalar;
 use dq8::batch::{Quat, vector};
 use dq8_simd::{Lanes, Mask};
 
-/// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|², Sugihara's choice
-/// (*Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011), which
-/// damps far from the target, where the columns promise too much, and in front of a target out of
-/// reach, where nothing limits what they promise, but not at the end. His μ is ½; with second-order
-/// steps anything from 0.01 to 0.05 is as good, and better than ½.
+/// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|², Sugihara's
+/// choice (*Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011),
+/// which damps far from the target, where the columns promise too much, and in front of a target
+/// out of reach, where nothing limits what they promise, but not at the end. His μ is ½; with
+/// second-order steps anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
-/// In searches that track and in which nothing else weighs, of the mean over the goals: Sugihara's. Their few steps must be
-/// right also where nothing reaches the target.
+/// In searches that track and in which nothing else weighs, of the mean over the goals: Sugihara's.
+/// Their few steps must be right also where nothing reaches the target.
 const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
-    /// posture too.
+    /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived,
+    /// toward the posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn step(
         &mut self,
@@ -43,7 +45,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let mut square = apart.square;
         let mut part = caution.constant(DAMPING);
         if TRACK && !weighs {
-            // To the target itself, and not to the nearest place that may be reached; of many goals the mean.
+            // To the target itself, and not to the nearest place that may be reached; of many goals
+            // the mean.
             let way = apart.linear * self.scales.radians_per_length;
             let whole = way * way;
             square = L::select(square.lt(whole), whole, square);
@@ -54,8 +57,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let damping =
             if weighs { damping + (self.follows.posture + self.follows.start) } else { damping };
         self.keep_wishes(arrived, damping);
-        // The first solution says how far everything moves. Where that pays, the step is solved again along columns that
-        // are bent by half of it: a step of second order, Halley's.
+        // The first solution says how far everything moves. Where that pays, the step is solved
+        // again along columns that are bent by half of it: a step of second order, Halley's.
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
         // A loop, so that machine code has it once.
@@ -89,8 +92,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.begin_step();
         // Nowhere yet.
         let mut limited = zero.lt(zero);
-        // Each round but the last holds one freedom more, in some lane, so there are no more rounds than freedoms and one.
-        // Lanes that no limit stops find the same changes again.
+        // Each round but the last holds one freedom more, in some lane, so there are no more rounds
+        // than freedoms and one. Lanes that no limit stops find the same changes again.
         for _ in 0..=self.reach.freedoms.len() {
             let shrink = self.solve(damping);
             let stopped = self.take(shrink) & running;
@@ -106,8 +109,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn begin_step(&mut self) {
         let zero = self.scales.length.constant(0.0);
-        // `left` is what the free ones must still make up for. It begins as the whole error; each joint that is held
-        // takes off what it does on its way to the limit.
+        // `left` is what the free ones must still make up for. It begins as the whole error; each
+        // joint that is held takes off what it does on its way to the limit.
         self.scratch.held.fill(zero);
         self.scratch.changes.fill(zero);
         for row in 0..self.rows() {
@@ -115,8 +118,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// What the free ones should change, in radians, and the factor that makes the longest of it no longer
-    /// than allowed.
+    /// What the free ones should change, in radians, and the factor that makes the longest of it no
+    /// longer than allowed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.facts.rows, damping.constant(0.0));
@@ -125,7 +128,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             self.solve_tree(damping, wishes);
             return self.shrink();
         }
-        // y of (JJᵀ + λ²)y = e. Its size is that of the goals, six rows for a pose, however many joints there are.
+        // y of (JJᵀ + λ²)y = e. Its size is that of the goals, six rows for a pose, however
+        // many joints there are.
         self.ask();
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
@@ -160,8 +164,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.scales.longest / most
     }
 
-    /// Puts what the free ones should make up for where the solution will be: the errors that are left, without
-    /// what the way to the posture contributes.
+    /// Puts what the free ones should make up for where the solution will be: the errors that are
+    /// left, without what the way to the posture contributes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn ask(&mut self) {
         let wishes = self.reach.posture.is_some() || self.weighs();
@@ -181,8 +185,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Changes the free ones. Those that a limit stops go as far as it and are held from now on; says where
-    /// there was one.
+    /// Changes the free ones. Those that a limit stops go as far as it and are held from now on;
+    /// says where there was one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn take(&mut self, shrink: L) -> L::Mask {
         let (level, rows, zero) = (self.level, self.rows(), shrink.constant(0.0));
@@ -199,8 +203,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if freedom.range.wraps() || !freedom.is_single() {
                 continue;
             }
-            // Compared as values: a joint that stands at its limit and is asked no farther is not stopped. Nor is one that a
-            // turn less takes back between its limits.
+            // Compared as values: a joint that stands at its limit and is asked no farther is not
+            // stopped. Nor is one that a turn less takes back between its limits.
             let value = scratch.values.get(level, freedom.value as usize);
             let next = value + change;
             let inside = freedom.range.clamp(next);
@@ -208,7 +212,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if !stops.any() {
                 continue;
             }
-            // It goes to the limit and no farther, what that does is taken off the errors, and its column becomes zero.
+            // It goes to the limit and no farther, what that does is taken off the errors, and its
+            // column becomes zero.
             stopped = stopped | stops;
             scratch.changes.set(index, L::select(stops, inside - value, change));
             let taken = L::select(stops, (inside - value) / unit, zero);
@@ -224,8 +229,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         stopped
     }
 
-    /// The square of the errors that the changes would leave if everything moved along the columns of the last
-    /// step.
+    /// The square of the errors that the changes would leave if everything moved along the columns
+    /// of the last step.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn left_after(&mut self) -> L {
         let (level, rows) = (self.level, self.reach.facts.rows);
@@ -274,7 +279,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     values.set(first, L::select(runs, value + change, value));
                 }
                 Kind::FloatingTurn(axis) => {
-                    // On the right, about an axis of the body. Products drift from unit, so each is normalized.
+                    // On the right, about an axis of the body. Products drift from unit, so each is
+                    // normalized.
                     let old: [L; 4] = values.record(level, first);
                     let half = change * change.constant(0.5);
                     let [cos, sin] = half_turn(half);

@@ -1,12 +1,13 @@
 //! Damped least squares in the shape of the tree, for many goals.
 //!
-//! To a twist ξ of its link, a goal is what a rigid body is: with μ and ν the squares of its weights for position and
-//! rotation, and p its point, ξᵀJᵀJξ is twice the energy of the mass μ at p with the rotational inertia ν. So JᵀJ is
-//! the mass matrix of a tree that carries these bodies, found from the leaves to the base (composite rigid bodies:
-//! Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 6), and Jᵀe is what their forces do to the joints. Only pairs
-//! of joints of which one carries the other have an entry, and a factorisation that begins at the leaves fills no others
-//! (ch. 8). 15 goals of a humanoid of 35 rates are 341 entries instead of the 1,485 of JJᵀ, of which each takes 35
-//! products.
+//! To a twist ξ of its link, a goal is what a rigid body is: with μ and ν the squares of its
+//! weights for position and rotation, and p its point, ξᵀJᵀJξ is twice the energy of the mass
+//! μ at p with the rotational inertia ν. So JᵀJ is the mass matrix of a tree that carries these
+//! bodies, found from the leaves to the base (composite rigid bodies: Featherstone, *Rigid Body
+//! Dynamics Algorithms*, 2008, ch. 6), and Jᵀe is what their forces do to the joints. Only pairs
+//! of joints of which one carries the other have an entry, and a factorisation that begins at the
+//! leaves fills no others (ch. 8). 15 goals of a humanoid of 35 rates are 341 entries instead of
+//! the 1,485 of JJᵀ, of which each takes 35 products.
 
 use super::goal::Goal;
 use super::model::Model;
@@ -49,7 +50,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             for index in 0..step.kind.rates() {
                 self.set_row(&body, reach.column(step.rate as usize + index));
             }
-            // The largest branch of a link has its slot, and comes first; the others leave theirs to those that follow.
+            // The largest branch of a link has its slot, and comes first; the others leave theirs
+            // to those that follow.
             let below = step.parent_slot as usize * BODY;
             if step.parent == NONE {
                 body = [zero; BODY];
@@ -119,8 +121,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// x with (JᵀJ + λ²1) x = Jᵀe + λ²z in `radians`, z the wishes; without the rows and columns of what is held, which
-    /// does what it does to the others.
+    /// x with (JᵀJ + λ²1) x = Jᵀe + λ²z in `radians`, z the wishes; without the rows and
+    /// columns of what is held, which does what it does to the others.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_tree(&mut self, damping: L, wishes: bool) {
         let (level, freedoms, scratch) = (self.level, self.reach.freedoms, &mut self.scratch);
@@ -140,7 +142,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             *to = *from;
         }
         if holds.any() {
-            // What is held goes to the right side, and its row and column become those of the identity.
+            // What is held goes to the right side, and its row and column become those of the
+            // identity.
             for (index, freedom) in freedoms.iter().enumerate() {
                 let is_held = held.get(level, index).eq(one);
                 let unit = if freedom.is_slide() { self.scales.radians_per_length } else { one };
@@ -169,7 +172,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let least = trace
             .mul_add(damping.constant(0.25 * epsilon::<L>()), damping + damping.constant(FLOOR));
-        // From the leaves: JᵀJ = LᵀDL. What carries a freedom is the beginning of what carries that one's.
+        // From the leaves: JᵀJ = LᵀDL. What carries a freedom is the beginning of what carries
+        // that one's.
         for (index, freedom) in freedoms.iter().enumerate().rev() {
             let (first, depth) = (freedom.first as usize, freedom.depth as usize);
             let Some((above, own)) = factor.0.split_at_mut_checked(first) else { return };

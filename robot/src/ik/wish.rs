@@ -6,14 +6,15 @@ use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-/// No wish is longer than this part of the longest step: what the goals leave free is so only nearby. A planar
-/// arm of five hinges ends where its point allows nothing nearer from 49 of 50 starts in 25 iterations; with a
-/// quarter from 48 in 45, with the whole from 45 in 17.
+/// No wish is longer than this part of the longest step: what the goals leave free is so only
+/// nearby. A planar arm of five hinges ends where its point allows nothing nearer from 49 of 50
+/// starts in 25 iterations; with a quarter from 48 in 45, with the whole from 45 in 17.
 const SHORTER: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The way of each freedom to the posture, or to the limit before it, in radians; the shorter one for hinges
-    /// that turn endlessly; no longer than a part of a step may be. The square of all of it.
+    /// The way of each freedom to the posture, or to the limit before it, in radians; the shorter
+    /// one for hinges that turn endlessly; no longer than a part of a step may be. The square of
+    /// all of it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn wish(&mut self) -> L {
         let (level, reach, scales) = (self.level, self.reach, self.scales);
@@ -60,8 +61,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         L::select(vector::is_finite(way), way, zero)
     }
 
-    /// The sum of the ways to the posture and back to the start, by the squares of their weights. Of the squares of both
-    /// as much.
+    /// The sum of the ways to the posture and back to the start, by the squares of their weights.
+    /// Of the squares of both as much.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn weighed_wish(&mut self) -> L {
         let (level, reach) = (self.level, self.reach);
@@ -82,8 +83,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// Lanes that have not arrived forget the posture, which would draw them off, unless it has a weight: then a wish is a
-    /// part of the damping.
+    /// Lanes that have not arrived forget the posture, which would draw them off, unless it has a
+    /// weight: then a wish is a part of the damping.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn keep_wishes(&mut self, arrived: L::Mask, damping: L) {
         if self.weighs() {

@@ -1,5 +1,6 @@
-//! One configuration of floats by the [plan](super::plan): what `f32` and `f64` compute instead of the products of the
-//! book. A frame is kept nowhere: what branches off is turned back from the pose that has been written.
+//! One configuration of floats by the [plan](super::plan): what `f32` and `f64` compute instead of
+//! the products of the book. A frame is kept nowhere: what branches off is turned back from the
+//! pose that has been written.
 
 use super::factor::Factor;
 use super::frame::Frame;
@@ -28,8 +29,8 @@ fn way<'s, R: Copy>(
     steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
 }
 
-/// What a [`Mechanism`] asks of floats, by name: where a number is any `Real`, a function over [`Number`] cannot be named, but
-/// what it is to be called with can.
+/// What a [`Mechanism`] asks of floats, by name: where a number is any `Real`, a function over
+/// [`Number`] cannot be named, but what it is to be called with can.
 macro_rules! quick {
     ($($name:ident { $($field:ident: $type:ty),+ } -> $output:ty;)*) => {$(
         pub(crate) struct $name<'s, R> {
@@ -182,7 +183,8 @@ impl<R: Real + Number> LinkPoints<'_, R> {
         let (mut last, mut at) = (NONE, Turned::base());
         for step in self.mechanism.steps {
             if step.parent != last {
-                // Again, from the base: there is no memory for frames, and few branch off far from it.
+                // Again, from the base: there is no memory for frames, and few branch off far from
+                // it.
                 at = Turned::base();
                 for step in way(self.mechanism, step.parent as usize) {
                     at = at.placed(step).joined(step, &mut turns);
@@ -212,8 +214,9 @@ impl<R: Real + Number> LinkPoints<'_, R> {
 }
 
 impl<R: Real> Step<R> {
-    /// The spatial twist of the link for a rate of one of the joint alone, number `index`, from the turned frames of the
-    /// joint and of the link. Where a hinge is, is known also where its angle is too far.
+    /// The spatial twist of the link for a rate of one of the joint alone, number `index`, from the
+    /// turned frames of the joint and of the link. Where a hinge is, is known also where its angle
+    /// is too far.
     #[inline(always)]
     fn screw(&self, index: usize, [before, after]: [DualQuat<R>; 2], values: &[R]) -> Twist<R> {
         let (own, zero) = (self.planned.own.quaternion(), [R::ZERO; 3]);

@@ -7,7 +7,8 @@ use super::tree::{Mechanism, numbered, planned, room};
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat};
 
-/// A row of a table of Denavit and Hartenberg: θ and d along and about z, a and α along and about x.
+/// A row of a table of Denavit and Hartenberg: θ and d along and about z, a and α along and about
+/// x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dh<R> {
     /// What is added to the value of a hinge, radians; the fixed angle of a slide.
@@ -29,7 +30,8 @@ pub struct Dh<R> {
 pub enum DhConvention {
     /// z, then x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit & Hartenberg 1955; Paul; Spong).
     Standard,
-    /// x, then z: A = Rx(α) Tx(a) Rz(θ) Tz(d), with the a and α of the link before (Craig, *Introduction to Robotics*).
+    /// x, then z: A = Rx(α) Tx(a) Rz(θ) Tz(d), with the a and α of the link before (Craig,
+    /// *Introduction to Robotics*).
     Modified,
 }
 
@@ -64,8 +66,9 @@ impl<R: Real> Dh<R> {
 }
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// A serial arm of N rows, A₁ … A_N tool: joint j turns or slides along its z, and link N is the tool, fixed to the
-    /// last; with the identity it is the last frame of the table. `steps` are N + 1.
+    /// A serial arm of N rows, A₁ … A_N tool: joint j turns or slides along its z, and link N
+    /// is the tool, fixed to the last; with the identity it is the last frame of the table. `steps`
+    /// are N + 1.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -79,8 +82,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// If a number is not finite (in the standard form, a and α are those of the joint after), limits are not in
-    /// order, the tool, as that of joint N, is farther than 10⁻³ from unit, or there are fewer steps than N + 1. `steps` may have been written.
+    /// If a number is not finite (in the standard form, a and α are those of the joint after),
+    /// limits are not in order, the tool, as that of joint N, is farther than 10⁻³ from unit, or
+    /// there are fewer steps than N + 1. `steps` may have been written.
     pub fn from_dh(
         rows: &[Dh<R>],
         convention: DhConvention,

@@ -5,7 +5,8 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MechanismError {
-        /// A joint whose parent does not come before it: itself, a later one (which a circle needs), or none that there is.
+        /// A joint whose parent does not come before it: itself, a later one (which a circle
+        /// needs), or none that there is.
         Parent { joint: usize = "The joint.", parent: usize = "Its parent." }
             => "the parent of joint {joint} is {parent}, which does not come before it";
         /// A placement whose rotation is not unit.
@@ -25,7 +26,8 @@ errors! {
         /// An axis or normal that is not of length 1.
         Axis { joint: usize = "The joint.", length: f64 = "The length." }
             => "the axis of joint {joint} has length {length}, not 1";
-        /// A screw that is none of a joint, whose angle is 1 and slide finite, or whose angle is 0 and slide 1.
+        /// A screw that is none of a joint, whose angle is 1 and slide finite, or whose angle is 0
+        /// and slide 1.
         Screw { joint: usize = "The joint.", angle: f64 = "The angle of the screw.", slide: f64 = "Its slide." }
             => "joint {joint} cannot turn by {angle} and slide by {slide} for a value of 1: a hinge or a thread turns by \
                 1, and what only slides, by 1";
@@ -33,8 +35,8 @@ errors! {
         Limits { joint: usize = "The joint.", low: f64 = "The lower limit.", high: f64 = "The upper limit." }
             => "joint {joint} cannot have the limits {low} and {high}: they must be in order, and the joint must have \
                 one value";
-        /// A joint that cannot mimic that one: there is none, it is the joint itself or mimics too, or one of the two has not
-        /// exactly one value.
+        /// A joint that cannot mimic that one: there is none, it is the joint itself or mimics too,
+        /// or one of the two has not exactly one value.
         Mimic { joint: usize = "The joint.", other: usize = "The joint that it should mimic." }
             => "joint {joint} cannot mimic joint {other}: both must have one value, and the other one of its own";
         /// Too little room for the steps, or more joints than can be counted.

@@ -3,8 +3,8 @@
 use dq8::Real;
 use dq8::scalar::Quat;
 
-/// Whether something is about, or along, an axis of the frame: most of what robots have is, and then
-/// most of a product is multiplication by zero.
+/// Whether something is about, or along, an axis of the frame: most of what robots have is, and
+/// then most of a product is multiplication by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alignment {
     /// Zero: no rotation, or no translation.
@@ -28,7 +28,8 @@ impl Alignment {
     }
 }
 
-/// x ↦ x e_K for the axes of the base: where each of the numbers x, y, z, w comes from, and its sign.
+/// x ↦ x e_K for the axes of the base: where each of the numbers x, y, z, w comes from, and its
+/// sign.
 pub(crate) const ORDER: [[usize; 4]; 3] = [[3, 2, 1, 0], [2, 3, 0, 1], [1, 0, 3, 2]];
 pub(crate) const SIGNS: [[f32; 4]; 3] =
     [[1.0, 1.0, -1.0, -1.0], [-1.0, 1.0, 1.0, -1.0], [1.0, -1.0, 1.0, -1.0]];

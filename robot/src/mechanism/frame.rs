@@ -1,15 +1,16 @@
 use core::fmt::Debug;
 
 /// In which axes, and about which point, the columns of a Jacobian are: [`World`], [`Body`] or
-/// [`WorldAligned`]. The type of a column says which part comes first: `[R; 6]` and [`Twist`](dq8::Twist) have the
-/// angular part first, [`LinearFirst`](dq8::storage::LinearFirst) the linear one. Sealed.
+/// [`WorldAligned`]. The type of a column says which part comes first: `[R; 6]` and
+/// [`Twist`](dq8::Twist) have the angular part first, [`LinearFirst`](dq8::storage::LinearFirst)
+/// the linear one. Sealed.
 pub trait JacobianFrame: Copy + Debug + sealed::Sealed {
     #[doc(hidden)]
     const FRAME: Frame;
 }
 
-/// The axes of the base, about its origin: spatial twists, J_s (Lynch & Park, *Modern Robotics*, 2017,
-/// eq. 5.11).
+/// The axes of the base, about its origin: spatial twists, J_s (Lynch & Park, *Modern Robotics*,
+/// 2017, eq. 5.11).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct World;
 /// The axes of the link, about its origin: body twists, J_b (eq. 5.18).

@@ -18,14 +18,15 @@ impl Group {
     /// Number `index` of the `count` things that each configuration has.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
-        // Plain: the same thing of the next configuration lies `count` records on. Blocks hold one of each per lane.
+        // Plain: the same thing of the next configuration lies `count` records on. Blocks hold one
+        // of each per lane.
         let tile = Tile::at(self.first * count + index, self.register);
         if Y::transposes::<V>() { tile.strided(count) } else { tile }
     }
 
-    /// Fetches the part of the next group's things that these of the `count` have among this one's. They follow in memory,
-    /// but a step writes to as many places as there are lanes, which the CPU does not foresee: a third of the time where
-    /// things do not fit the caches.
+    /// Fetches the part of the next group's things that these of the `count` have among this one's.
+    /// They follow in memory, but a step writes to as many places as there are lanes, which the CPU
+    /// does not foresee: a third of the time where things do not fit the caches.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn prefetch_next<Y: Layout, V: Level, E>(
         self,

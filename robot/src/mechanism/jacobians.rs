@@ -18,12 +18,13 @@ use dq8::{Scalar, ShapeError};
 use dq8_simd::{Lanes, Level};
 
 impl<R: Scalar> Job<'_, R, &[usize]> {
-    /// The geometric Jacobians of some links, and their poses, for many configurations in one pass: what
-    /// [`Mechanism::link_jacobian`] gives for one link of one.
+    /// The geometric Jacobians of some links, and their poses, for many configurations in one pass:
+    /// what [`Mechanism::link_jacobian`] gives for one link of one.
     ///
-    /// `poses` is `[configuration][link]`, in the order of `links`, and `columns` is `[configuration][link][rate]`;
-    /// columns of joints that do not carry the link are zero. Columns are `[R; 6]`, `[ωx, ωy, ωz, vx, vy,
-    /// vz]`, or [`LinearFirst`](dq8::storage::LinearFirst), the other way round, or [`Twist`]s, or blocks.
+    /// `poses` is `[configuration][link]`, in the order of `links`, and `columns` is
+    /// `[configuration][link][rate]`; columns of joints that do not carry the link are zero.
+    /// Columns are `[R; 6]`, `[ωx, ωy, ωz, vx, vy, vz]`, or
+    /// [`LinearFirst`](dq8::storage::LinearFirst), the other way round, or [`Twist`]s, or blocks.
     /// [`World`](crate::World) is the cheapest frame.
     ///
     /// # Errors
@@ -85,7 +86,8 @@ struct Jacobians<'s, E: Element<8>, C> {
     rates: usize,
     /// Whether some columns are sums: of a joint and those that mimic it.
     sums: bool,
-    /// No parameter of the type: it is asked once for a column that is loaded and stored, and the kernel is compiled once.
+    /// No parameter of the type: it is asked once for a column that is loaded and stored, and the
+    /// kernel is compiled once.
     frame: Frame,
 }
 
@@ -102,8 +104,8 @@ impl<E: Element<8>, C> Jacobians<'_, E, C> {
     }
 }
 
-/// Columns are those of the world at first, in the place of the first link that the joint carries. The other links
-/// have the same ones, and take them from there, in their own frames.
+/// Columns are those of the world at first, in the place of the first link that the joint carries.
+/// The other links have the same ones, and take them from there, in their own frames.
 impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
     E: Element<8>,

@@ -5,8 +5,8 @@ use dq8::seams::{Choice, Outputs};
 use dq8::storage::Layout;
 use dq8::{Scalar, ShapeError};
 
-/// A run over many configurations of a mechanism, as many at a time as there are lanes, with options that all have a
-/// default.
+/// A run over many configurations of a mechanism, as many at a time as there are lanes, with
+/// options that all have a default.
 ///
 /// `S` says of which links: [`AllLinks`], or those that [`links`](Self::links) names.
 ///
@@ -43,8 +43,8 @@ impl<'a, R: Copy> Mechanism<'a, R> {
 }
 
 impl<'a, R: Copy> Job<'a, R> {
-    /// Only these links, in this order. Links that carry none of them are not computed; for a tool at the end of an arm
-    /// nothing else is stored.
+    /// Only these links, in this order. Links that carry none of them are not computed; for a tool
+    /// at the end of an arm nothing else is stored.
     pub fn links(self, links: &'a [usize]) -> Job<'a, R, &'a [usize]> {
         Job { mechanism: self.mechanism, links, choice: self.choice }
     }
@@ -66,8 +66,8 @@ impl<R, S> Job<'_, R, S> {
 }
 
 impl<R: Scalar, S: Sync> Job<'_, R, S> {
-    /// The walk over all configurations, on as many threads as are asked for. `task` takes a part of the outputs, from some
-    /// configuration or block of them on, and says how many it holds.
+    /// The walk over all configurations, on as many threads as are asked for. `task` takes a part
+    /// of the outputs, from some configuration or block of them on, and says how many it holds.
     pub(crate) fn walk<Y, T, O, K>(
         &self,
         values: &[T],
@@ -91,7 +91,8 @@ impl<R: Scalar, S: Sync> Job<'_, R, S> {
     }
 }
 
-/// How many configurations, or blocks of them, a part of the output holds, `width` elements each; `all` where that is none.
+/// How many configurations, or blocks of them, a part of the output holds, `width` elements each;
+/// `all` where that is none.
 pub(crate) fn things<E>(part: &[E], width: usize, all: usize) -> usize {
     part.len().checked_div(width).unwrap_or(all)
 }

@@ -4,10 +4,11 @@ use dq8::scalar::DualQuat;
 /// How a link is joined to the one that carries it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<R> {
-    /// The link that carries this one, by the number of its joint; `None` is the base. Parents come first.
+    /// The link that carries this one, by the number of its joint; `None` is the base. Parents come
+    /// first.
     pub parent: Option<usize>,
-    /// Where the frame of the joint is in that of the parent: the pose of the link where the joint is at
-    /// zero. Unit to 10⁻³, and made so exactly.
+    /// Where the frame of the joint is in that of the parent: the pose of the link where the joint
+    /// is at zero. Unit to 10⁻³, and made so exactly.
     pub placement: DualQuat<R>,
     /// How the joint moves.
     pub kind: JointKind<R>,
@@ -24,8 +25,8 @@ pub struct Joint<R> {
 pub enum JointKind<R> {
     /// Not at all. No value.
     Fixed,
-    /// Turns about `axis`, through the origin of its frame. One value, radians; without limits this is a
-    /// continuous joint.
+    /// Turns about `axis`, through the origin of its frame. One value, radians; without limits this
+    /// is a continuous joint.
     Revolute {
         /// The axis.
         axis: [R; 3],
@@ -42,16 +43,17 @@ pub enum JointKind<R> {
         /// Length per radian: the lead of a thread over 2π.
         pitch: R,
     },
-    /// Slides in the plane across `normal`, then turns about the normal. Three values: x and y, lengths,
-    /// and the angle, radians. The axes of x and y are those of the joint's frame after the shortest
-    /// rotation that takes z to the normal (for −z, half a turn about x). Three rates, ẋ, ẏ, θ̇.
+    /// Slides in the plane across `normal`, then turns about the normal. Three values: x and y,
+    /// lengths, and the angle, radians. The axes of x and y are those of the joint's frame after
+    /// the shortest rotation that takes z to the normal (for −z, half a turn about x). Three
+    /// rates, ẋ, ẏ, θ̇.
     Planar {
         /// The normal.
         normal: [R; 3],
     },
-    /// Moves freely. Seven values, `[x, y, z, w, tx, ty, tz]`: a rotation of any length but zero, which is
-    /// normalized, and the translation. Six rates: the body twist `[ωx, ωy, ωz, vx, vy, vz]`, in the frame
-    /// of the link.
+    /// Moves freely. Seven values, `[x, y, z, w, tx, ty, tz]`: a rotation of any length but zero,
+    /// which is normalized, and the translation. Six rates: the body twist
+    /// `[ωx, ωy, ωz, vx, vy, vz]`, in the frame of the link.
     Floating,
 }
 

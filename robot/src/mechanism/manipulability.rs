@@ -49,9 +49,9 @@ impl<R: Real> Mechanism<'_, R> {
     }
 }
 
-/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six rows,
-/// each without what lies along those before it (Gram–Schmidt). Near singularities the product J Jᵀ
-/// would have lost half of the digits.
+/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six
+/// rows, each without what lies along those before it (Gram–Schmidt). Near singularities the
+/// product J Jᵀ would have lost half of the digits.
 fn volume<R: Real>(columns: &mut [Twist<R>]) -> R {
     // Six rows of fewer columns are never independent.
     let mut volume = if columns.len() < 6 { R::ZERO } else { R::ONE };

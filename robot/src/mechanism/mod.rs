@@ -1,5 +1,5 @@
-//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `configuration.rs` that of one
-//! configuration of floats, `single.rs` the book.
+//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes,
+//! `configuration.rs` that of one configuration of floats, `single.rs` the book.
 
 mod configuration;
 mod dh;

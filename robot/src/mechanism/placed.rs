@@ -1,5 +1,5 @@
-//! Poses on lanes while they are computed: a rotation and half the translation, which is what products with
-//! a rotation about an axis of the frame, or a translation along one, take least of.
+//! Poses on lanes while they are computed: a rotation and half the translation, which is what
+//! products with a rotation about an axis of the frame, or a translation along one, take least of.
 
 use super::factor::Alignment;
 use super::step::Step;
@@ -118,8 +118,8 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
         }
     }
 
-    /// Half the translation, moved along the axis of a joint by half a distance; `half` counts where that
-    /// axis is positive.
+    /// Half the translation, moved along the axis of a joint by half a distance; `half` counts
+    /// where that axis is positive.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn slide(self, step: &Step<L::Real>, half: L) -> [L; 3] {
         let level = half.level();

@@ -1,9 +1,10 @@
-//! What is found when a mechanism is made, for one configuration at a time: joints between frames that are all parallel
-//! to the base where every value is zero.
+//! What is found when a mechanism is made, for one configuration at a time: joints between frames
+//! that are all parallel to the base where every value is zero.
 //!
-//! Turn the frame of every link so. Then no placement has a rotation, and the axes of nearly all robots are those of the
-//! base: a hinge is r ← c r + s r n with a product r n that is a permutation and three signs. A link's own frame is turned
-//! back when its pose is written, which no other link waits for.
+//! Turn the frame of every link so. Then no placement has a rotation, and the axes of nearly all
+//! robots are those of the base: a hinge is r ← c r + s r n with a product r n that is a
+//! permutation and three signs. A link's own frame is turned back when its pose is written, which
+//! no other link waits for.
 
 use super::factor::{Alignment, Factor, Moves, Planned, Way};
 use super::joint::JointKind;
@@ -45,8 +46,8 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     }
 }
 
-/// With the zeros, halves, roots of a half and ones that rounding has missed, of numbers of this size: frames of machines are
-/// turned by quarters.
+/// With the zeros, halves, roots of a half and ones that rounding has missed, of numbers of this
+/// size: frames of machines are turned by quarters.
 #[inline(never)]
 fn clean<R: Real>(numbers: &mut [R], size: R) {
     let (root, near) = (R::HALF.sqrt(), R::TWO * R::EPSILON * size);
@@ -66,7 +67,8 @@ mod tests {
     use crate::mechanism::step::Step;
     use dq8::{DualQuat, Quat, Real};
 
-    /// Frames that are turned by a quarter or a half each, as files and floats have it, stay on the axes of the base.
+    /// Frames that are turned by a quarter or a half each, as files and floats have it, stay on the
+    /// axes of the base.
     fn stays_aligned<R: Real>() {
         let mut steps = [Step::default(); 60];
         for (index, step) in steps.iter_mut().enumerate() {

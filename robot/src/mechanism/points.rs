@@ -14,8 +14,8 @@ use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::{Level, Records};
 
 impl<R: Real> Mechanism<'_, R> {
-    /// Where points on links are, in the frame of the base. `points` name the link and the place in its frame, in any
-    /// order; in the order of the links they are found sooner.
+    /// Where points on links are, in the frame of the base. `points` name the link and the place in
+    /// its frame, in any order; in the order of the links they are found sooner.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -33,8 +33,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many values as the mechanism has or as many places as points, or there is no such link;
-    /// `places` is untouched.
+    /// If there are not as many values as the mechanism has or as many places as points, or there
+    /// is no such link; `places` is untouched.
     pub fn link_points(
         &self,
         values: &[R],
@@ -68,8 +68,8 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Scalar> Job<'_, R> {
-    /// Where points on links are for many configurations, in one pass and without poses in memory: what
-    /// [`Mechanism::link_points`] gives for one.
+    /// Where points on links are for many configurations, in one pass and without poses in memory:
+    /// what [`Mechanism::link_points`] gives for one.
     ///
     /// `places` is `[configuration][point]` in the order of `points`: `[R; 3]`, or blocks.
     ///
@@ -85,8 +85,8 @@ impl<R: Scalar> Job<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there is no such link, `places` holds no whole number of configurations or `values` another number of them;
-    /// `places` is untouched.
+    /// If there is no such link, `places` holds no whole number of configurations or `values`
+    /// another number of them; `places` is untouched.
     pub fn points<T, E>(
         &self,
         points: &[(usize, [R; 3])],
@@ -113,8 +113,9 @@ struct Points<'s, E: Element<3>> {
     found: Found<'s, Number<E, 3>>,
 }
 
-/// Places of points that follow each other. Three numbers of a point are no register that can be written at once, but the
-/// twelve of four points are three: a quarter of the stores, which are most of the time where places lie plainly.
+/// Places of points that follow each other. Three numbers of a point are no register that can be
+/// written at once, but the twelve of four points are three: a quarter of the stores, which are
+/// most of the time where places lie plainly.
 struct Waiting<L> {
     first: usize,
     count: usize,

@@ -16,13 +16,14 @@ impl<R: Scalar> Job<'_, R> {
     /// The poses of all links of many configurations, in the frame of the base: what
     /// [`Mechanism::link_poses`] gives for one, on lanes.
     ///
-    /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]` in plain
-    /// numbers for both, or a slice of plain numbers for each value, or `[configuration block][value]` in blocks
-    /// ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`) or 2⁴⁶ rad (`f64`) give NaN.
+    /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]`
+    /// in plain numbers for both, or a slice of plain numbers for each value, or
+    /// `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
+    /// or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
-    /// If `poses` holds no whole number of configurations or `values` another number of them; `poses` is
-    /// untouched.
+    /// If `poses` holds no whole number of configurations or `values` another number of them;
+    /// `poses` is untouched.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -58,12 +59,12 @@ impl<R: Scalar> Job<'_, R> {
 }
 
 impl<R: Scalar> Job<'_, R, &[usize]> {
-    /// The poses of some links: `poses` is `[configuration][i]` for the links that the job names, and else as for
-    /// all links.
+    /// The poses of some links: `poses` is `[configuration][i]` for the links that the job names,
+    /// and else as for all links.
     ///
     /// # Errors
-    /// If there is no such link, `poses` holds no whole number of configurations or `values` another number of them;
-    /// `poses` is untouched.
+    /// If there is no such link, `poses` holds no whole number of configurations or `values`
+    /// another number of them; `poses` is untouched.
     pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
     where
         E: Element<8, Layout: Layout<Real = R>>,
@@ -156,8 +157,8 @@ impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
             E::store(joined.pose.to_motion(), self.poses, tile);
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
-            // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would
-            // keep them in memory, which takes half as long again.
+            // The first place only, of a link that is asked for more than once: a loop around the
+            // registers of a pose would keep them in memory, which takes half as long again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
             E::store(joined.pose.to_motion(), self.poses, tile);
         }

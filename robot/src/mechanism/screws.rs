@@ -9,20 +9,22 @@ use dq8::geometry::{Line, Screw};
 use dq8::scalar::{DualQuat, vector};
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// A serial arm as a product of exponentials, exp(½ξ₁q₁) … exp(½ξ_N q_N) tool (Brockett 1984; Lynch & Park,
-    /// *Modern Robotics*, 2017, eq. 4.14): a joint for each of N screws, the one at the base first, each on the one
-    /// before, and as link N the tool, fixed to the last. `steps` are N + 1.
+    /// A serial arm as a product of exponentials, exp(½ξ₁q₁) … exp(½ξ_N q_N) tool
+    /// (Brockett 1984; Lynch & Park, *Modern Robotics*, 2017, eq. 4.14): a joint for each of N
+    /// screws, the one at the base first, each on the one before, and as link N the tool, fixed to
+    /// the last. `steps` are N + 1.
     ///
-    /// A screw says how a joint moves what hangs on it, for a value of 1, in the frame of the base, where all
-    /// values are zero. With the angle 1 and no slide it is a hinge; with the angle 1, a thread that slides so far
-    /// for each radian; with the angle 0 and the slide 1, a slide along the direction of its axis, wherever that is.
-    /// (What of the moment lies along the axis is rounding, and left out.) Beside it are the limits of the joint,
-    /// infinite where there are none. `tool` is the pose of the tool where all values are zero. Axes and tool are
-    /// made exactly unit, so that numbers with four decimals will do.
+    /// A screw says how a joint moves what hangs on it, for a value of 1, in the frame of the base,
+    /// where all values are zero. With the angle 1 and no slide it is a hinge; with the angle 1, a
+    /// thread that slides so far for each radian; with the angle 0 and the slide 1, a slide along
+    /// the direction of its axis, wherever that is. (What of the moment lies along the axis is
+    /// rounding, and left out.) Beside it are the limits of the joint, infinite where there are
+    /// none. `tool` is the pose of the tool where all values are zero. Axes and tool are made
+    /// exactly unit, so that numbers with four decimals will do.
     ///
-    /// The frames of links are parallel to the base where all values are zero, that of a hinge at the point of its
-    /// axis that is nearest to the frame before: so [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of
-    /// the ways from axis to axis.
+    /// The frames of links are parallel to the base where all values are zero, that of a hinge at
+    /// the point of its axis that is nearest to the frame before: so
+    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the ways from axis to axis.
     ///
     /// ```
     /// use dq8::geometry::Screw;
@@ -41,8 +43,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// If an axis or the tool, as that of joint N, is farther than 10⁻³ from unit or not finite, a screw is none of
-    /// the three, limits are not in order, or there are fewer steps than N + 1. `steps` may have been written.
+    /// If an axis or the tool, as that of joint N, is farther than 10⁻³ from unit or not finite,
+    /// a screw is none of the three, limits are not in order, or there are fewer steps than N + 1.
+    /// `steps` may have been written.
     // A frame of its own, so that it does not lie under that of a search.
     #[inline(never)]
     pub fn from_screws(
@@ -76,8 +79,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     }
 }
 
-/// Where the first joint is: on the axis that is the first of a hinge or a thread. Slides are anywhere, so those before
-/// it are there too, and the way to it is no part of what the arm spans.
+/// Where the first joint is: on the axis that is the first of a hinge or a thread. Slides are
+/// anywhere, so those before it are there too, and the way to it is no part of what the arm spans.
 fn first_frame<R: Real>(
     screws: &[(Screw<R>, [R; 2])],
     tool: DualQuat<R>,

@@ -1,5 +1,6 @@
-//! One configuration, by the book, for any number: what the lanes are held to, and what a motor controller
-//! calls. Floats take the short cut of `configuration` first, which the tests hold to the book.
+//! One configuration, by the book, for any number: what the lanes are held to, and what a motor
+//! controller calls. Floats take the short cut of `configuration` first, which the tests hold to
+//! the book.
 
 use super::configuration::{LinkJacobian, LinkPose, LinkPoses};
 use super::frame::{Frame, JacobianFrame};
@@ -12,8 +13,8 @@ use dq8::storage::same_length;
 use dq8::{Real, ShapeError};
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The poses of all links in the frame of the base: pose(j) = pose(parent(j)) · placement(j) ·
-    /// motion(j) (Denavit & Hartenberg 1955, with placements of any kind).
+    /// The poses of all links in the frame of the base: pose(j) = pose(parent(j)) · placement(j)
+    /// · motion(j) (Denavit & Hartenberg 1955, with placements of any kind).
     ///
     /// # Errors
     /// If there are not as many values and poses as the mechanism has; `poses` is untouched.
@@ -57,11 +58,13 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(pose)
     }
 
-    /// The geometric Jacobian of a link, a column for each rate of the mechanism, and its pose. The twist
-    /// of the link is Σ column(i) · rate(i); columns of joints that do not carry the link are zero.
+    /// The geometric Jacobian of a link, a column for each rate of the mechanism, and its pose. The
+    /// twist of the link is Σ column(i) · rate(i); columns of joints that do not carry the link
+    /// are zero.
     ///
-    /// Column j is Ad(pose of the link in the frame of joint j)⁻¹ Sⱼ in the frame [`Body`](super::Body),
-    /// where Sⱼ is the joint's own body twist (Lynch & Park 2017, eq. 5.18). The frame is a type:
+    /// Column j is Ad(pose of the link in the frame of joint j)⁻¹ Sⱼ in the frame
+    /// [`Body`](super::Body), where Sⱼ is the joint's own body twist (Lynch & Park 2017, eq.
+    /// 5.18). The frame is a type:
     ///
     /// ```
     /// use dq8_robot::{Joint, OwnedMechanism, World, WorldAligned};
@@ -122,12 +125,13 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(tail)
     }
 
-    /// The poses and the spatial twists of all links: twist(j) = twist(parent(j)) + Ad(pose(j)) Sⱼ
-    /// rates(j), in the axes of the base and about its origin ([`Twist::velocity_at`] gives the velocity
-    /// of a point).
+    /// The poses and the spatial twists of all links: twist(j) = twist(parent(j)) + Ad(pose(j))
+    /// Sⱼ rates(j), in the axes of the base and about its origin ([`Twist::velocity_at`] gives
+    /// the velocity of a point).
     ///
     /// # Errors
-    /// If there are not as many values, rates, poses and twists as the mechanism has; nothing is written.
+    /// If there are not as many values, rates, poses and twists as the mechanism has; nothing is
+    /// written.
     pub fn link_velocities(
         &self,
         values: &[R],
@@ -154,10 +158,10 @@ impl<R: Real> Mechanism<'_, R> {
     }
 
     /// The same, and the spatial accelerations of all links, the derivatives of their twists:
-    /// acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist) Ad(pose(j))
-    /// Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47). The point of a link
-    /// that is at x is accelerated by a + α × x + ω × (v + ω × x), for the twist (ω, v) and the
-    /// acceleration (α, a).
+    /// acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist)
+    /// Ad(pose(j)) Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47).
+    /// The point of a link that is at x is accelerated by a + α × x + ω × (v + ω × x), for
+    /// the twist (ω, v) and the acceleration (α, a).
     ///
     /// # Errors
     /// If a slice has another length than the mechanism asks for; nothing is written.
@@ -180,8 +184,8 @@ impl<R: Real> Mechanism<'_, R> {
             let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
             let own = step.moved(values, second_rates).fold(zero, |sum, own| sum + own);
             acceleration = acceleration + pose.adjoint(own);
-            // What carries the screws of the joint along: its parent, and for the turn of a planar joint
-            // its slides, which are before it.
+            // What carries the screws of the joint along: its parent, and for the turn of a planar
+            // joint its slides, which are before it.
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
             let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
             for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
@@ -205,7 +209,8 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Real> Step<R> {
-    /// The numbers of this joint among `all`; for what is not there, NaN. The shape has been checked.
+    /// The numbers of this joint among `all`; for what is not there, NaN. The shape has been
+    /// checked.
     pub(crate) fn numbers<const C: usize>(first: u32, all: &[R]) -> [R; C] {
         let rest = all.get(first as usize..).unwrap_or_default();
         rest.first_chunk().copied().unwrap_or([R::NAN; C])
@@ -248,7 +253,8 @@ impl<R: Real> Step<R> {
         }
     }
 
-    /// The body twist of the link for a rate of one of the joint alone, number `index`, in the frame of the link.
+    /// The body twist of the link for a rate of one of the joint alone, number `index`, in the
+    /// frame of the link.
     fn own_twist(&self, index: usize, values: &[R]) -> Twist<R> {
         let zero = [R::ZERO; 3];
         let (angular, linear) = match self.kind {

@@ -4,7 +4,8 @@ use super::joint::{Joint, JointKind};
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat, vector};
 
-/// How far axes, placements and targets may be from unit: numbers that people type with four decimals are nearer.
+/// How far axes, placements and targets may be from unit: numbers that people type with four
+/// decimals are nearer.
 pub(crate) const UNIT: f32 = 1e-3;
 
 /// No such link, value or rate.
@@ -46,7 +47,8 @@ pub struct Step<R> {
     pub(crate) position: u32,
     /// How many steps from here on belong to this link and what it carries.
     pub(crate) size: u32,
-    /// While steps are put in order: the link that carries most of that, and the next place for another.
+    /// While steps are put in order: the link that carries most of that, and the next place for
+    /// another.
     pub(crate) largest: u32,
     pub(crate) free: u32,
     /// Where the pose is kept for the children, and where that of the parent is.

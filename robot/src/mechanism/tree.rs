@@ -8,8 +8,8 @@ use dq8::seams::brief;
 use dq8::storage::{Layout, same_length, whole_instances};
 use dq8::{Real, ShapeError};
 
-/// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
-/// each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
+/// A tree of joints, checked once, of any number known at run time. It borrows its memory: a
+/// [`Step`] for each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
 ///
 /// Link j is what joint j carries, so joints and links have one number; poses, twists and
 /// accelerations are indexed by it, and so are goals. Values are one array for each configuration:
@@ -49,13 +49,13 @@ brief!([R] Mechanism<'_, R>: Mechanism |it| {
 });
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// Checks the joints and prepares them. It is here that axes along those of a frame, and placements
-    /// without rotation or translation, are found, for which kernels do less.
+    /// Checks the joints and prepares them. It is here that axes along those of a frame, and
+    /// placements without rotation or translation, are found, for which kernels do less.
     ///
     /// # Errors
-    /// If a parent does not come before its joint, a placement or axis is farther than 10⁻³ from unit or
-    /// not finite, limits are not in order, what should be mimicked has not one value of its own, or there
-    /// are fewer steps than joints. `steps` may have been written.
+    /// If a parent does not come before its joint, a placement or axis is farther than 10⁻³ from
+    /// unit or not finite, limits are not in order, what should be mimicked has not one value of
+    /// its own, or there are fewer steps than joints. `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
         let steps = room(steps, joints.len())?;
         let counts = check(joints, steps)?;
@@ -64,8 +64,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The least and the largest of each value, infinite where there is no limit: the limits of its joint, and of each joint
-    /// that mimics it, as far as those leave more than one value of the range.
+    /// The least and the largest of each value, infinite where there is no limit: the limits of its
+    /// joint, and of each joint that mimics it, as far as those leave more than one value of the
+    /// range.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -100,7 +101,8 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// True if all joints are within their limits, those that mimic others too; false if a value is NaN.
+    /// True if all joints are within their limits, those that mimic others too; false if a value is
+    /// NaN.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -129,8 +131,8 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Copy> Mechanism<'_, R> {
-    /// How many configurations, or blocks of them, have as many `poses` if each has those of `links` links, and whether
-    /// there are values for as many.
+    /// How many configurations, or blocks of them, have as many `poses` if each has those of
+    /// `links` links, and whether there are values for as many.
     pub(crate) fn configurations<Y: Layout, T: JointValues<Y>>(
         &self,
         values: &[T],
@@ -193,8 +195,8 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.rate == NONE { 0..0 } else { first..first + step.kind.rates() })
     }
 
-    /// The limits of a joint, if it has any that bind; [`value_limits`](Self::value_limits) has those of its value, which
-    /// joints that mimic it may narrow.
+    /// The limits of a joint, if it has any that bind; [`value_limits`](Self::value_limits) has
+    /// those of its value, which joints that mimic it may narrow.
     #[must_use]
     pub fn limits(&self, joint: usize) -> Option<[R; 2]> {
         self.step(joint)?.limits
@@ -284,10 +286,11 @@ pub(crate) fn planned<R: Real>(
     Mechanism { steps, values, rates }
 }
 
-/// Depth first, the largest branch last. So a pose is kept for its children only while other branches are
-/// computed, all of them no larger than the last one: log₂(n) + 1 poses are kept at most (Strahler's
-/// number), in memory of a fixed size.
-// Steps are large: none is copied to the stack. A frame of its own, so that it does not lie under that of `plan`.
+/// Depth first, the largest branch last. So a pose is kept for its children only while other
+/// branches are computed, all of them no larger than the last one: log₂(n) + 1 poses are kept at
+/// most (Strahler's number), in memory of a fixed size.
+// Steps are large: none is copied to the stack. A frame of its own, so that it does not lie under
+// that of `plan`.
 #[inline(never)]
 fn order<R>(steps: &mut [Step<R>]) {
     let count = steps.len();

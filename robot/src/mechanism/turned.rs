@@ -1,4 +1,5 @@
-//! The frames of one configuration, turned parallel to the base: four lanes hold a quaternion, p or q of the motion p + εq.
+//! The frames of one configuration, turned parallel to the base: four lanes hold a quaternion, p or
+//! q of the motion p + εq.
 //!
 //! Nothing is fused: the bits are the same on all targets.
 
@@ -175,7 +176,8 @@ impl<R: Real + Number> Turned<R> {
     }
 }
 
-/// What most joints of a robot are not. Out of line: its constants would take the registers of what is in it.
+/// What most joints of a robot are not. Out of line: its constants would take the registers of what
+/// is in it.
 #[cold]
 #[inline(never)]
 fn otherwise<R: Real + Number>(at: [R; 8], step: &Step<R>, values: &[R]) -> [R; 8] {

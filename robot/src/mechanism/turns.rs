@@ -1,4 +1,5 @@
-//! Cosines and sines of one configuration: they come first, as many at a time as there are lanes for.
+//! Cosines and sines of one configuration: they come first, as many at a time as there are lanes
+//! for.
 
 use super::step::Step;
 use super::values::half_turn;
@@ -21,8 +22,8 @@ pub(crate) struct Turns<'v, R> {
 }
 
 impl<'v, R: Real + Number> Turns<'v, R> {
-    /// So many at a time. Where lanes hold one number, a loop that keeps its constants in registers, over fewer that may
-    /// not be needed.
+    /// So many at a time. Where lanes hold one number, a loop that keeps its constants in
+    /// registers, over fewer that may not be needed.
     const SOME: usize = if Native::<R>::LANES == 1 { 4 } else { 8 };
 
     #[inline(always)]
@@ -30,8 +31,8 @@ impl<'v, R: Real + Number> Turns<'v, R> {
         Self { values, first: 0, cos: [R::NAN; 8], sin: [R::NAN; 8] }
     }
 
-    /// From the values of a step on, at once: nothing else can be computed before. Where they are: a copy of what has just
-    /// been written in fours that overlap would wait for the memory.
+    /// From the values of a step on, at once: nothing else can be computed before. Where they are:
+    /// a copy of what has just been written in fours that overlap would wait for the memory.
     #[inline(always)]
     pub(crate) fn begin(&mut self, step: Option<&Step<R>>) {
         let index = step.map_or(0, |step| step.value as usize);

@@ -10,8 +10,8 @@ use dq8::geometry::Twist;
 use dq8_simd::Lanes;
 
 impl<L: Lanes<Real: Scalar>> Joined<L> {
-    /// The spatial twist of the link for a rate of one of its joint: column `index` of those that the joint
-    /// adds to a Jacobian.
+    /// The spatial twist of the link for a rate of one of its joint: column `index` of those that
+    /// the joint adds to a Jacobian.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn screw(&self, step: &Step<L::Real>, index: usize) -> Twist<L> {
         let level = self.pose.half[0].level();
@@ -45,8 +45,8 @@ impl<L: Lanes<Real: Scalar>> Joined<L> {
         if step.mimics { screw.scale(L::splat(level, step.multiplier)) } else { screw }
     }
 
-    /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although the screw of its
-    /// joint may be known.
+    /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although
+    /// the screw of its joint may be known.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn told(&self, rate: L) -> L {
         let [.., w] = self.pose.rotation;

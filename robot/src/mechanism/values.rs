@@ -7,12 +7,12 @@ use dq8::storage::{AoSoA, Element, Layout, same_length, whole_instances};
 use dq8::{Scalar, ShapeError};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
-/// Joint values, or rates, for poses in the layout `Y`: plain numbers, `[configuration][value]` or in columns,
-/// `[value]` slices of `[configuration]`, for any; or [`Block`](dq8::storage::Block)s of one number,
-/// `[configuration block][value]` for blocks of as many lanes. Sealed.
+/// Joint values, or rates, for poses in the layout `Y`: plain numbers, `[configuration][value]` or
+/// in columns, `[value]` slices of `[configuration]`, for any; or [`Block`](dq8::storage::Block)s
+/// of one number, `[configuration block][value]` for blocks of as many lanes. Sealed.
 ///
-/// Where plain values meet poses in blocks, the last block may have lanes without a configuration. The
-/// poses there are those of values that are all zero.
+/// Where plain values meet poses in blocks, the last block may have lanes without a configuration.
+/// The poses there are those of values that are all zero.
 pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn check(
@@ -21,11 +21,12 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError>;
-    /// How many of them an element of poses has of each value: one block, or a number for each configuration; none where
-    /// they are not in the order of the configurations.
+    /// How many of them an element of poses has of each value: one block, or a number for each
+    /// configuration; none where they are not in the order of the configurations.
     #[doc(hidden)]
     const EACH: usize;
-    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are; of columns, all.
+    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as
+    /// there are; of columns, all.
     #[doc(hidden)]
     fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> Part<'_, Self> {
         if Self::EACH == 0 {
@@ -77,7 +78,8 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
     }
 }
 
-/// Two numbers, each in any layout: an `impl` for every `Scalar` would overlap with that for blocks.
+/// Two numbers, each in any layout: an `impl` for every `Scalar` would overlap with that for
+/// blocks.
 macro_rules! plain {
     ($($real:ident)*) => {$(
         impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
@@ -107,7 +109,8 @@ macro_rules! plain {
             ) -> [Y::Register<V>; 4] {
                 let start = group.configuration::<Y, V>() * count + first;
                 let rows = slice.get(start..).unwrap_or_default();
-                // Where a configuration has fewer than four, those of the next one are read, and not used.
+                // Where a configuration has fewer than four, those of the next one are read, and
+                // not used.
                 if let Some(quad) = Y::Register::<V>::load_rows(level, rows, count) {
                     return quad;
                 }
@@ -199,8 +202,8 @@ pub(crate) trait JointNumbers<L: Lanes> {
 /// No four are at hand: farther from any number than four.
 const NOWHERE: usize = usize::MAX / 2;
 
-/// Those of a group, four at a time, kept until others are asked for: plain ones are transposed, and four
-/// cosines do not wait for each other.
+/// Those of a group, four at a time, kept until others are asked for: plain ones are transposed,
+/// and four cosines do not wait for each other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numbers<'s, Y: Layout, T, V: Level> {
     part: Part<'s, T>,

@@ -62,7 +62,8 @@ impl<R: Scalar> Job<'_, R> {
     }
 
     /// The same, and spatial accelerations, the derivatives of the spatial twists, as
-    /// [`Mechanism::link_accelerations`] gives them for one: the formula is there, and the acceleration of a point of a link.
+    /// [`Mechanism::link_accelerations`] gives them for one: the formula is there, and the
+    /// acceleration of a point of a link.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations; nothing is written.
@@ -183,8 +184,8 @@ where
         rates: &mut Self::State<V>,
     ) -> Self::Carried<V> {
         let mut all = *parent;
-        // The twist that carries the next screw along: the turn of a planar joint comes after its slides,
-        // while the twist of a floating one is given in its own frame at once.
+        // The twist that carries the next screw along: the turn of a planar joint comes after its
+        // slides, while the twist of a floating one is given in its own frame at once.
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;

@@ -2,19 +2,22 @@
 //!
 //! # The algorithm
 //!
-//! A register holds the same number of as many configurations as it has lanes. For each group of configurations: compute sine
-//! and cosine of the values, four joints at a time; then go down the tree, every link once, right after what carries it:
-//! frame of the joint = pose of the parent · placement, pose of the link = frame · motion of the joint. A [`Task`] takes
-//! each link as it comes: it writes a pose, adds a column to a Jacobian, passes a velocity on to the children.
+//! A register holds the same number of as many configurations as it has lanes. For each group of
+//! configurations: compute sine and cosine of the values, four joints at a time; then go down the
+//! tree, every link once, right after what carries it: frame of the joint = pose of the parent ·
+//! placement, pose of the link = frame · motion of the joint. A [`Task`] takes each link as it
+//! comes: it writes a pose, adds a column to a Jacobian, passes a velocity on to the children.
 //!
 //! # Why it is as it is
 //!
-//! - *A stack laid out beforehand.* Poses that wait for children are kept in numbered slots. Which slot a link takes was
-//!   found when the mechanism was made, the larger subtree last, which takes over the slot of its parent: so 32 slots carry
-//!   any tree, nothing is pushed or popped, and all of it stays in the first cache.
+//! - *A stack laid out beforehand.* Poses that wait for children are kept in numbered slots. Which
+//!   slot a link takes was found when the mechanism was made, the larger subtree last, which takes
+//!   over the slot of its parent: so 32 slots carry any tree, nothing is pushed or popped, and all
+//!   of it stays in the first cache.
 //! - *Subtrees follow each other*, so that links nobody asked for are one jump.
 //! - *Half translations.* ½t is what dual parts are made of: it saves a factor in every product.
-//! - *Axes of the frame's own* take half the operations of others, and placements without a turn none ([`Placed`]).
+//! - *Axes of the frame's own* take half the operations of others, and placements without a turn
+//!   none ([`Placed`]).
 
 use super::group::Group;
 use super::joint::JointKind;
@@ -33,8 +36,8 @@ pub(crate) const SLOTS: usize = 32;
 
 /// What is done with each link.
 pub(crate) trait Task<Y: Layout> {
-    /// Whether sixteen lanes of plain `f32` gain, where the CPU shuffles them as quickly as eight. Not where they are so
-    /// much memory that the first cache does not hold it.
+    /// Whether sixteen lanes of plain `f32` gain, where the CPU shuffles them as quickly as eight.
+    /// Not where they are so much memory that the first cache does not hold it.
     const WIDE: bool = true;
     /// What it keeps in registers' form.
     type State<V: Level>;
@@ -86,8 +89,9 @@ pub(crate) struct Walk<'r, Y: Layout, T, K> {
 
 impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     type Output = ();
-    // Plain poses are transposed, but a link of f64 is so much to compute that eight lanes still gain a third: 36 ns
-    // instead of 53 for the seven links of an arm. Of f32 they gain as much where shuffles are quick, else nothing.
+    // Plain poses are transposed, but a link of f64 is so much to compute that eight lanes still
+    // gain a third: 36 ns instead of 53 for the seven links of an arm. Of f32 they gain as much
+    // where shuffles are quick, else nothing.
     const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE || K::WIDE;
     const SHUFFLES: bool = !Y::WIDE && <Y::Real as Float>::SINGLE;
 
@@ -125,8 +129,8 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     }
 }
 
-/// Where the poses of a parent and of the link of a step are. They are smaller than [`SLOTS`]; the remainder, a mask,
-/// tells the compiler, and no check is left.
+/// Where the poses of a parent and of the link of a step are. They are smaller than [`SLOTS`]; the
+/// remainder, a mask, tells the compiler, and no check is left.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn slots<R>(step: &Step<R>) -> (usize, usize) {
     (step.parent_slot as usize % SLOTS, step.slot as usize % SLOTS)
@@ -157,7 +161,8 @@ pub(crate) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
     let value = step.value as usize;
     match step.kind {
         JointKind::Fixed => before,
-        // Those that do not mimic share the cosine and sine of the value, which are computed for four joints at a time.
+        // Those that do not mimic share the cosine and sine of the value, which are computed for
+        // four joints at a time.
         JointKind::Revolute { .. } if !step.mimics => {
             let [cos, sin] = numbers.half_turn(level, value);
             let sin = sin * L::splat(level, step.sign);

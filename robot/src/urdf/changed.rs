@@ -21,8 +21,9 @@ errors! {
 }
 
 impl Robot {
-    /// The same robot with a base that moves freely, by a joint of the name `root_joint`: the seven values of a
-    /// [floating joint](crate::JointKind::Floating) and its six rates come before all others.
+    /// The same robot with a base that moves freely, by a joint of the name `root_joint`: the seven
+    /// values of a [floating joint](crate::JointKind::Floating) and its six rates come before all
+    /// others.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -38,8 +39,8 @@ impl Robot {
         self.on("root_joint", Joint::floating(None, DualQuat::IDENTITY))
     }
 
-    /// The same robot on a joint of this name: a rail, a turntable, a floor where it drives. The joint carries the root,
-    /// and stands on the base.
+    /// The same robot on a joint of this name: a rail, a turntable, a floor where it drives. The
+    /// joint carries the root, and stands on the base.
     ///
     /// # Errors
     /// If a joint has the name, or a mechanism refuses the joint, which is number 0.
@@ -53,7 +54,8 @@ impl Robot {
         self.rebuilt()
     }
 
-    /// The same robot with a link of its own name, fixed on another at a pose: a tool, a camera, a sole. It is the last.
+    /// The same robot with a link of its own name, fixed on another at a pose: a tool, a camera, a
+    /// sole. It is the last.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -65,7 +67,8 @@ impl Robot {
     /// ```
     ///
     /// # Errors
-    /// If there is no such link, a link or joint has the name, or the pose is farther than 10⁻³ from unit.
+    /// If there is no such link, a link or joint has the name, or the pose is farther than 10⁻³
+    /// from unit.
     pub fn with_tool(
         mut self,
         name: &str,

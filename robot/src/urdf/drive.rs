@@ -1,7 +1,8 @@
 use super::element::Element;
 
-/// How fast and how hard a joint may move, as `velocity` and `effort` of its `<limit>` say; infinite where they say
-/// nothing, or no number from zero on. Poses and inverse kinematics do not ask for it.
+/// How fast and how hard a joint may move, as `velocity` and `effort` of its `<limit>` say;
+/// infinite where they say nothing, or no number from zero on. Poses and inverse kinematics do not
+/// ask for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
     /// The greatest speed: radians, or the unit of length, in a second.

@@ -1,5 +1,5 @@
-//! An element of the file: what it holds is read by name. Everything else in it is an error if it matters or is meant to be
-//! something that does, and a warning if not.
+//! An element of the file: what it holds is read by name. Everything else in it is an error if it
+//! matters or is meant to be something that does, and a warning if not.
 
 use super::error::UrdfError;
 use super::place::{JOINT, Place};
@@ -128,7 +128,8 @@ impl<'f> Element<'f> {
         }
         let namespace = self.node.tag_name().namespace().filter(|_| !own);
         if namespace.is_some_and(|namespace| namespace.contains("xacro")) {
-            // What is left of expanding a file; a file that was not expanded lacks links or has words for numbers.
+            // What is left of expanding a file; a file that was not expanded lacks links or has
+            // words for numbers.
             warnings.push(self.warning("an element of xacro is not read: expand the file first"));
             return Ok(());
         }

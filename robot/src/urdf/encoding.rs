@@ -15,8 +15,9 @@ struct Decoded<'b> {
     is_known: bool,
 }
 
-/// By the byte order mark, or else as the declaration says, or else UTF-8. What is not in that encoding becomes U+FFFD,
-/// with a warning: most readers of URDF do not look at the encoding at all.
+/// By the byte order mark, or else as the declaration says, or else UTF-8. What is not in that
+/// encoding becomes U+FFFD, with a warning: most readers of URDF do not look at the encoding at
+/// all.
 pub(crate) fn text(bytes: &[u8]) -> Result<(Cow<'_, str>, Option<UrdfWarning>), UrdfError> {
     let declared = declared(bytes).unwrap_or(b"UTF-8");
     let name = String::from_utf8_lossy(declared);

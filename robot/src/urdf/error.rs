@@ -2,8 +2,8 @@ use crate::MechanismError;
 use dq8::seams::errors;
 
 errors! {
-    /// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the line and the
-    /// element.
+    /// A file that does not describe a robot, or describes one that a mechanism cannot express.
+    /// Each names the line and the element.
     #[derive(Debug)]
     UrdfError {
         /// The file cannot be read.

@@ -89,7 +89,8 @@ impl File {
     }
 }
 
-/// The limits of a `<limit>` that does not say them: nothing but zero, and since version 1.2 everything.
+/// The limits of a `<limit>` that does not say them: nothing but zero, and since version 1.2
+/// everything.
 fn unsaid(robot: Element<'_>) -> Result<[f64; 2], UrdfError> {
     match robot.node.attribute("version").map(str::trim) {
         None | Some("1.0" | "1.1") => Ok([0.0; 2]),
@@ -196,8 +197,8 @@ fn axis(joint: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<[f64; 3],
     Err(UrdfError::Axis { line, joint, axis })
 }
 
-/// What the format says of `<limit>`: revolute and prismatic joints must have it, others have no use for `lower` and
-/// `upper`, and either is zero where it is not written.
+/// What the format says of `<limit>`: revolute and prismatic joints must have it, others have no
+/// use for `lower` and `upper`, and either is zero where it is not written.
 fn limits(
     joint: Element<'_>,
     [least, most]: [f64; 2],

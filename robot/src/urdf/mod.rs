@@ -36,39 +36,45 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Link 0 of the mechanism is the root of the file, at the base; the others follow in the order of the file
-//! as far as parents come first.
+//! Link 0 of the mechanism is the root of the file, at the base; the others follow in the order of
+//! the file as far as parents come first.
 //!
 //! # What is read
-//! In `<joint>`: its name and type, `<parent>`, `<child>`, `<origin>` (`xyz`, `rpy`), `<axis>`, `<limit>` (`lower`,
-//! `upper`) and `<mimic>`; each of them once. What says where links are and cannot be expressed is an
-//! [error](UrdfError), never left out. Errors name the line and the element.
+//! In `<joint>`: its name and type, `<parent>`, `<child>`, `<origin>` (`xyz`, `rpy`), `<axis>`,
+//! `<limit>` (`lower`, `upper`) and `<mimic>`; each of them once. What says where links are and
+//! cannot be expressed is an [error](UrdfError), never left out. Errors name the line and the
+//! element.
 //!
-//! Limits are those of the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or prismatic joint must have a
-//! `<limit>`; one without is an error. `lower` and `upper` are zero where they are not written, so a joint with neither
-//! cannot move. (Since version 1.2 of the format, in `<robot version="1.2">`, what is not written has no bound.) Two zeros
-//! lock a joint too. Limits of a joint that mimics another hold for that one as well, and a [warning](Robot::warnings) says so, but
-//! where they would leave it one value or none: those are not read. Joints of other types have no limits, whatever `<limit>` says, and a fixed joint stays fixed, whatever
-//! it should mimic.
+//! Limits are those of the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or
+//! prismatic joint must have a `<limit>`; one without is an error. `lower` and `upper` are zero
+//! where they are not written, so a joint with neither cannot move. (Since version 1.2 of the
+//! format, in `<robot version="1.2">`, what is not written has no bound.) Two zeros lock a joint
+//! too. Limits of a joint that mimics another hold for that one as well, and a
+//! [warning](Robot::warnings) says so, but where they would leave it one value or none: those are
+//! not read. Joints of other types have no limits, whatever `<limit>` says, and a fixed joint stays
+//! fixed, whatever it should mimic.
 //!
 //! # What is not read
-//! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and what is in them, and rates of
-//! `<limit>` other than `velocity` and `effort`, which are [drives](Robot::drives): they say how a robot looks, weighs or is
-//! driven, not where its links are.
+//! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and what is in them, and
+//! rates of `<limit>` other than `velocity` and `effort`, which are [drives](Robot::drives): they
+//! say how a robot looks, weighs or is driven, not where its links are.
 //!
-//! Everything else that says nothing about places is not read either, and [reported](Robot::warnings): parts for simulators
-//! and controllers (`<gazebo>`, `<transmission>`, `<sensor>` …), names with a prefix, other attributes and elements,
-//! and text. So are the soft limits of `<safety_controller>`: a controller begins to brake there, but joints may be
-//! beyond them, as far as `<limit>` says.
+//! Everything else that says nothing about places is not read either, and
+//! [reported](Robot::warnings): parts for simulators and controllers (`<gazebo>`, `<transmission>`,
+//! `<sensor>` …), names with a prefix, other attributes and elements, and text. So are the soft
+//! limits of `<safety_controller>`: a controller begins to brake there, but joints may be beyond
+//! them, as far as `<limit>` says.
 //!
-//! Of elements of which a joint has one, the first counts, limits in the wrong order are exchanged, and left-overs of xacro and
-//! loops of joints are passed over, as by other readers; each is reported.
+//! Of elements of which a joint has one, the first counts, limits in the wrong order are exchanged,
+//! and left-overs of xacro and loops of joints are passed over, as by other readers; each is
+//! reported.
 //!
-//! What may be a misspelt part of what is read stays an error, because a limit that is not read would be none: names that
-//! differ from those above, where they may stand, in case, in the order of their letters, or in one letter (lost, added,
-//! changed, or exchanged with its neighbour; two in names of more than five letters). So are names that clearly say
-//! where something is: `x`, `y`, `z`, `roll`, `pitch`, `yaw` and quaternions in `<origin>`, `min` and `max` in `<limit>`,
-//! joints in links, and numbers as text in `<origin>`, `<axis>`, `<limit>` or `<mimic>`.
+//! What may be a misspelt part of what is read stays an error, because a limit that is not read
+//! would be none: names that differ from those above, where they may stand, in case, in the order
+//! of their letters, or in one letter (lost, added, changed, or exchanged with its neighbour; two
+//! in names of more than five letters). So are names that clearly say where something is: `x`, `y`,
+//! `z`, `roll`, `pitch`, `yaw` and quaternions in `<origin>`, `min` and `max` in `<limit>`, joints
+//! in links, and numbers as text in `<origin>`, `<axis>`, `<limit>` or `<mimic>`.
 //!
 //! # Text
 //! A file is read in the encoding that it declares ([`Robot::from_bytes`]): UTF-8 and UTF-16, and

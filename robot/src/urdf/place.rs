@@ -1,7 +1,8 @@
-//! What matters at each place of a file: what is read there, and what would say where links are if it were read.
+//! What matters at each place of a file: what is read there, and what would say where links are if
+//! it were read.
 
-/// A kind of element. A name that is not read there is an error if it is one of those that matter, or [close] to one;
-/// anything else says nothing about places.
+/// A kind of element. A name that is not read there is an error if it is one of those that matter,
+/// or [close] to one; anything else says nothing about places.
 ///
 /// [close]: super::spelling::meant
 pub(crate) struct Place {
@@ -11,7 +12,8 @@ pub(crate) struct Place {
     pub(crate) elements: &'static str,
     /// Attributes and elements that are not read, and that say something about places.
     pub(crate) unread: &'static str,
-    /// Parts of the format that say nothing about places: nobody needs to be told that they are not read.
+    /// Parts of the format that say nothing about places: nobody needs to be told that they are not
+    /// read.
     pub(crate) known: &'static str,
     /// Whether there is one element of each name, of which others count the first.
     pub(crate) once: bool,
@@ -23,7 +25,8 @@ const NOTHING: Place =
     Place { attributes: "", elements: "", unread: "", known: "", once: false, numbers: false };
 const NUMBERS: Place = Place { numbers: true, ..NOTHING };
 
-/// A `<loop_joint>` would tie the values of joints to each other; a tree of links stands without it.
+/// A `<loop_joint>` would tie the values of joints to each other; a tree of links stands without
+/// it.
 pub(crate) const ROBOT: Place =
     Place { attributes: "version", elements: "link joint", known: "name material", ..NOTHING };
 

@@ -148,8 +148,8 @@ impl Robot {
         &self.joints
     }
 
-    /// The greatest speed and effort of each joint: one for each link, 0 the root, which does not move.
-    /// [`value_drives`](Self::value_drives) has those of values.
+    /// The greatest speed and effort of each joint: one for each link, 0 the root, which does not
+    /// move. [`value_drives`](Self::value_drives) has those of values.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -166,8 +166,9 @@ impl Robot {
         &self.drives
     }
 
-    /// The greatest speed and effort of each value of a configuration, in the order of [`value_limits`](Self::value_limits):
-    /// that of its joint. The seven of a floating joint have what is written for that.
+    /// The greatest speed and effort of each value of a configuration, in the order of
+    /// [`value_limits`](Self::value_limits): that of its joint. The seven of a floating joint have
+    /// what is written for that.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -239,15 +240,15 @@ impl Robot {
         self.value_names.iter().position(|value| value == name)
     }
 
-    /// A name for each value of a configuration: that of the joint, with `.x`, `.y` and `.angle` for planar
-    /// joints, and `.qx`, `.qy`, `.qz`, `.qw`, `.x`, `.y`, `.z` for floating ones.
+    /// A name for each value of a configuration: that of the joint, with `.x`, `.y` and `.angle`
+    /// for planar joints, and `.qx`, `.qy`, `.qz`, `.qw`, `.x`, `.y`, `.z` for floating ones.
     #[must_use]
     pub fn value_names(&self) -> &[String] {
         &self.value_names
     }
 
-    /// Limits for each value, [as far](Mechanism::value_limits) as joints that mimic its joint let it go; none for
-    /// continuous, planar and floating joints.
+    /// Limits for each value, [as far](Mechanism::value_limits) as joints that mimic its joint let
+    /// it go; none for continuous, planar and floating joints.
     #[must_use]
     pub fn value_limits(&self) -> Vec<Option<[f64; 2]>> {
         let view = self.mechanism.view();

@@ -3,8 +3,9 @@
 /// Words near those of the format that are words of their own.
 const OTHER_WORDS: [&str; 3] = ["line", "point", "power"];
 
-/// Which of these names is probably meant: one that differs in case, in the order of its letters, or in few of them (lost,
-/// added, changed, or exchanged with their neighbours): none of one or two letters, one of up to five, two of more.
+/// Which of these names is probably meant: one that differs in case, in the order of its letters,
+/// or in few of them (lost, added, changed, or exchanged with their neighbours): none of one or two
+/// letters, one of up to five, two of more.
 pub(crate) fn meant(
     found: &str,
     names: impl IntoIterator<Item = &'static str>,
@@ -31,7 +32,8 @@ fn near(found: &[char], name: &str) -> bool {
         && (distance(found, &name) <= allowed || sorted(found) == sorted(&name))
 }
 
-/// How many letters must be added, removed, changed or exchanged with the next one (optimal string alignment).
+/// How many letters must be added, removed, changed or exchanged with the next one (optimal string
+/// alignment).
 fn distance(a: &[char], b: &[char]) -> usize {
     // Row i: the distances of the first i letters of `a` from all beginnings of `b`.
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];

@@ -1,7 +1,7 @@
 use std::fmt;
 
-/// Something in a file that is not read, because it says nothing about where links are; or limits of a joint that mimics
-/// another, where they narrow the range of that one.
+/// Something in a file that is not read, because it says nothing about where links are; or limits
+/// of a joint that mimics another, where they narrow the range of that one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct UrdfWarning {

@@ -1,13 +1,16 @@
-//! The text of a file as a strict reader of XML takes it, line for line. Readers of URDF are not strict: they skip
-//! declarations and comments wherever and however they are written, and know nothing of namespaces.
+//! The text of a file as a strict reader of XML takes it, line for line. Readers of URDF are not
+//! strict: they skip declarations and comments wherever and however they are written, and know
+//! nothing of namespaces.
 
 use super::error::UrdfError;
 use std::collections::BTreeSet;
 
-/// How deep elements may be in each other. TinyXML, which most readers of URDF use, has the same limit.
+/// How deep elements may be in each other. TinyXML, which most readers of URDF use, has the same
+/// limit.
 const DEPTH: usize = 500;
-/// How many attributes an element may have. The strict reader compares each with all others, which takes seconds for as many
-/// as half a megabyte holds; no element of the format has more than seven.
+/// How many attributes an element may have. The strict reader compares each with all others, which
+/// takes seconds for as many as half a megabyte holds; no element of the format has more than
+/// seven.
 const ATTRIBUTES: usize = 1000;
 
 /// Without declarations, comments and a document type, and with a declaration of every prefix.

@@ -62,7 +62,8 @@ pub fn ur5() -> Plan<6> {
     turning(axes, (X, -PI / 2.0, [0.81725, 0.19145, -0.005491]))
 }
 
-/// A PUMA 560: a shoulder, an elbow and a wrist of three crossing axes, with the limits of its makers.
+/// A PUMA 560: a shoulder, an elbow and a wrist of three crossing axes, with the limits of its
+/// makers.
 pub fn puma() -> Plan<6> {
     let turn = |direction, through, limits: [f64; 2]| {
         hinge(direction, through, limits.map(f64::to_radians))
@@ -258,7 +259,8 @@ pub fn rounded<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
     values.map(R::from_f64)
 }
 
-/// What tests run for long, compiled once for all of them, and optimised as this crate is. To name it is enough.
+/// What tests run for long, compiled once for all of them, and optimised as this crate is. To name
+/// it is enough.
 #[must_use]
 pub fn instances() -> [*const (); 8] {
     [

@@ -7,9 +7,10 @@ use dq8::{Backend, DualQuat, Real, Scalar};
 use dq8_fixtures::random::Random;
 use dq8_robot::{Joint, JointKind, JointValues};
 
-/// A configuration with an angle so far, alone and among others: where a number is NaN in one, it is in the other, and so
-/// are all of its link, and nothing of the others nor of the links before it; elsewhere they are the same but for hundredths of a radian, to which such
-/// an angle is known. Whether something is NaN.
+/// A configuration with an angle so far, alone and among others: where a number is NaN in one, it
+/// is in the other, and so are all of its link, and nothing of the others nor of the links before
+/// it; elsewhere they are the same but for hundredths of a radian, to which such an angle is known.
+/// Whether something is NaN.
 fn is_nowhere<R>(
     joints: &[Joint<f64>],
     [link, angle]: [usize; 2],

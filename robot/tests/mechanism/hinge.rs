@@ -1,11 +1,11 @@
-//! Sine and cosine of a hinge's half angle, against `f64`. `f32` has few floats: all of them up to the limit of
-//! 2¹⁷ rad were tried, and the worst are here.
+//! Sine and cosine of a hinge's half angle, against `f64`. `f32` has few floats: all of them up to
+//! the limit of 2¹⁷ rad were tried, and the worst are here.
 
 use dq8::{Backend, DualQuat};
 use dq8_robot::{Joint, OwnedMechanism};
 
-/// The angles at which a hinge errs most, in `f32`: of all, and up to half a turn, without fused multiply-add and
-/// with it.
+/// The angles at which a hinge errs most, in `f32`: of all, and up to half a turn, without fused
+/// multiply-add and with it.
 const WORST: [u32; 8] = [
     0x450df5f4, 0x47fec50a, 0x40490653, 0x4048a9f3, 0x464f7e0c, 0x46356077, 0x404908d8, 0x40452ee4,
 ];

@@ -1,5 +1,6 @@
-//! Everything that is asked of a mechanism: on the lanes of every backend, in every layout and precision, of any number of
-//! configurations, on any number of threads, it is what one configuration gives; and that, what the book does.
+//! Everything that is asked of a mechanism: on the lanes of every backend, in every layout and
+//! precision, of any number of configurations, on any number of threads, it is what one
+//! configuration gives; and that, what the book does.
 
 use crate::tree::{mechanism, tree, values};
 use dq8::simd::Row;
@@ -9,8 +10,9 @@ use dq8_fixtures::random::Random;
 use dq8_fixtures::textbook::Textbook;
 use dq8_robot::{Body, Job, Joint, JointValues, Mechanism, World, WorldAligned};
 
-/// What of rounding is left in poses, relative to where they are, in numbers of twists, and in places: up to 64 products one
-/// after the other, moments about links that are some lengths away, points as far.
+/// What of rounding is left in poses, relative to where they are, in numbers of twists, and in
+/// places: up to 64 products one after the other, moments about links that are some lengths away,
+/// points as far.
 const DOUBLE: [f64; 3] = [2e-14, 1e-13, 1e-13];
 const SINGLE: [f64; 3] = [1e-5, 1e-4, 1e-4];
 
@@ -37,7 +39,8 @@ impl<'a, R: Real> Scene<'a, R> {
     }
 }
 
-/// An answer: what it is, how many numbers a thing has, and the numbers, `[configuration][thing][number]`.
+/// An answer: what it is, how many numbers a thing has, and the numbers,
+/// `[configuration][thing][number]`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Answer {
     pub(super) what: &'static str,

@@ -1,5 +1,5 @@
-//! Mechanisms: one configuration against matrices, lanes against one configuration, Jacobians against
-//! differentiation, and what cannot be one.
+//! Mechanisms: one configuration against matrices, lanes against one configuration, Jacobians
+//! against differentiation, and what cannot be one.
 
 mod arms;
 mod dh;

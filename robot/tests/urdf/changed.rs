@@ -1,4 +1,5 @@
-//! Robots on other bases and with tools: names, limits and poses are those of the file, and what was added.
+//! Robots on other bases and with tools: names, limits and poses are those of the file, and what
+//! was added.
 
 use dq8::{DualQuat, Quat};
 use dq8_robot::urdf::{ChangeError, Robot};

@@ -115,7 +115,8 @@ fn mimics_of_mimics_are_resolved() {
     assert_eq!(b.translation(), [3.5, 0.0, 0.0]);
 }
 
-/// Fingers of grippers, whose files give the follower the limits of its leader without the sign between them.
+/// Fingers of grippers, whose files give the follower the limits of its leader without the sign
+/// between them.
 #[test]
 fn limits_of_what_mimics_are_those_of_the_value_where_they_leave_a_range_and_a_warning_says_so() {
     let hand = |mimic: &str, limits: &str| {

@@ -48,8 +48,8 @@ fn rows(table: &str) -> impl Iterator<Item = (String, String)> {
     })
 }
 
-/// The robot of a file whose hinge is at 0.7 rad, which is at (0.1, 0.2, 0.3) and turned by roll, pitch and yaw (0.4, −0.5,
-/// 0.6): computed elsewhere.
+/// The robot of a file whose hinge is at 0.7 rad, which is at (0.1, 0.2, 0.3) and turned by roll,
+/// pitch and yaw (0.4, −0.5, 0.6): computed elsewhere.
 #[track_caller]
 fn stands(file: &[u8], link: &str) -> Robot {
     let robot = Robot::from_bytes(file)

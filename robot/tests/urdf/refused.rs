@@ -1,5 +1,5 @@
-//! Files that are no robots: what is misspelt, missing, or cannot be expressed is an error, never left out, that names the
-//! line, the element and what is meant.
+//! Files that are no robots: what is misspelt, missing, or cannot be expressed is an error, never
+//! left out, that names the line, the element and what is meant.
 
 use super::rows;
 use dq8_robot::urdf::{Robot, UrdfError};

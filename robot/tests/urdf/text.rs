@@ -1,4 +1,5 @@
-//! Text that a strict reader of XML refuses and readers of URDF do not; other encodings; what is refused still.
+//! Text that a strict reader of XML refuses and readers of URDF do not; other encodings; what is
+//! refused still.
 
 use super::{FILE, changed_to, rows, stands};
 use dq8_robot::urdf::{Robot, UrdfError};

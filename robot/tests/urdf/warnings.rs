@@ -7,7 +7,8 @@ fn lines(warnings: &[UrdfWarning]) -> Vec<u32> {
     warnings.iter().map(|warning| warning.line).collect()
 }
 
-/// Attributes, elements and text of other programs, and their warning; none of what everybody knows.
+/// Attributes, elements and text of other programs, and their warning; none of what everybody
+/// knows.
 const REPORTED: &str = r#"
 <axis | <axis rpy="1 2 3" | line 10: <axis> of <joint name="hinge">: the attribute "rpy" is not read
 effort | damping="0.1" effort | line 11: <limit> of <joint name="hinge">: the attribute "damping" is not read
@@ -87,8 +88,9 @@ fn fixed_joints_that_mimic_stay_fixed() {
     }
 }
 
-/// Left-overs of xacro and of other programs, elements that are there twice, and ends of a range in the wrong order, which
-/// the files of real robots have: the first of the elements counts, as for other readers.
+/// Left-overs of xacro and of other programs, elements that are there twice, and ends of a range in
+/// the wrong order, which the files of real robots have: the first of the elements counts, as for
+/// other readers.
 #[test]
 fn what_other_readers_pass_over_is_reported_and_the_links_stand_where_they_do() {
     let values = [0.7];

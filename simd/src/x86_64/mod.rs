@@ -11,8 +11,8 @@
 //! | `avx2.rs` | [`Avx2`]: 8 × `f32`, 4 × `f64`, and half as many; AVX2 and FMA |
 //! | `avx512.rs` | [`Avx512`]: 16 × `f32`, 8 × `f64`, and the narrower ones; AVX-512 F, VL, DQ |
 //!
-//! Every lane value holds the proof of its level: the constructors ask for it. That is what makes the
-//! calls of intrinsics sound, and each `SAFETY` comment here refers to it.
+//! Every lane value holds the proof of its level: the constructors ask for it. That is what makes
+//! the calls of intrinsics sound, and each `SAFETY` comment here refers to it.
 
 mod avx2;
 mod avx512;

@@ -47,7 +47,8 @@ macro_rules! columns {
     }};
 }
 
-/// The columns with AVX-512, which picks numbers from two vectors: the signs are flipped once for all.
+/// The columns with AVX-512, which picks numbers from two vectors: the signs are flipped once for
+/// all.
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl")]
 fn picked_columns(v: __m256) -> [__m256; 4] {
@@ -55,7 +56,8 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
     // Below 8 from `v`, from 8 on from its negative; the upper half as the lower one.
     let [y, z] = [[10, 3, 0, 9], [1, 8, 3, 10]].map(|[a, b, c, d]| {
         let mut from = _mm256_setr_epi32(a, b, c, d, a + 4, b + 4, c + 4, d + 4);
-        // SAFETY: no instruction. Left to itself, the compiler picks in two steps and gains nothing.
+        // SAFETY: no instruction. Left to itself, the compiler picks in two steps and gains
+        // nothing.
         unsafe {
             asm!("/* {0} */", inout(ymm_reg) from, options(pure, nomem, nostack, preserves_flags));
         }

@@ -8,7 +8,8 @@ const LINE: usize = 64;
 pub(super) fn prefetch<T>(value: &T) {
     let start = core::ptr::from_ref(value).cast::<i8>();
     for offset in (0..size_of::<T>()).step_by(LINE) {
-        // SAFETY: SSE is part of every x86-64 CPU, the address is one of `value`, and nothing is read.
+        // SAFETY: SSE is part of every x86-64 CPU, the address is one of `value`, and nothing is
+        // read.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(offset)) };
     }
 }

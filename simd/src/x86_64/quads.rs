@@ -1,17 +1,17 @@
 //! Transposes between records of four (or three) numbers in memory and vectors of their components.
 //!
-//! Record by record is how memory goes; four registers that hold a record a 128-bit group (`f32`) or
-//! a 256-bit group (`f64`) are then transposed inside the groups. That transpose is its own inverse,
-//! so the way out is the way in, read backwards.
+//! Record by record is how memory goes; four registers that hold a record a 128-bit group (`f32`)
+//! or a 256-bit group (`f64`) are then transposed inside the groups. That transpose is its own
+//! inverse, so the way out is the way in, read backwards.
 //!
 //! Registers and pointers here are raw: the lanes that call prove the instructions and the bounds.
 #![allow(clippy::missing_safety_doc, reason = "stated once, below, for all of them")]
 
 use core::arch::x86_64::*;
 
-// All functions of this file: the CPU must have the instructions of the register's type. `LANES` records
-// of four numbers (three for triples) must lie `stride` numbers apart from `at` on; or, on the way in,
-// each `place(lane)` numbers after `at`.
+// All functions of this file: the CPU must have the instructions of the register's type. `LANES`
+// records of four numbers (three for triples) must lie `stride` numbers apart from `at` on; or, on
+// the way in, each `place(lane)` numbers after `at`.
 
 /// The transpose of the 4 × 4 numbers in each 128-bit group.
 macro_rules! transpose_singles {
@@ -54,8 +54,8 @@ sum_singles! { f32x4_sum, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, _mm_shuffle_
 sum_singles! { f32x8_sum, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps, _mm256_add_ps }
 sum_singles! { f32x16_sum, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps, _mm512_add_ps }
 
-/// Four records in each of four registers and back: a register type, how records join in it, and how
-/// it falls apart into the places of its groups.
+/// Four records in each of four registers and back: a register type, how records join in it, and
+/// how it falls apart into the places of its groups.
 macro_rules! single_quads {
     (
         $load:ident, $store:ident, $triples:ident, $register:ident, $transpose:ident, $shuffle:ident;

@@ -11,8 +11,8 @@ use core::arch::x86_64::*;
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
 unsafe fn both(from: *const Shorts, [a, b]: [usize; 2]) -> __m128d {
-    // SAFETY: promised; the address stays what it was. Without a register of its own for each lane the compiler adds up
-    // the addresses of all lanes in vectors, and takes them apart again.
+    // SAFETY: promised; the address stays what it was. Without a register of its own for each lane
+    // the compiler adds up the addresses of all lanes in vectors, and takes them apart again.
     unsafe {
         let mut a = from.add(a);
         asm!("/* {0} */", inout(reg) a, options(pure, nomem, nostack, preserves_flags));
@@ -34,8 +34,9 @@ pub(super) unsafe fn f32x8_between(
     unsafe {
         // Of a number and NaN these give the second.
         let t = _mm256_min_ps(_mm256_max_ps(t, _mm256_setzero_ps()), _mm256_set1_ps(1.0));
-        // 2¹⁴t is in the last bits of the sum, as in `shorts::one_by_one`; the other weight stands before it. The product is
-        // exact, so nothing is fused, and unfused lanes share this.
+        // 2¹⁴t is in the last bits of the sum, as in `shorts::one_by_one`; the other weight
+        // stands before it. The product is exact, so nothing is fused, and unfused lanes share
+        // this.
         let to = _mm256_mul_ps(t, _mm256_set1_ps(16384.0));
         let to = _mm256_add_ps(to, _mm256_set1_ps(12_582_912.0));
         let to = _mm256_castps_si256(to);
@@ -70,7 +71,8 @@ pub(super) unsafe fn f32x8_between(
     }
 }
 
-/// The same of sixteen lanes, eight at a time: the product of 512 bits is no part of AVX-512 F, VL and DQ.
+/// The same of sixteen lanes, eight at a time: the product of 512 bits is no part of AVX-512 F, VL
+/// and DQ.
 ///
 /// # Safety
 /// As for that, and the CPU must have AVX-512 F and DQ.

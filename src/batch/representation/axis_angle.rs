@@ -29,8 +29,8 @@ impl<L: Lanes> Quat<L> {
         (axis, L::select(still, zero * short.w(), turn + turn))
     }
 
-    /// The turn by |v| radians about the direction of v. NaN where |v| is beyond 2¹⁷ (`f32`) or 2⁴⁶
-    /// (`f64`) radians.
+    /// The turn by |v| radians about the direction of v. NaN where |v| is beyond 2¹⁷ (`f32`) or
+    /// 2⁴⁶ (`f64`) radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_scaled_axis(v: [L; 3]) -> Self {
         let zero = v[0].constant(0.0);

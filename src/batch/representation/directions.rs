@@ -26,8 +26,8 @@ impl<L: Lanes> Quat<L> {
         Self::from_axis_angle([zero, zero, one], angle)
     }
 
-    /// The least turns that take the direction of `from` to that of `to`, vectors of any length; about the axis
-    /// most across `from` where they are opposite, NaN for a zero vector.
+    /// The least turns that take the direction of `from` to that of `to`, vectors of any length;
+    /// about the axis most across `from` where they are opposite, NaN for a zero vector.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_rotation_arc(from: [L; 3], to: [L; 3]) -> Self {
         let one = from[0].constant(1.0);

@@ -1,11 +1,12 @@
-//! What one line of a [table](crate::geometry) becomes: an operation, and a function on rows for the scalar
-//! reference and one for lanes.
+//! What one line of a [table](crate::geometry) becomes: an operation, and a function on rows for
+//! the scalar reference and one for lanes.
 
 use crate::lanes::Row;
 use crate::sample::Sample;
 use dq8::representation::EulerOrder;
 
-/// Everything that the lines of a table become; the scales are those of a module. `tests/bits` reads the same tables.
+/// Everything that the lines of a table become; the scales are those of a module. `tests/bits`
+/// reads the same tables.
 macro_rules! geometry {
     ($scale:ident: $($name:literal($($field:ident: $shape:ident),*) -> $result:ident, $scales:expr,
         [$($bound:expr),* $(,)?], $how:ident $scalar:expr $(, $lanes:expr)?;)*) => {
@@ -197,8 +198,8 @@ pub(super) fn length(shape: &str) -> usize {
     }
 }
 
-/// The next number at each call: one type for all operations of `M`, so that what takes arguments from it is
-/// compiled once.
+/// The next number at each call: one type for all operations of `M`, so that what takes arguments
+/// from it is compiled once.
 pub(super) fn numbers_of<M: Sample>(rows: &[Row]) -> impl FnMut() -> M::Real {
     let mut rows = rows.iter();
     move || M::load(rows.next().expect("as many rows as numbers"))

@@ -1,5 +1,5 @@
-//! Lines and planes: made of points and directions, normalized, distances of points; where they meet, and how they pass
-//! each other.
+//! Lines and planes: made of points and directions, normalized, distances of points; where they
+//! meet, and how they pass each other.
 
 use dq8::{Line, Plane};
 

@@ -1,14 +1,16 @@
-//! The tables of what is no operation of motions: lines, planes, quaternions and other forms of rotations,
-//! maps, dual numbers. They are held to answers of 60 digits (`vectors/geometry.jsonl`) and to nothing else here.
+//! The tables of what is no operation of motions: lines, planes, quaternions and other forms of
+//! rotations, maps, dual numbers. They are held to answers of 60 digits (`vectors/geometry.jsonl`)
+//! and to nothing else here.
 //!
 //! ```text
 //! "name in the file"(field: its shape, …) -> shape of the answer, scales of its errors, [bounds],
 //!     how scalar, lanes;
 //! ```
 //!
-//! `how` says whether there may be no answer: `tried` has an error in the scalar reference and a mask on
-//! lanes, `plain` has neither; `alone` may have an error, and is not on lanes. Where both sides have the same text there is one. The numbers of a quaternion begin
-//! with w, in fields and in answers, and those of unit shapes are normalized first.
+//! `how` says whether there may be no answer: `tried` has an error in the scalar reference and a
+//! mask on lanes, `plain` has neither; `alone` may have an error, and is not on lanes. Where both
+//! sides have the same text there is one. The numbers of a quaternion begin with w, in fields and
+//! in answers, and those of unit shapes are normalized first.
 
 #[macro_use]
 mod entry;
@@ -28,8 +30,8 @@ use crate::sample::{Proof, Sample};
 use crate::vectors::Vector;
 use dq8::{DualQuat, Lanes, Real, batch};
 
-/// An operation of one implementation: a row for each number in, and for each number of the answer out; none
-/// where the scalar reference has an error.
+/// An operation of one implementation: a row for each number in, and for each number of the answer
+/// out; none where the scalar reference has an error.
 pub type Call = fn(&[Row]) -> Vec<Row>;
 
 /// One operation of a table.
@@ -100,7 +102,8 @@ impl Place {
         self.operation().fields.iter().map(|&(field, shape)| (field, entry::length(shape)))
     }
 
-    /// The answers of `on` to vectors of this operation, at most as many as it has lanes; NaN where there is none.
+    /// The answers of `on` to vectors of this operation, at most as many as it has lanes; NaN where
+    /// there is none.
     pub(crate) fn answers(self, on: On, vectors: &[&Vector]) -> Vec<Vec<f64>> {
         let given = |vector: &&Vector| {
             self.fields()
@@ -121,8 +124,8 @@ impl Place {
         on.geometry[self.table][self.index].is_some()
     }
 
-    /// The answers to numbers, those of all fields for each lane, for at most as many lanes as `on` has; lanes beyond
-    /// repeat the first. Empty where the scalar reference has an error.
+    /// The answers to numbers, those of all fields for each lane, for at most as many lanes as `on`
+    /// has; lanes beyond repeat the first. Empty where the scalar reference has an error.
     pub fn answers_given(self, on: On, given: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let row = |number: usize| {
             let mut row = [0.0; MAX_LANES];
@@ -138,7 +141,8 @@ impl Place {
         (0..given.len()).map(|lane| rows.iter().map(|row| row[lane]).collect()).collect()
     }
 
-    /// The largest error of `answer`, each number relative to its own scale. NaN counts as infinite.
+    /// The largest error of `answer`, each number relative to its own scale. NaN counts as
+    /// infinite.
     pub(crate) fn error(self, vector: &Vector, answer: &[f64]) -> f64 {
         let scales = (self.operation().scales)(vector);
         assert_eq!(scales.len(), vector.out.len(), "{}: a scale for each number", vector.op);

@@ -44,8 +44,8 @@ impl Errors {
     }
 }
 
-/// The usual figures of errors e₁ … eₙ, under the names of evo. All have the unit of the errors,
-/// but for `sse`, which has its square.
+/// The usual figures of errors e₁ … eₙ, under the names of evo. All have the unit of the
+/// errors, but for `sse`, which has its square.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {

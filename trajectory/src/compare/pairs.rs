@@ -207,8 +207,9 @@ impl Pairs {
     }
 
     /// The difference of motions over a step from pair i to pair j: the translation and the
-    /// rotation of (Qᵢ⁻¹Qⱼ)⁻¹(Pᵢ⁻¹Pⱼ), where the reference has the poses Q and the estimate P. It
-    /// is the relative pose error of evo (RPE) over consecutive steps, after Sturm et al. 2012.
+    /// rotation of (Qᵢ⁻¹Qⱼ)⁻¹(Pᵢ⁻¹Pⱼ), where the reference has the poses Q and the
+    /// estimate P. It is the relative pose error of evo (RPE) over consecutive steps, after Sturm
+    /// et al. 2012.
     ///
     /// # Errors
     /// If the step is not positive and finite, or none ends before the pairs do.

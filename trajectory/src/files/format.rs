@@ -6,7 +6,7 @@ pub enum Format {
     /// The format of the ground truth of the EuRoC MAV dataset (Burri et al. 2016).
     Euroc,
     /// The format of the poses of the KITTI odometry benchmark (Geiger et al. 2012). Lines are
-    /// stamped 0, 1, 2 … seconds; true stamps, from a file of their own, make a trajectory with the
-    /// poses by [`OwnedTrajectory::new`](crate::OwnedTrajectory::new).
+    /// stamped 0, 1, 2 … seconds; true stamps, from a file of their own, make a trajectory with
+    /// the poses by [`OwnedTrajectory::new`](crate::OwnedTrajectory::new).
     Kitti,
 }

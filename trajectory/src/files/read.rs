@@ -98,8 +98,8 @@ impl Format {
     ///
     /// # Errors
     /// If no line holds a pose; a line has too few fields (or too many, but in EuRoC's format); a
-    /// field is no finite number, or larger than 10³⁰⁰; a quaternion is zero; or a matrix mirrors,
-    /// or has no nearest rotation.
+    /// field is no finite number, or larger than 10³⁰⁰; a quaternion is zero; or a matrix
+    /// mirrors, or has no nearest rotation.
     pub fn parse(self, text: &[u8]) -> Result<Recording, FileError> {
         self.poses(&decoded(text))
     }

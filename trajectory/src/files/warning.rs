@@ -27,8 +27,8 @@ pub enum Warning {
         /// The number of such lines.
         count: usize,
     },
-    /// Matrices differ from rotations by more than 10⁻³, which is more than rounding. The nearest
-    /// rotations were taken.
+    /// Matrices differ from rotations by more than 10⁻³, which is more than rounding. The
+    /// nearest rotations were taken.
     NotOrthonormal {
         /// The first such line.
         line: usize,

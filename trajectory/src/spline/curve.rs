@@ -33,9 +33,9 @@ impl Basis {
 /// A cubic spline by control poses at equal intervals of time, with twists and accelerations in
 /// closed form.
 ///
-/// Control pose k is at the time `start + every · (k − 1)`: the first stands before the beginning,
-/// the last after the end, as four are needed between any two knots. From one control pose to the
-/// next the shorter way counts.
+/// Control pose k is at the time `start + every · (k − 1)`: the first stands before the
+/// beginning, the last after the end, as four are needed between any two knots. From one control
+/// pose to the next the shorter way counts.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -67,8 +67,8 @@ pub struct Spline {
 pub struct Moving {
     /// The pose σ.
     pub pose: DualQuat<f64>,
-    /// ω with σ̇ = ½σω, for one second: angular in radians per second, linear in metres per second,
-    /// of the origin of the body, in its axes.
+    /// ω with σ̇ = ½σω, for one second: angular in radians per second, linear in metres per
+    /// second, of the origin of the body, in its axes.
     pub twist: Twist<f64>,
     /// The change of that twist in a second. (The acceleration of the origin of the body is
     /// its linear part plus angular × linear of the twist.)
@@ -173,12 +173,14 @@ impl Spline {
         Moving { pose, twist, acceleration }
     }
 
-    /// The derivatives of the pose σ at a time by the control poses: where each σₖ of four changes
-    /// to σₖ exp(½δₖ), it becomes σ exp(½ΣJₖδₖ), but for squares of δ. All in body frames.
+    /// The derivatives of the pose σ at a time by the control poses: where each σₖ of four
+    /// changes to σₖ exp(½δₖ), it becomes σ exp(½ΣJₖδₖ), but for squares of δ. All
+    /// in body frames.
     ///
-    /// With Bⱼ = Ad(exp(−½λ₃ξ₃) … exp(−½λⱼ₊₁ξⱼ₊₁)) λⱼ J_r(λⱼξⱼ) they are Jₖ = Bₖ J_r⁻¹(ξₖ) − Bₖ₊₁
-    /// J_l⁻¹(ξₖ₊₁), where B₄ = 0, and the first term of J₀ is the adjoint of all three factors.
-    /// Outside the knots the time is that of the nearest one; at NaN all are NaN.
+    /// With Bⱼ = Ad(exp(−½λ₃ξ₃) … exp(−½λⱼ₊₁ξⱼ₊₁)) λⱼ
+    /// J_r(λⱼξⱼ) they are Jₖ = Bₖ J_r⁻¹(ξₖ) − Bₖ₊₁ J_l⁻¹(ξₖ₊₁),
+    /// where B₄ = 0, and the first term of J₀ is the adjoint of all three factors. Outside the
+    /// knots the time is that of the nearest one; at NaN all are NaN.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};

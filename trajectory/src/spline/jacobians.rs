@@ -1,9 +1,9 @@
 //! Jacobians at many times, a time in each lane.
 //!
-//! Maps of twists that come from motions or from brackets are 3×3 matrices of dual numbers, P + εQ:
-//! they take ω + εv to Pω + ε(Pv + Qω), and as 6×6 matrices they are [P, 0; Q, P]. With X for ξ ×,
-//! all maps of one factor are polynomials of X, for which X³ = −(ξ·ξ) X: three coefficients each.
-//! So with
+//! Maps of twists that come from motions or from brackets are 3×3 matrices of dual numbers, P +
+//! εQ: they take ω + εv to Pω + ε(Pv + Qω), and as 6×6 matrices they are [P, 0; Q, P]. With
+//! X for ξ ×, all maps of one factor are polynomials of X, for which X³ = −(ξ·ξ) X: three
+//! coefficients each. So with
 //!
 //! ```text
 //! λ J_r(λξ) = λ − λ²A X + λ³B X²      J_r⁻¹(ξ) = 1 + ½X + C X²      J_l⁻¹(ξ) = 1 − ½X + C X²
@@ -141,8 +141,8 @@ impl<R: Scalar> Work<Plain<R>, RECORD> for Answers<'_, R> {
 
 type Map<L> = [[Dual<L>; 3]; 3];
 
-/// −λ J_r(λξ) J_l⁻¹(ξ) and λ J_r(λξ) J_r⁻¹(ξ): how a factor answers to the control poses before and
-/// after it.
+/// −λ J_r(λξ) J_l⁻¹(ξ) and λ J_r(λξ) J_r⁻¹(ξ): how a factor answers to the control
+/// poses before and after it.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn factor<L: Lanes>(way: Twist<L>, share: L) -> [Map<L>; 2] {
     let across = vector::dot(way.angular, way.linear);

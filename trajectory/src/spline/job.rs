@@ -196,7 +196,8 @@ type Parts<'s, M, W, A> = (Rows<'s, M>, (Rows<'s, W>, Rows<'s, A>));
 /// Twists or accelerations beside such poses.
 type Sixes<M> = <<M as Element<8>>::Layout as Layout>::Record<6>;
 
-/// `poses[i]` = σ₀ exp(½λ₁ξ₁) exp(½λ₂ξ₂) exp(½λ₃ξ₃), and so many of its derivatives.
+/// `poses[i]` = σ₀ exp(½λ₁ξ₁) exp(½λ₂ξ₂) exp(½λ₃ξ₃), and so many of its
+/// derivatives.
 struct Curve<'s, M, W, A, const DERIVATIVES: usize> {
     poses: &'s mut [M],
     twists: &'s mut [W],

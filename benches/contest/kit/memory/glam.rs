@@ -4,8 +4,8 @@ use glam::{Affine3A, Mat4, Quat, Vec3, Vec3A};
 
 impl Representation for Affine3A {
     fn from_motion(motion: &DualQuat<f32>) -> Self {
-        // By way of a matrix with zeros where this one has padding: what else gets there shrinks with
-        // every product, and after hundreds in a row is subnormal, six times as slow.
+        // By way of a matrix with zeros where this one has padding: what else gets there shrinks
+        // with every product, and after hundreds in a row is subnormal, six times as slow.
         Self::from_mat4(Mat4::from_motion(motion))
     }
     fn rows(&self) -> Rows {

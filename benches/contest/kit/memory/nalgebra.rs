@@ -15,7 +15,8 @@ impl Representation for UnitDualQuaternion<f32> {
 
 impl Representation for Isometry3<f32> {
     fn from_motion(motion: &DualQuat<f32>) -> Self {
-        // The motion is unit, and normalizing again would give nalgebra another input than the rest.
+        // The motion is unit, and normalizing again would give nalgebra another input than the
+        // rest.
         let rotation =
             UnitQuaternion::new_unchecked(Quaternion::from(motion.rotation().to_array()));
         Self::from_parts(Translation3::from(motion.translation()), rotation)

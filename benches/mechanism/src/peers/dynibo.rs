@@ -1,4 +1,5 @@
-//! The crate dynibo: isometries of nalgebra, one configuration at a time, into memory of the caller.
+//! The crate dynibo: isometries of nalgebra, one configuration at a time, into memory of the
+//! caller.
 
 use super::agree;
 use crate::urdf;

@@ -1,4 +1,5 @@
-//! The peers: forward kinematics of all links, each peer in its own types, held to dq8's poses before it is timed.
+//! The peers: forward kinematics of all links, each peer in its own types, held to dq8's poses
+//! before it is timed.
 
 pub mod by_hand;
 #[cfg(feature = "peers")]

@@ -29,7 +29,8 @@ fn memory<T>(array: &[T]) -> (*mut u8, usize) {
     (array.as_ptr().cast_mut().cast(), size_of_val(array))
 }
 
-/// The functions of a room of the table for all layouts: plain, and blocks of either number of lanes.
+/// The functions of a room of the table for all layouts: plain, and blocks of either number of
+/// lanes.
 macro_rules! for_all_layouts {
     ($layout:ident) => {
         pub(super) fn add(shape: &$crate::shape::Shape, list: &mut Vec<$crate::function::Function>) {

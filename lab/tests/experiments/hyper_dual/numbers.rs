@@ -75,7 +75,8 @@ proptest! {
         let squared = a * a;
         let mixed = 2.0 * b * c / (squared * a) - d / squared;
         let printed = hyper_dual(1.0 / a, -b / squared, -c / squared, mixed);
-        // Of the largest part: a seed with b/a² = 12 was off by more than 10⁻¹⁵ of the others.
+        // Of the largest part: a seed with b/a² = 12 was off by more than 10⁻¹⁵ of the
+        // others.
         let singles = (b / squared).abs().max((c / squared).abs());
         let size = 1.0 + singles + mixed.abs() + (b * c / (squared * a)).abs();
         assert_close(parts(x.recip()), parts(printed), 1e-15 * size);

@@ -82,7 +82,8 @@ proptest! {
         }
     }
 
-    /// (xy)† − y†x† = −2 (bc′ + cb′)* ε₁ε₂: −ε₁ times −ε₂ is ε₁ε₂, but his dagger has −ε₁ε₂.
+    /// (xy)† − y†x† = −2 (bc′ + cb′)* ε₁ε₂: −ε₁ times −ε₂ is
+    /// ε₁ε₂, but his dagger has −ε₁ε₂.
     #[test]
     fn section_2_erratum_the_dagger_of_a_product_is_not_the_product_of_daggers_turned_round(
         x in any_four(), y in any_four(),
@@ -120,7 +121,8 @@ proptest! {
         assert_close(components(x), components(product), 1e-15);
     }
 
-    /// Printed: (cos, n sin) + ½tε₁ε₂. It moves by ½(tr* + rt) = cos(θ/2) t + sin(θ/2) n × t.
+    /// Printed: (cos, n sin) + ½tε₁ε₂. It moves by ½(tr* + rt) = cos(θ/2) t + sin(θ/2) n
+    /// × t.
     #[test]
     fn section_4_erratum_the_printed_sum_translates_by_something_else(
         r in rotation(), t in reals::<3>(2.0),
@@ -150,7 +152,8 @@ proptest! {
         same(inverse, of_dual_quat(s.inverse()), size(s));
     }
 
-    /// Whatever stands in the four quaternions, and by whichever conjugate: v ↦ |a|²Rv + constant.
+    /// Whatever stands in the four quaternions, and by whichever conjugate: v ↦ |a|²Rv +
+    /// constant.
     #[test]
     fn section_6_no_hyper_dual_quaternion_shears_or_scales_unevenly(
         x in any_four(), v in reals::<3>(2.0),
@@ -166,7 +169,8 @@ proptest! {
         }
     }
 
-    /// Two moves of his, one after the other, are not the move of their product once b and c are used.
+    /// Two moves of his, one after the other, are not the move of their product once b and c are
+    /// used.
     #[test]
     fn section_5_erratum_using_all_four_with_the_dagger_breaks_composition(t in 0.1_f64..1.0) {
         let pure = |x, y, z| Quat::from_xyzw(x, y, z, 0.0);

@@ -141,7 +141,8 @@ fn keyframes_on_two_screws_differ_from_sclerp_in_third_order() {
     }
 }
 
-/// The same pair of keys with another pose for "no motion": ScLERP goes the same way, Alexa does not.
+/// The same pair of keys with another pose for "no motion": ScLERP goes the same way, Alexa does
+/// not.
 #[test]
 fn keyframes_depend_on_what_pose_counts_as_no_motion() {
     let [a, b] = crossed(1.0).map(DualQuat::from_twist);

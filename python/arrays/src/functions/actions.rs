@@ -10,7 +10,8 @@ function! {
     fn transform_points(
         /// Unit dual quaternions.
         motions: [8],
-        /// Points, lengths; leading dimensions broadcast. One motion of many points is a matrix once.
+        /// Points, lengths; leading dimensions broadcast. One motion of many points is a matrix
+        /// once.
         points: [3],
     ) -> [3]
     ///
@@ -45,12 +46,13 @@ function! {
 }
 
 function! {
-    /// Lines moved by unit dual quaternions: ``l′ = Rl, m′ = Rm + t × l′``, lengths in m alone.
+    /// Lines moved by unit dual quaternions: ``l′ = Rl, m′ = Rm + t × l′``, lengths in m
+    /// alone.
     fn transform_lines(
         /// Unit dual quaternions.
         motions: [8],
-        /// Plücker coordinates ``[l, m]``, direction and moment ``m = x × l`` of any point x of the line;
-        /// leading dimensions broadcast.
+        /// Plücker coordinates ``[l, m]``, direction and moment ``m = x × l`` of any point x of
+        /// the line; leading dimensions broadcast.
         lines: [6],
     ) -> [6]
     ///
@@ -71,7 +73,8 @@ function! {
     fn transform_planes(
         /// Unit dual quaternions.
         motions: [8],
-        /// ``[nx, ny, nz, d]`` of the plane ``n·x = d``, d a length where n has none; leading dimensions broadcast.
+        /// ``[nx, ny, nz, d]`` of the plane ``n·x = d``, d a length where n has none; leading
+        /// dimensions broadcast.
         planes: [4],
     ) -> [4]
     ///
@@ -89,12 +92,13 @@ function! {
 }
 
 function! {
-    /// Twists in the fixed frame from twists in the moving one: ``ω′ = Rω, v′ = Rv + t × ω′``.
+    /// Twists in the fixed frame from twists in the moving one: ``ω′ = Rω, v′ = Rv + t ×
+    /// ω′``.
     fn adjoint(
         /// Unit dual quaternions.
         motions: [8],
-        /// ``[ω, v]``: radians per unit of time, and the velocity of the point at the frame's origin;
-        /// leading dimensions broadcast.
+        /// ``[ω, v]``: radians per unit of time, and the velocity of the point at the frame's
+        /// origin; leading dimensions broadcast.
         twists: [6],
     ) -> [6]
     ///
@@ -110,11 +114,13 @@ function! {
 }
 
 function! {
-    /// Wrenches in the fixed frame from wrenches in the moving one: ``f′ = Rf, τ′ = Rτ + t × f′``.
+    /// Wrenches in the fixed frame from wrenches in the moving one: ``f′ = Rf, τ′ = Rτ + t ×
+    /// f′``.
     fn coadjoint(
         /// Unit dual quaternions.
         motions: [8],
-        /// ``[f, τ]``: force, and torque about the frame's origin, in forces times lengths; leading dimensions broadcast.
+        /// ``[f, τ]``: force, and torque about the frame's origin, in forces times lengths;
+        /// leading dimensions broadcast.
         wrenches: [6],
     ) -> [6]
     ///

@@ -99,7 +99,8 @@ function! {
 }
 
 function! {
-    /// `normalize`, ``σ/√(σσ*)``, with p = 1 where p = 0: what SciPy takes dual quaternions for.
+    /// `normalize`, ``σ/√(σσ*)``, with p = 1 where p = 0: what SciPy takes dual quaternions
+    /// for.
     fn unit_or_identity(
         /// Dual quaternions.
         motions as "dual_quat": [8],

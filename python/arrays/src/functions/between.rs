@@ -6,7 +6,8 @@ use super::motion;
 function! {
     /// Normalized linear interpolation ``normalize((1 − t)a ± tb)`` by the shorter way.
     ///
-    /// The path is that of `sclerp` up to third order, for a tenth of the work; the speed along it varies.
+    /// The path is that of `sclerp` up to third order, for a tenth of the work; the speed along it
+    /// varies.
     fn nlerp(
         /// Unit dual quaternions, at t = 0 and t = 1.
         a, b: [8],
@@ -25,7 +26,8 @@ function! {
 }
 
 function! {
-    /// Screw linear interpolation ``a(a*b)ᵗ`` by the shorter way: one screw motion at constant speed.
+    /// Screw linear interpolation ``a(a*b)ᵗ`` by the shorter way: one screw motion at constant
+    /// speed.
     const WIDE: bool = true;
     fn sclerp(
         /// Unit dual quaternions, at t = 0 and t = 1.
@@ -34,10 +36,8 @@ function! {
         t: [],
     ) -> [8]
     ///
-    /// References
-    /// ----------
-    /// L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for Rigid Transformation Blending",
-    /// Trinity College Dublin, 2006.
+    /// References ---------- L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for
+    /// Rigid Transformation Blending", Trinity College Dublin, 2006.
     ///
     /// Examples
     /// --------

@@ -10,7 +10,8 @@ use crate::threads::{GRAIN, Threads};
 use dq8::{Backend, DualQuat};
 use pyo3::prelude::*;
 
-/// Running products ``σ₀σ₁…σᵢ`` of motions that follow each other: the joints of a rope, the path of its steps.
+/// Running products ``σ₀σ₁…σᵢ`` of motions that follow each other: the joints of a rope,
+/// the path of its steps.
 ///
 /// Parameters
 /// ----------

@@ -81,8 +81,8 @@ function! {
 }
 
 function! {
-    /// How far matrices are from rigid ones: the largest component of ``|RRᵀ − 1|``, the determinant of R, and
-    /// the largest difference of the last row from 0 0 0 1.
+    /// How far matrices are from rigid ones: the largest component of ``|RRᵀ − 1|``, the
+    /// determinant of R, and the largest difference of the last row from 0 0 0 1.
     fn rigidity(
         /// Matrices, of which pure numbers are read.
         matrices as "matrix": [4, 4],

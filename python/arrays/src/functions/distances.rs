@@ -4,7 +4,8 @@ use super::function::*;
 use super::motion;
 
 function! {
-    /// The angle of the rotation from `a` to `b`, radians in [0, π]: ``2 atan2(|v|, |w|)`` of ``v + w = p_a* p_b``.
+    /// The angle of the rotation from `a` to `b`, radians in [0, π]: ``2 atan2(|v|, |w|)`` of
+    /// ``v + w = p_a* p_b``.
     fn angle_to(
         /// Unit dual quaternions; leading dimensions broadcast.
         a, b: [8],
@@ -38,11 +39,13 @@ function! {
 }
 
 function! {
-    /// A distance of motions, ``√((λθ)² + d²)``, of `angle_to` θ and `distance_to` d; a length.
+    /// A distance of motions, ``√((λθ)² + d²)``, of `angle_to` θ and `distance_to` d; a
+    /// length.
     fn distance_weighted(
         /// Unit dual quaternions.
         a, b: [8],
-        /// λ, the length that counts as much as a radian. Leading dimensions of all three broadcast.
+        /// λ, the length that counts as much as a radian. Leading dimensions of all three
+        /// broadcast.
         length_per_radian: [],
     ) -> []
     ///

@@ -1,14 +1,16 @@
 //! [`function!`]: a function of Python, from the law that it computes for each element.
 
-/// A function on arrays as Python has it, with the [`Law`](crate::law::Law) of its elements and its docstring.
+/// A function on arrays as Python has it, with the [`Law`](crate::law::Law) of its elements and its
+/// docstring.
 ///
-/// Each parameter has the name that Python knows and the shape of one element: `[]` of a number, `[4, 4]` of a matrix. In
-/// the body it is the numbers of one element on lanes, in one array: `[L; 8]` where the shape is `[8]`, `[L; 1]` where it
-/// is `[]`. So is the result.
+/// Each parameter has the name that Python knows and the shape of one element: `[]` of a number,
+/// `[4, 4]` of a matrix. In the body it is the numbers of one element on lanes, in one array:
+/// `[L; 8]` where the shape is `[8]`, `[L; 1]` where it is `[]`. So is the result.
 ///
-/// The docstring is in the order in which it is written: what is said of the function, of each parameter (of several that
-/// share a shape, `a, b: [8]`), and of the result, with everything that may follow. In between comes what is the same for all
-/// functions: headings, shapes, `out`, the dtype.
+/// The docstring is in the order in which it is written: what is said of the function, of each
+/// parameter (of several that share a shape, `a, b: [8]`), and of the result, with everything that
+/// may follow. In between comes what is the same for all functions: headings, shapes, `out`, the
+/// dtype.
 macro_rules! function {
     (
         $(#[doc = $about:tt])*

@@ -13,24 +13,22 @@ use pyo3::exceptions::PyValueError;
 use std::ops::{Add, Mul, Sub};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How far products of rows may be from those of a rotation: numbers typed with four digits are nearer.
+/// How far products of rows may be from those of a rotation: numbers typed with four digits are
+/// nearer.
 const TOLERANCE: f64 = 1e-3;
 
-/// Unit dual quaternions of rigid matrices ``[R t; 0 1]``, with p_w ≥ 0: ``r + ½εtr`` with r the quaternion of R.
+/// Unit dual quaternions of rigid matrices ``[R t; 0 1]``, with p_w ≥ 0: ``r + ½εtr`` with r
+/// the quaternion of R.
 ///
-/// ValueError names the first matrix whose last row is not 0 0 0 1 (columns given as rows look like this), whose R
-/// mirrors or has no volume, or, with `check`, whose R is farther than 0.001 from a rotation in ``RRᵀ`` or whose t is not
-/// finite. Nearer ones are not made rotations first; `RigidTransform.from_matrix` makes them so, and takes any R of
-/// positive determinant.
+/// ValueError names the first matrix whose last row is not 0 0 0 1 (columns given as rows look like
+/// this), whose R mirrors or has no volume, or, with `check`, whose R is farther than 0.001 from a
+/// rotation in ``RRᵀ`` or whose t is not finite. Nearer ones are not made rotations first;
+/// `RigidTransform.from_matrix` makes them so, and takes any R of positive determinant.
 ///
-/// Parameters
-/// ----------
-/// matrices : array_like, shape (..., 4, 4) or (..., 3, 4)
-///     Rigid matrices for column vectors, t in lengths; the last row may be left out.
-/// check : bool, optional
-///     False takes every R of positive determinant for a rotation, and gives NaN where a matrix has NaN.
-/// out : ndarray, optional
-///     Where to write the result.
+/// Parameters ---------- matrices : array_like, shape (..., 4, 4) or (..., 3, 4) Rigid matrices for
+/// column vectors, t in lengths; the last row may be left out. check : bool, optional False takes
+/// every R of positive determinant for a rotation, and gives NaN where a matrix has NaN. out :
+/// ndarray, optional Where to write the result.
 ///
 /// Returns
 /// -------

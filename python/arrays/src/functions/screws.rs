@@ -8,10 +8,11 @@ use dq8::{
 };
 
 function! {
-    /// Logarithms of unit dual quaternions: ``(θ̂/2)(l + εm)``, half the twist that makes the motion.
+    /// Logarithms of unit dual quaternions: ``(θ̂/2)(l + εm)``, half the twist that makes the
+    /// motion.
     ///
-    /// Of ±σ, which are the same motion, that of the one whose first of (p_w, p_x, p_y, p_z) that is not zero is
-    /// positive. `to_twist` is twice this.
+    /// Of ±σ, which are the same motion, that of the one whose first of (p_w, p_x, p_y, p_z) that
+    /// is not zero is positive. `to_twist` is twice this.
     const WIDE: bool = true;
     fn log(
         /// Unit dual quaternions.
@@ -31,7 +32,8 @@ function! {
 }
 
 function! {
-    /// Exponentials of dual vectors, ``cos ĥ + sin ĥ (l + εm)`` of ``ĥ(l + εm)``: what `log` undoes.
+    /// Exponentials of dual vectors, ``cos ĥ + sin ĥ (l + εm)`` of ``ĥ(l + εm)``: what `log`
+    /// undoes.
     fn exp(
         /// Real part (half the rotation vector, radians) and dual part (lengths).
         logs: [6],
@@ -50,7 +52,8 @@ function! {
 }
 
 function! {
-    /// The constant twists that make the motions in unit time: ``2 log σ``, the exponential coordinates.
+    /// The constant twists that make the motions in unit time: ``2 log σ``, the exponential
+    /// coordinates.
     const WIDE: bool = true;
     fn to_twist(
         /// Unit dual quaternions.
@@ -71,7 +74,8 @@ function! {
 }
 
 function! {
-    /// The motions that constant twists make in unit time: ``exp(½ξ)`` of exponential coordinates ξ.
+    /// The motions that constant twists make in unit time: ``exp(½ξ)`` of exponential coordinates
+    /// ξ.
     fn from_twist(
         /// ``[ωx, ωy, ωz, vx, vy, vz]``, radians and lengths.
         twists: [6],
@@ -139,7 +143,8 @@ function! {
 function! {
     /// Motions from screws: ``σ = cos(θ̂/2) + sin(θ̂/2)(l + εm)`` with ``θ̂ = θ + εd``.
     fn from_screw(
-        /// ``[lx, ly, lz, mx, my, mz, θ, d]`` as `to_screw` returns them: radians and lengths; l has length one.
+        /// ``[lx, ly, lz, mx, my, mz, θ, d]`` as `to_screw` returns them: radians and lengths; l
+        /// has length one.
         screws: [8],
     ) -> [8]
     ///
@@ -158,8 +163,8 @@ function! {
 function! {
     /// Where constant body twists ξ take motions in the time `dt`: ``σ exp(½ξ dt)``.
     ///
-    /// With the screw axis of a joint as twist and its angle as time, this is the pose of a link in its parent:
-    /// ``integrate_body(offset, [axis, 0], angle)`` of a hinge.
+    /// With the screw axis of a joint as twist and its angle as time, this is the pose of a link in
+    /// its parent: ``integrate_body(offset, [axis, 0], angle)`` of a hinge.
     const WIDE: bool = true;
     fn integrate_body(
         /// Unit dual quaternions at time 0.
@@ -203,7 +208,8 @@ function! {
 }
 
 function! {
-    /// The left Jacobians of the exponential: ``exp(½(ξ + δ)) ≈ exp(½ J δ) exp(½ξ)`` for small twists δ.
+    /// The left Jacobians of the exponential: ``exp(½(ξ + δ)) ≈ exp(½ J δ) exp(½ξ)`` for
+    /// small twists δ.
     ///
     /// That of the right is the one of −ξ.
     fn left_jacobian(
@@ -212,9 +218,8 @@ function! {
     ) -> [6, 6]
     ///     Rows and columns are angular, then linear.
     ///
-    /// References
-    /// ----------
-    /// T. D. Barfoot, *State Estimation for Robotics*, 2017, eq. 7.85, there with the translation first.
+    /// References ---------- T. D. Barfoot, *State Estimation for Robotics*, 2017, eq. 7.85, there
+    /// with the translation first.
     ///
     /// Examples
     /// --------
@@ -227,7 +232,8 @@ function! {
 }
 
 function! {
-    /// The inverses of `left_jacobian`: ``2 log(exp(½δ) exp(½ξ)) ≈ ξ + J⁻¹δ`` for small twists δ.
+    /// The inverses of `left_jacobian`: ``2 log(exp(½δ) exp(½ξ)) ≈ ξ + J⁻¹δ`` for small
+    /// twists δ.
     fn left_jacobian_inverse(
         /// ``ξ = [ω, v]``, radians and lengths, ``|ω| < 2π``: there it is infinite.
         twists: [6],

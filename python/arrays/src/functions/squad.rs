@@ -13,8 +13,8 @@ use dq8::{Backend, Kernel, Lanes, Level, batch};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// A motion made of `N` motions and a number. All of them compute so much that a look at where an argument lies
-/// does not count, so there is one kernel for all broadcasts.
+/// A motion made of `N` motions and a number. All of them compute so much that a look at where an
+/// argument lies does not count, so there is one kernel for all broadcasts.
 trait OfMany<const N: usize>: Copy + Send + Sync {
     /// On lanes.
     fn of<L: Lanes>(self, motions: [batch::DualQuat<L>; N], t: L) -> batch::DualQuat<L>;
@@ -30,13 +30,14 @@ impl OfMany<4> for Squad {
     }
 }
 
-/// Smooth motion from key pose to key pose, drawn toward two control poses that it does not pass through.
+/// Smooth motion from key pose to key pose, drawn toward two control poses that it does not pass
+/// through.
 ///
 /// ``sclerp(sclerp(start, end, t), sclerp(control_start, control_end, t), 2t(1 − t))``
 ///
-/// With controls from `squad_control`, velocities of points and angles are continuous across keys at even
-/// times. Each of the three goes the shorter way, so signs do not matter, and consecutive keys should be
-/// less than half a turn apart.
+/// With controls from `squad_control`, velocities of points and angles are continuous across keys
+/// at even times. Each of the three goes the shorter way, so signs do not matter, and consecutive
+/// keys should be less than half a turn apart.
 ///
 /// Parameters
 /// ----------
@@ -52,9 +53,8 @@ impl OfMany<4> for Squad {
 /// ndarray, shape (..., 8)
 #[doc = common_dtype!()]
 ///
-/// References
-/// ----------
-/// K. Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course notes, 1987, with `sclerp` for slerp.
+/// References ---------- K. Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course
+/// notes, 1987, with `sclerp` for slerp.
 ///
 /// Examples
 /// --------
@@ -94,16 +94,13 @@ impl OfMany<3> for Control {
 
 /// The control poses of key poses for `squad`: ``σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)``.
 ///
-/// With them the motion passes through σ with the mean of the screws from the key before and to the key after. At the
-/// ends of a path give the key itself for the neighbour it has not. Keys evenly spaced along a screw are their
-/// own controls.
+/// With them the motion passes through σ with the mean of the screws from the key before and to
+/// the key after. At the ends of a path give the key itself for the neighbour it has not. Keys
+/// evenly spaced along a screw are their own controls.
 ///
-/// Parameters
-/// ----------
-/// previous, current, next : array_like, shape (..., 8)
-///     Unit dual quaternions: key poses σ₋, σ and σ₊, one after the other; leading dimensions broadcast.
-/// out : ndarray, optional
-///     Where to write the result.
+/// Parameters ---------- previous, current, next : array_like, shape (..., 8) Unit dual
+/// quaternions: key poses σ₋, σ and σ₊, one after the other; leading dimensions broadcast.
+/// out : ndarray, optional Where to write the result.
 ///
 /// Returns
 /// -------

@@ -16,21 +16,14 @@ use pyo3::prelude::*;
 /// The poses at other times of the trajectory through `poses` at `times`.
 ///
 /// Screw motion between neighbours, ``sclerp(poses[k], poses[k + 1], t)`` by the shorter way with
-/// ``t = (at − times[k])/(times[k + 1] − times[k])``; before the first and after the last pose, that pose.
-/// One thread computes.
+/// ``t = (at − times[k])/(times[k + 1] − times[k])``; before the first and after the last pose,
+/// that pose. One thread computes.
 ///
-/// Parameters
-/// ----------
-/// times : array_like, shape (n,)
-///     Finite times that rise, n > 0.
-/// poses : array_like, shape (n, ..., 8)
-///     Unit dual quaternions at these times; of a clip ``(frames, joints, 8)`` each joint is a trajectory.
-/// at : array_like, shape (...)
-///     When to sample, in any order; rising times are found fastest.
-/// axis : int, optional
-///     The dimension of `poses` that is time: the first.
-/// out : ndarray, optional
-///     Where to write the result.
+/// Parameters ---------- times : array_like, shape (n,) Finite times that rise, n > 0. poses :
+/// array_like, shape (n, ..., 8) Unit dual quaternions at these times; of a clip ``(frames, joints,
+/// 8)`` each joint is a trajectory. at : array_like, shape (...) When to sample, in any order;
+/// rising times are found fastest. axis : int, optional The dimension of `poses` that is time: the
+/// first. out : ndarray, optional Where to write the result.
 ///
 /// Returns
 /// -------
@@ -95,7 +88,8 @@ fn typed<'py, R: Number>(
         output.fill(&threads, |to: &mut [[R; 8]]| {
             let to: &mut [DualQuat<R>] = bytemuck::must_cast_slice_mut(to);
             let backend = Backend::best();
-            // Everything is checked before something is written. Each piece checks the times again, so it is no smaller.
+            // Everything is checked before something is written. Each piece checks the times again,
+            // so it is no smaller.
             if let Some(first) = poses.get(..count) {
                 backend.resample(instants, first, &[], &mut []).map_err(named)?;
             }

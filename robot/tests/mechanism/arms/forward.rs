@@ -100,7 +100,8 @@ fn the_bound_does_not_depend_on_where_along_its_axis_a_hinge_is_given() {
     assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < ROUNDING), "{a:?} {b:?}");
 }
 
-/// Where all of the way is the pitch of one screw, the bound is that way; and it is searched as the thread that it is.
+/// Where all of the way is the pitch of one screw, the bound is that way; and it is searched as the
+/// thread that it is.
 #[test]
 fn a_screw_reaches_as_far_as_its_pitch_takes_it() {
     for pitch in [0.5, -0.5] {

@@ -1,5 +1,5 @@
-//! A report means what it says: inputs as people type them, hinges many turns away, arms of any size.
-//! What is called reached is measured in `f64`.
+//! A report means what it says: inputs as people type them, hinges many turns away, arms of any
+//! size. What is called reached is measured in `f64`.
 
 use super::super::reach::apart;
 use dq8::geometry::Screw;
@@ -18,8 +18,8 @@ struct Tally {
 /// A target, where that is, and values to start from.
 type Case<R> = (DualQuat<R>, DualQuat<f64>, [R; 6]);
 
-/// Searches of some arms of six hinges, `each` of them for so many targets: the search has the arm that
-/// `given` makes of each, and the truth is what `exact_arm` makes of it.
+/// Searches of some arms of six hinges, `each` of them for so many targets: the search has the arm
+/// that `given` makes of each, and the truth is what `exact_arm` makes of it.
 fn tally<R: Scalar>(
     seed: u64,
     [arms, each]: [usize; 2],
@@ -109,7 +109,8 @@ fn targets_typed_with_four_decimals_are_reached_as_often_as_computed_ones() {
     typed_targets_are_reached_as_computed_ones::<f32>();
 }
 
-/// Arms whose axes are as long as `change` makes them. What they are turns about the same axes at length 1.
+/// Arms whose axes are as long as `change` makes them. What they are turns about the same axes at
+/// length 1.
 fn with_axes<R: Scalar>(change: impl Fn([f64; 3]) -> [f64; 3]) -> Tally {
     let off =
         |plan: Plan<6>| plan.with_axes(|axis| Axis { direction: change(axis.direction), ..axis });
@@ -207,8 +208,8 @@ fn a_start_many_turns_from_the_target_is_at_it() {
     }
 }
 
-/// In millimetres, far from the base, about axes in any direction: the moment of an axis is rounded by tenths of a
-/// millimetre, and what of that lies along the axis is no pitch.
+/// In millimetres, far from the base, about axes in any direction: the moment of an axis is rounded
+/// by tenths of a millimetre, and what of that lies along the axis is no pitch.
 #[test]
 fn a_hinge_far_from_the_origin_is_a_hinge() {
     let (mut random, endless) = (Random(20), [f32::NEG_INFINITY, f32::INFINITY]);

@@ -22,16 +22,17 @@ fn drawn<R: Scalar>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Vec<[R; 
         .unzip()
 }
 
-/// Whether the portable lanes round a multiply-add once, as the instructions of the build target may.
+/// Whether the portable lanes round a multiply-add once, as the instructions of the build target
+/// may.
 fn portable_lanes_fuse() -> bool {
     let x = <f64x8 as Lanes>::splat(Portable, 1.1);
     let rest = Lanes::to_array(Lanes::mul_add(x, x, -(x * x)));
     rest.as_ref().iter().any(|&rest| rest != 0.0)
 }
 
-/// Lanes that round a multiply-add once come to other last bits than plain numbers that round twice, and near
-/// singular poses the last bit becomes another way to the target: all but a few searches are the same, and what
-/// is called reached is.
+/// Lanes that round a multiply-add once come to other last bits than plain numbers that round
+/// twice, and near singular poses the last bit becomes another way to the target: all but a few
+/// searches are the same, and what is called reached is.
 fn many_are_as_one<R>()
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,

@@ -1,6 +1,7 @@
-//! The search of [`Reach`](dq8_robot::ik::Reach) written once more, plainly: one target, `f64`, branches instead of
-//! masks, the joints as screws, the linear algebra by nalgebra; up to where it begins again. It stands here and not
-//! in the library because nobody needs a second, slower search; the lanes need a second opinion.
+//! The search of [`Reach`](dq8_robot::ik::Reach) written once more, plainly: one target, `f64`,
+//! branches instead of masks, the joints as screws, the linear algebra by nalgebra; up to where it
+//! begins again. It stands here and not in the library because nobody needs a second, slower
+//! search; the lanes need a second opinion.
 
 use dq8::geometry::Screw;
 use dq8::scalar::lie_bracket;
@@ -99,7 +100,8 @@ impl<const N: usize> Search<'_, N> {
         self.row((self.target * pose.conjugate()).to_twist(), pose.translation())
     }
 
-    /// Damped least squares; joints that would leave their limits stop there, and the others try again.
+    /// Damped least squares; joints that would leave their limits stop there, and the others try
+    /// again.
     fn step(
         &self,
         values: &[f64; N],
@@ -217,9 +219,9 @@ impl<const N: usize> Search<'_, N> {
     }
 }
 
-/// Rounding differs, and near singular poses the last bit becomes another way: all but a few searches
-/// take the same steps to the same values, or begin again as well. A fifth of the targets is moved out of reach or
-/// nearly so.
+/// Rounding differs, and near singular poses the last bit becomes another way: all but a few
+/// searches take the same steps to the same values, or begin again as well. A fifth of the targets
+/// is moved out of reach or nearly so.
 fn searches_agree<const N: usize>(plan: &Plan<N>, options: &Options<f64>) {
     let (arm, mut random) = (plan.arm::<f64>(), Random(21));
     let (_, reach) = arm.bound();

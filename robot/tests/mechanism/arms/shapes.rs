@@ -42,8 +42,8 @@ fn an_arm_of_any_size_reaches_as_far_as_it_is_long() {
     stretched_is_within_reach::<f32>();
 }
 
-/// Arms that span a plane, or less, have a system of rank three or two, whatever their pose; about axes
-/// in any direction, rounding makes it six with pivots of any sign.
+/// Arms that span a plane, or less, have a system of rank three or two, whatever their pose; about
+/// axes in any direction, rounding makes it six with pivots of any sign.
 fn rank_deficient_arms_converge<R: Scalar, const N: usize>() {
     let (mut random, mut converged) = (Random(13), 0);
     let once = Options { restarts: false, ..Options::default() };

@@ -37,8 +37,8 @@ fn a_target_beyond_the_arm_is_out_of_reach_and_the_arm_stretches_toward_it() {
     }
 }
 
-/// A slide that cannot move asks for a share of every step and gets none; the others step as if it were
-/// not there.
+/// A slide that cannot move asks for a share of every step and gets none; the others step as if it
+/// were not there.
 #[test]
 fn a_joint_held_at_its_limits_is_as_none() {
     let (plan, mut random) = (ur5(), Random(11));
@@ -81,8 +81,8 @@ fn a_stretched_arm_finds_its_way() {
     assert!(reached >= 99, "{reached}");
 }
 
-/// In front of a singular pose the Jacobian promises everything. Neither the limit of a step nor what the
-/// damping allows, |e|/(2λ), is exceeded; and without damping the second would be.
+/// In front of a singular pose the Jacobian promises everything. Neither the limit of a step nor
+/// what the damping allows, |e|/(2λ), is exceeded; and without damping the second would be.
 #[test]
 fn damping_keeps_steps_short_in_front_of_singular_poses() {
     let (plan, mut random) = (ur5(), Random(8));

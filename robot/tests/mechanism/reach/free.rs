@@ -8,8 +8,8 @@ use dq8_fixtures::random::Random;
 use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
 
-/// Targets of random configurations, and starts; what the goal leaves free is changed in the targets. What is left, in the
-/// frame of the target.
+/// Targets of random configurations, and starts; what the goal leaves free is changed in the
+/// targets. What is left, in the frame of the target.
 fn left(goal: Goal<f64>, free: impl Fn(&mut Random) -> DualQuat<f64>) -> Vec<DualQuat<f64>> {
     let (joints, mut random) = (seven(), Random(5));
     let arm = problem(&joints, [goal]);
@@ -112,7 +112,8 @@ fn two_hands_come_to_two_targets_at_once() {
 /// A search stalls where a step gains nothing that `f64` sees: on the root of its roundoff.
 const AT_REST: f64 = 2e-8;
 
-/// One slide between two targets that it cannot both reach divides its way by the squares of the weights.
+/// One slide between two targets that it cannot both reach divides its way by the squares of the
+/// weights.
 #[test]
 fn the_heavier_of_two_goals_is_the_nearer() {
     let here = DualQuat::IDENTITY;

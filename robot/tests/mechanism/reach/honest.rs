@@ -6,8 +6,8 @@ use dq8_fixtures::random::Random;
 use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach};
 
-/// Of random targets, some of them moved aside and one none at all, and random starts: solved in this order and in the other,
-/// and on all cores, to the bit the same.
+/// Of random targets, some of them moved aside and one none at all, and random starts: solved in
+/// this order and in the other, and on all cores, to the bit the same.
 fn in_any_order<R: Scalar>(reach: &OwnedReach<R>, joints: &[Joint<f64>], far: fn(usize) -> f64) {
     let (goals, count) = (reach.view().goals(), 101);
     let mut random = Random(21);
@@ -55,8 +55,9 @@ fn in_any_order<R: Scalar>(reach: &OwnedReach<R>, joints: &[Joint<f64>], far: fn
     }
 }
 
-/// With a posture too: where other lanes are stopped by limits, all are solved once more. And on a slide without end, where
-/// lengths weigh by how far a target is, in each lane otherwise; and for two goals.
+/// With a posture too: where other lanes are stopped by limits, all are solved once more. And on a
+/// slide without end, where lengths weigh by how far a target is, in each lane otherwise; and for
+/// two goals.
 #[test]
 fn a_result_does_not_depend_on_other_configurations() {
     let arm = problem::<f32>(&seven(), [Goal::pose(7)]);

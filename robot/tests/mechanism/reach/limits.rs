@@ -44,8 +44,8 @@ fn limits_of_joints_that_mimic_hold_for_the_joint_that_they_follow() {
     assert!(report.is_converged() && near(&values, &[0.02], REACHED), "{report:?} {values:?}");
 }
 
-/// Two fingers that turn against each other, and others whose limits are those of the leader, without the sign, the factor or
-/// the offset between them.
+/// Two fingers that turn against each other, and others whose limits are those of the leader,
+/// without the sign, the factor or the offset between them.
 #[test]
 fn limits_of_joints_that_mimic_do_not_hold_where_they_leave_no_range() {
     let knuckle = Joint::revolute(None, at(0.0, 0.03, 0.05), X).with_limits([0.0, 0.8]);
@@ -92,8 +92,9 @@ fn limits_of_joints_that_mimic_and_carry_no_goal_do_not_hold() {
     assert_eq!(said, [[-0.5, 0.5]]);
 }
 
-/// Values that are reached: of what mimics far from zero, of what is not the same a turn less (a rack on its pinion, a nut, a
-/// hinge that turns half as much), and of what is, where the nearest to the start is meant.
+/// Values that are reached: of what mimics far from zero, of what is not the same a turn less (a
+/// rack on its pinion, a nut, a hinge that turns half as much), and of what is, where the nearest
+/// to the start is meant.
 #[test]
 fn what_mimics_a_hinge_says_which_of_its_turns_are_the_same() {
     let pinion = Joint::revolute(None, HERE, Z);

@@ -23,7 +23,8 @@ use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
 pub(crate) use super::tree::mechanism;
 pub(crate) use dq8_arms::{X, Y, Z};
 
-/// What [`Options::default`] calls reached, radians and lengths, and what measuring it is rounded by.
+/// What [`Options::default`] calls reached, radians and lengths, and what measuring it is rounded
+/// by.
 pub(crate) const REACHED: f64 = 1.001e-5;
 /// A pose of ten products or so in `f64`, of links of about a length, and what is measured of it.
 pub(crate) const ROUNDING: f64 = 1e-13;

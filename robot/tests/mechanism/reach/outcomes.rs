@@ -65,8 +65,8 @@ fn what_limits_forbid_is_at_limits() {
     assert!(near(&values, &[0.5, 1.0], LAST_BITS), "{values:?}");
 }
 
-/// From a start, from where too few iterations lead to, from the target itself, and from half a turn away; a target may be
-/// a little off unit.
+/// From a start, from where too few iterations lead to, from the target itself, and from half a
+/// turn away; a target may be a little off unit.
 #[test]
 fn what_can_be_reached_converges_and_a_start_at_the_target_keeps_its_bits() {
     let arm = problem(&seven(), [Goal::pose(7)]);
@@ -106,7 +106,8 @@ fn a_target_that_moves_is_followed_in_two_iterations_without_restarts() {
     }
 }
 
-/// Three hinges at one point reach nothing but that point, which is rounded as far from the base as it lies.
+/// Three hinges at one point reach nothing but that point, which is rounded as far from the base as
+/// it lies.
 #[test]
 fn a_tool_that_cannot_move_away_reaches_where_it_is() {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], Z];

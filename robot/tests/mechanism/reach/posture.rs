@@ -10,8 +10,8 @@ use dq8_robot::ik::{Goal, Options, OwnedReach};
 use dq8_robot::{Joint, World};
 use std::f64::consts::TAU;
 
-/// How long the part of the way to the posture is that the goal allows: next to nothing where no pose that
-/// reaches the target is nearer.
+/// How long the part of the way to the posture is that the goal allows: next to nothing where no
+/// pose that reaches the target is nearer.
 fn across(reach: &OwnedReach<f64>, values: &[f64], posture: &[f64]) -> f64 {
     let arm = reach.view().mechanism();
     let Goal { link, angular, linear, .. } = reach.view().goals()[0];
@@ -48,7 +48,8 @@ fn a_posture_moves_the_elbow_and_not_the_tool() {
     }
 }
 
-/// A search that has not arrived knows nothing of a posture: none costs a target, and values come nearer to it.
+/// A search that has not arrived knows nothing of a posture: none costs a target, and values come
+/// nearer to it.
 #[test]
 fn with_a_posture_as_many_targets_are_reached() {
     let (joints, mut random) = (seven(), Random(9));
@@ -119,7 +120,8 @@ fn a_search_for_a_posture_ends_where_next_to_nothing_moves() {
     assert!(way(last, one) < 1e-4 && way(one, two) > 1e-4, "{last:?} {one:?} {two:?}");
 }
 
-/// Whole turns of a hinge that turns endlessly are the same posture, and the way there is the shorter one.
+/// Whole turns of a hinge that turns endlessly are the same posture, and the way there is the
+/// shorter one.
 #[test]
 fn the_posture_of_an_endless_hinge_is_taken_the_shorter_way() {
     for turns in [0.0, 1.0, -7.0] {

@@ -13,8 +13,8 @@ struct Rate {
     iterations: f64,
 }
 
-/// Targets from values within the limits, starts within them; of some backends the worst. What is reported must be so by
-/// poses in `f64`.
+/// Targets from values within the limits, starts within them; of some backends the worst. What is
+/// reported must be so by poses in `f64`.
 fn rate<R: Scalar>(
     joints: &[Joint<f64>],
     links: &[usize],
@@ -130,7 +130,8 @@ fn with_default_options_arms_of_seven_axes_reach_998_of_1000_random_targets() {
     }
 }
 
-/// Waist and arm: two legs, the head and the other arm keep still. And twelve components at once, of joints that both arms share.
+/// Waist and arm: two legs, the head and the other arm keep still. And twelve components at once,
+/// of joints that both arms share.
 #[test]
 fn a_hand_of_the_humanoid_reaches_as_many_and_both_hands_most_pairs_of_poses() {
     let text = include_str!("../../../robots/humanoid.urdf");

@@ -1,4 +1,5 @@
-//! Following targets that move: many goals in the shape of the tree, weights that always act, ends, clips, velocities.
+//! Following targets that move: many goals in the shape of the tree, weights that always act, ends,
+//! clips, velocities.
 
 use super::{
     SETTLED, Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve,
@@ -10,7 +11,8 @@ use dq8_fixtures::random::Random;
 use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, RatesError, Report};
 use dq8_robot::{Joint, WorldAligned};
 
-/// A body that floats, with limbs of hinges with limits, a slide, a screw, and a part that carries nothing.
+/// A body that floats, with limbs of hinges with limits, a slide, a screw, and a part that carries
+/// nothing.
 fn body() -> Vec<Joint<f64>> {
     let mut joints = vec![Joint::floating(None, at(0.1, 0.0, 0.0))];
     for side in [-1.0, 1.0] {
@@ -114,7 +116,8 @@ fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
     assert!(moved > 0.0 && limited > 20, "{moved} {limited}");
 }
 
-/// A slide between a target, a posture and its start divides its way by the squares of their weights.
+/// A slide between a target, a posture and its start divides its way by the squares of their
+/// weights.
 #[test]
 fn posture_and_start_always_weigh_what_they_are_said_to() {
     let slide = Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]);
@@ -248,7 +251,8 @@ fn a_goal_at_a_point_is_that_of_a_link_fixed_there() {
     }
 }
 
-/// Whatever the lengths of the clips, and however many there are; frames without targets stand still.
+/// Whatever the lengths of the clips, and however many there are; frames without targets stand
+/// still.
 #[test]
 fn a_clip_is_its_frames_one_after_the_other() {
     let reach = problem(&body(), goals());

@@ -1,4 +1,5 @@
-//! Whole turns: of all values that are the same pose, the one within the limits that is nearest to the start.
+//! Whole turns: of all values that are the same pose, the one within the limits that is nearest to
+//! the start.
 
 use super::{REACHED, X, Z, apart, at, pose, problem, solved, turned};
 use dq8::simd::{Float, Lanes, Portable};
@@ -9,10 +10,12 @@ use dq8_robot::ik::{Goal, Options, Outcome};
 use std::f64::consts::{PI, TAU};
 
 const OPEN: f64 = f64::INFINITY;
-/// Numbers of one configuration are those of all lanes but for rounding: values of a few turns, in `f32`.
+/// Numbers of one configuration are those of all lanes but for rounding: values of a few turns, in
+/// `f32`.
 const SINGLE: f64 = 2e-5;
 
-/// What one configuration and every backend make of a start: the values, to within the tolerance of `R`.
+/// What one configuration and every backend make of a start: the values, to within the tolerance of
+/// `R`.
 fn from<R>(joints: &[Joint<f64>], there: &[f64], start: &[f64], restarts: bool) -> Vec<Vec<f64>>
 where
     R: Scalar + Float + Lanes<Real = R, Level = Portable, Mask = bool>,
@@ -43,7 +46,8 @@ where
         .collect()
 }
 
-/// Asserts what comes of a start, in both precisions, with and without restarts, alone and on all lanes.
+/// Asserts what comes of a start, in both precisions, with and without restarts, alone and on all
+/// lanes.
 fn leads<const N: usize>(joints: &[Joint<f64>], there: [f64; N], start: [f64; N], to: [f64; N]) {
     for restarts in [false, true] {
         let double = from::<f64>(joints, &there, &start, restarts);
@@ -126,7 +130,8 @@ fn limits_of_more_or_less_than_a_turn_are_used_to_their_ends() {
         ([100.0, OPEN], 0.0, 101.0, 16.0 * TAU),
         // A hundred turns are as many limits as none.
         ([0.0, 100.0 * TAU], 1.0, 45.0, 1.0 + 7.0 * TAU),
-        // Less than a turn between the limits: the value is a turn away, or the way leads across the gap.
+        // Less than a turn between the limits: the value is a turn away, or the way leads across
+        // the gap.
         ([0.0, 6.0], 0.8, 7.0, 0.8),
         ([0.0, 6.0], 5.0, -0.5, 5.0),
         ([6.0, 9.0], 0.5, 0.3, 0.5 + TAU),
@@ -148,7 +153,8 @@ fn the_turn_of_a_planar_joint_is_endless_too() {
     leads(&joints, [8.0, -7.0, 0.2], [7.5, -7.0, 13.0], [8.0, -7.0, 0.2 + 2.0 * TAU]);
 }
 
-/// A turn along a thread is another pose, and so is a turn of what something follows by half as much.
+/// A turn along a thread is another pose, and so is a turn of what something follows by half as
+/// much.
 #[test]
 fn turns_that_are_another_pose_stay() {
     let joints = [Joint::screw(None, DualQuat::IDENTITY, Z, 0.05)];

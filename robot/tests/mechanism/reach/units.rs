@@ -55,8 +55,9 @@ fn rescaled(joints: &[Joint<f64>], scale: f64) -> Vec<Joint<f64>> {
     joints.iter().map(joint).collect()
 }
 
-/// What is the same number in another unit is the same for a factor of two to the last bit: a search takes the same steps
-/// to the same values, or something in it is measured against a length of its own.
+/// What is the same number in another unit is the same for a factor of two to the last bit: a
+/// search takes the same steps to the same values, or something in it is measured against a length
+/// of its own.
 #[test]
 fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
     let scenes: [(Vec<Joint<f64>>, Option<f64>); 5] = [
@@ -114,8 +115,8 @@ fn what_slides_without_end_weighs_lengths_by_the_way_that_it_has_to_go() {
     let (here, aside) = (DualQuat::IDENTITY, 0.5);
     let options = Options { restarts: false, ..Options::default() };
     let square = (40.0_f64 / 8.0).powi(2);
-    // θ² + (sin θ − d)²/L² of an arm, and of two goals of a body 2θ² + ((d − sin θ)² + (1 − cos
-    // θ)²)/(2L²), have no slope.
+    // θ² + (sin θ − d)²/L² of an arm, and of two goals of a body 2θ² + ((d − sin θ)² +
+    // (1 − cos θ)²)/(2L²), have no slope.
     let check =
         |joints: &[Joint<f64>], goals: &[Goal<f64>], start: &[f64], turn: &dyn Fn(_) -> f64| {
             let reach = problem(joints, goals.to_vec());

@@ -6,11 +6,12 @@ use dq8_arms::{Axis, Plan, Random, X, Y, exact, puma, rounded, turning, ur5};
 use dq8_robot::ik::{Family, Options, Solutions};
 use nalgebra::{Isometry3, Vector3};
 
-/// How many solutions there are without limits, by the geometry of the arm in space; and how far the nearest place is where
-/// two of them are one.
+/// How many solutions there are without limits, by the geometry of the arm in space; and how far
+/// the nearest place is where two of them are one.
 type Counted = fn(&Isometry3<f64>) -> (usize, f64);
 
-/// The upper and lower arm of a UR5 in the plane at the distance of the shoulder's offset, for both directions of axis 5.
+/// The upper and lower arm of a UR5 in the plane at the distance of the shoulder's offset, for both
+/// directions of axis 5.
 fn ur5_by_hand(tool: &Isometry3<f64>) -> (usize, f64) {
     let last = tool.rotation * Vector3::z();
     let at = tool.translation.vector - last * 0.0823;
@@ -35,8 +36,8 @@ fn ur5_by_hand(tool: &Isometry3<f64>) -> (usize, f64) {
     (count, margin)
 }
 
-/// Of arms with spherical wrists: the two links reach the centre, which is so far from the base, by both shoulders, both
-/// elbows and both wrists.
+/// Of arms with spherical wrists: the two links reach the centre, which is so far from the base, by
+/// both shoulders, both elbows and both wrists.
 fn by_links(
     tool: &Isometry3<f64>,
     [back, height, before, beside]: [f64; 4],
@@ -77,8 +78,8 @@ fn by_hand() -> [(&'static str, Plan<6>, Counted); 3] {
     ]
 }
 
-/// How many poses are nearer than `margin` to where two solutions are one. The others have as many solutions as there are,
-/// and the values that they were made of are one.
+/// How many poses are nearer than `margin` to where two solutions are one. The others have as many
+/// solutions as there are, and the values that they were made of are one.
 fn near<R: Scalar>(count: usize, margin: f64, at_start: f64) -> usize {
     let mut near = 0;
     for (name, plan, counted) in by_hand() {
@@ -103,7 +104,8 @@ fn of_10_000_random_poses_each_has_as_many_as_geometry_says() {
     assert_eq!(near::<f64>(10_000, 1e-13, 1e-7), 0);
 }
 
-/// In `f32` a pose is where it is to 10⁻⁶, and angles there to the root of that where two solutions are one.
+/// In `f32` a pose is where it is to 10⁻⁶, and angles there to the root of that where two
+/// solutions are one.
 #[test]
 fn in_f32_too_but_where_two_are_one_to_its_rounding() {
     let near = near::<f32>(1_000, 3e-5, 0.03);

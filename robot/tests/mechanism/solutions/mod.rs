@@ -1,4 +1,5 @@
-//! All solutions of arms of six hinges: how many there are, where they are, and what they are nearest to.
+//! All solutions of arms of six hinges: how many there are, where they are, and what they are
+//! nearest to.
 
 mod counts;
 mod edges;
@@ -17,7 +18,8 @@ fn free(plan: Plan<6>) -> Plan<6> {
     plan.with_axes(|axis| Axis { limits: [-PI, PI], ..axis })
 }
 
-/// An arm with a spherical wrist whose first two axes do not meet, in the measures of an ABB IRB 6640 (Elias and Wen, IK-Geo).
+/// An arm with a spherical wrist whose first two axes do not meet, in the measures of an ABB IRB
+/// 6640 (Elias and Wen, IK-Geo).
 fn irb6640() -> Plan<6> {
     let wrist = [1.4625, 0.0, 2.055];
     let arm = [(Z, [0.0; 3]), (Y, [0.32, 0.0, 0.78]), (Y, [0.32, 0.0, 1.855])];
@@ -25,7 +27,8 @@ fn irb6640() -> Plan<6> {
     turning([a, b, c, (X, wrist), (Y, wrist), (X, wrist)], (X, 0.0, [1.6625, 0.0, 2.055]))
 }
 
-/// A KUKA LBR iiwa R800 whose third joint is held at 30 degrees (ibid.): the second and third axis are not parallel.
+/// A KUKA LBR iiwa R800 whose third joint is held at 30 degrees (ibid.): the second and third axis
+/// are not parallel.
 fn iiwa_held() -> Plan<6> {
     let turned = [-0.5, 0.75_f64.sqrt(), 0.0];
     let axes = [

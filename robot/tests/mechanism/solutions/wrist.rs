@@ -78,8 +78,8 @@ fn the_first_solution_at_a_singular_wrist_is_the_start_however_far_the_elbow_is_
     }
 }
 
-/// In single floats the start is told as long as the roundoff of a target, which the elbow amplifies,
-/// is less than what values may miss it by, 1.6e-4 rad.
+/// In single floats the start is told as long as the roundoff of a target, which the elbow
+/// amplifies, is less than what values may miss it by, 1.6e-4 rad.
 #[test]
 fn the_same_in_single_floats() {
     for rows in [&KR6, &PUMA] {

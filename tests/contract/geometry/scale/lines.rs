@@ -64,8 +64,8 @@ pub(crate) fn line_from_planes(vector: &Vector) -> Vec<f64> {
     [each(3, 1.0 / sine), each(3, (offsets + moment) / sine)].concat()
 }
 
-/// How far away line and plane are, over the sine between them; the way along the line is divided by a
-/// sine that is known to a rounding of 1.
+/// How far away line and plane are, over the sine between them; the way along the line is divided
+/// by a sine that is known to a rounding of 1.
 pub(crate) fn crossing(vector: &Vector) -> Vec<f64> {
     let (a, b) = (three(vector.input("a")), three(vector.input("b")));
     let lengths = crate::case::length(&a) * crate::case::length(&b);
@@ -90,7 +90,8 @@ pub(crate) fn dual_angle(vector: &Vector) -> Vec<f64> {
     vec![1.0, if sine < PARALLEL { far } else { far / sine }]
 }
 
-/// Axis, feet, angle, whether they are parallel. The feet of lines that are nearly so have errors over sin²θ.
+/// Axis, feet, angle, whether they are parallel. The feet of lines that are nearly so have errors
+/// over sin²θ.
 pub(crate) fn perpendicular(vector: &Vector) -> Vec<f64> {
     let (sine, far) = pair(vector);
     let parallel = sine < PARALLEL;

@@ -5,8 +5,8 @@ use crate::case::length;
 use crate::vectors::Vector;
 use nalgebra::Matrix3;
 
-/// The largest singular value, and it over the sum of the two others: how much farther than the matrix its nearest
-/// rotation moves; no less than 1, because the rotation rounds.
+/// The largest singular value, and it over the sum of the two others: how much farther than the
+/// matrix its nearest rotation moves; no less than 1, because the rotation rounds.
 pub(super) fn sizes(rows: &[f64]) -> (f64, f64) {
     let largest = rows.iter().fold(0.0, |largest: f64, c| largest.max(c.abs()));
     let scaled = Matrix3::from_row_iterator(rows.iter().map(|c| c / largest));
@@ -19,7 +19,8 @@ pub(crate) fn polar(vector: &Vector) -> Vec<f64> {
     [each(4, moves), each(9, size * moves), each(1, 1.0)].concat()
 }
 
-/// The first column is exact but for a rounding; the others are known as well as it, over the sine between the first two.
+/// The first column is exact but for a rounding; the others are known as well as it, over the sine
+/// between the first two.
 pub(crate) fn orthonormal(vector: &Vector) -> Vec<f64> {
     let rows = vector.input("rows");
     let column = |c: usize| [rows[c], rows[3 + c], rows[6 + c]];

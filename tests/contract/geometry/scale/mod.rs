@@ -1,5 +1,5 @@
-//! What the errors of answers are measured against: a scale for each number of an answer, from the inputs of the
-//! vector, so that a bound says how much worse than its own roundings a method is.
+//! What the errors of answers are measured against: a scale for each number of an answer, from the
+//! inputs of the vector, so that a bound says how much worse than its own roundings a method is.
 
 pub(super) mod duals;
 pub(super) mod lines;

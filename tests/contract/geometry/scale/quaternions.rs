@@ -19,7 +19,8 @@ pub(crate) fn turns(vector: &Vector) -> f64 {
     turn(vector, "a") + turn(vector, "b")
 }
 
-/// The vector part of small turns is relative to them; beyond a radian a sine is known to the last place of its angle.
+/// The vector part of small turns is relative to them; beyond a radian a sine is known to the last
+/// place of its angle.
 pub(crate) fn of_turn(angle: f64) -> Vec<f64> {
     [each(1, 1.0), each(3, angle.min(1.0))].concat()
 }

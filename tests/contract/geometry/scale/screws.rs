@@ -27,8 +27,8 @@ pub(crate) fn power(vector: &Vector) -> Vec<f64> {
     each(1, dot(vector)[1])
 }
 
-/// The angle of a limb that is nearly straight or folded is the root of a difference of lengths, so it is known as well as
-/// the way to the target over its sine.
+/// The angle of a limb that is nearly straight or folded is the root of a difference of lengths, so
+/// it is known as well as the way to the target over its sine.
 pub(crate) fn reach(vector: &Vector) -> Vec<f64> {
     let (bones, bend, missed) = (vector.input("lengths"), vector.out[8], vector.out[9]);
     let within = missed == 0.0;

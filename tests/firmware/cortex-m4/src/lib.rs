@@ -30,8 +30,8 @@ impl Board for Mps2 {
         console::print(text);
     }
 
-    /// With `-icount shift=10` an instruction is 1024 ns: 25.6 ticks. The 167 million that the timer
-    /// can count are more than all jobs take.
+    /// With `-icount shift=10` an instruction is 1024 ns: 25.6 ticks. The 167 million that the
+    /// timer can count are more than all jobs take.
     fn instructions(&mut self) -> u32 {
         // SAFETY: as above; reading has no effect.
         let ticks = u32::MAX - unsafe { (&raw const (*TIMER)[1]).read_volatile() };

@@ -1,5 +1,5 @@
-//! Where the tool of a six-axis arm is and how it moves, from the angles of its joints: by a hierarchy, and by a
-//! mechanism.
+//! Where the tool of a six-axis arm is and how it moves, from the angles of its joints: by a
+//! hierarchy, and by a mechanism.
 
 use crate::Board;
 use crate::answers::{ARM_ANGLES, ARM_AXES, ARM_JACOBIAN, ARM_OFFSETS, ARM_TIP, ARM_TOOL};
@@ -61,7 +61,8 @@ fn mechanism<B: Board>(table: &mut Table<'_, B>) {
     }
 }
 
-/// From angles that are a tenth of a radian off, back to the tool: inverse kinematics of a moving target.
+/// From angles that are a tenth of a radian off, back to the tool: inverse kinematics of a moving
+/// target.
 fn follow<B: Board>(table: &mut Table<'_, B>, arm: &Mechanism<'_, f32>, target: DualQuat<f32>) {
     let (goals, mut freedoms) = ([Goal::pose(TOOL)], [Freedom::default(); TOOL]);
     let mut scratch = [0.0; 224];
@@ -81,7 +82,8 @@ fn follow<B: Board>(table: &mut Table<'_, B>, arm: &Mechanism<'_, f32>, target: 
     }
 }
 
-/// What a search is told to leave, in units of 2⁻²³, and the rounding of the pose that is measured.
+/// What a search is told to leave, in units of 2⁻²³, and the rounding of the pose that is
+/// measured.
 const REACHED: f32 = 1e-5 / f32::EPSILON + BOUND;
 
 #[inline(never)]

@@ -1,5 +1,5 @@
-//! Inverse kinematics of a six-axis arm: `ik_follow` without restarts and `ik_solve` with them, from its joints on, and
-//! `arm_solve` with them, from its screws on.
+//! Inverse kinematics of a six-axis arm: `ik_follow` without restarts and `ik_solve` with them,
+//! from its joints on, and `arm_solve` with them, from its screws on.
 
 use dq8::DualQuat;
 use dq8::geometry::Screw;
@@ -9,7 +9,8 @@ use dq8_robot::{Joint, Mechanism, MechanismError, Step};
 /// Six hinges and a tool.
 const LINKS: usize = 7;
 const AXES: usize = LINKS - 1;
-/// As `Reach::scratch_bound` says; the check links nothing that panics, so too little is a wrong answer.
+/// As `Reach::scratch_bound` says; the check links nothing that panics, so too little is a wrong
+/// answer.
 const SCRATCH: usize = 224;
 
 fn reach(

@@ -1,5 +1,6 @@
-//! A panic handler that does not link. The linker drops it from an image in which nothing can panic; in
-//! any other it fails with `undefined symbol: something_can_panic`, and names what refers to it.
+//! A panic handler that does not link. The linker drops it from an image in which nothing can
+//! panic; in any other it fails with `undefined symbol: something_can_panic`, and names what refers
+//! to it.
 #![no_std]
 
 use core::panic::PanicInfo;

@@ -14,7 +14,8 @@ struct Pc;
 impl Pc {
     /// Writes to a port of the emulator.
     fn port(port: u16, byte: u8) {
-        // SAFETY: both ports, the debug console and the exit device, take any byte and touch no memory.
+        // SAFETY: both ports, the debug console and the exit device, take any byte and touch no
+        // memory.
         unsafe { asm!("out dx, al", in("dx") port, in("al") byte, options(nomem, nostack)) };
     }
 }

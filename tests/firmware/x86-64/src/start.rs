@@ -1,4 +1,5 @@
-//! From the 32-bit mode in which QEMU enters an image (PVH) to 64 bits with SSE, AVX and AVX-512 on.
+//! From the 32-bit mode in which QEMU enters an image (PVH) to 64 bits with SSE, AVX and AVX-512
+//! on.
 
 use core::arch::global_asm;
 
