@@ -4,7 +4,7 @@ use super::forward::get;
 use super::goal::Goal;
 use super::model::{Apart, Model};
 use super::scratch::{DRAWN, GOAL, POSE, TARGET};
-use crate::mechanism::placed::Placed;
+use crate::mechanism::walk::Placed;
 use dq8::batch::{DualQuat, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;

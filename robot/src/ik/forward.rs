@@ -2,9 +2,9 @@
 
 use super::model::Model;
 use super::scratch::{GOAL, POSE, Rows, TARGET};
-use crate::mechanism::placed::Placed;
 use crate::mechanism::step::NONE;
 use crate::mechanism::values::JointNumbers;
+use crate::mechanism::walk::Placed;
 use crate::mechanism::walk::{Joined, moved};
 use dq8::batch::vector;
 use dq8::{Real, Scalar};

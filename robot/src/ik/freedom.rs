@@ -3,8 +3,7 @@
 use super::error::ReachError;
 use super::range::{Range, Turns};
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::limits::endless;
-use crate::mechanism::step::{NONE, Step};
+use crate::mechanism::step::{NONE, Step, endless};
 use dq8::Real;
 
 /// A rate of a mechanism as a search uses it, in the memory that a [`Reach`](super::Reach) borrows.

@@ -2,7 +2,7 @@ use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
 use super::shape::shape;
-use crate::mechanism::poses::carries;
+use crate::mechanism::job::carries;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
 use dq8::Real;

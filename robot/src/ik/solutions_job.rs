@@ -11,9 +11,9 @@ use super::six_axis::{SixAxisArm, check};
 use super::solutions::{Singular, Solution, Solutions};
 use super::starts::{self, search_all};
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::placed::Placed;
 use crate::mechanism::step::NONE;
 use crate::mechanism::values::half_turn;
+use crate::mechanism::walk::Placed;
 use dq8::batch::{self, cos_sin, half_turns, vector};
 use dq8::seams::Choice;
 #[cfg(feature = "alloc")]

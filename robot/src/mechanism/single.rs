@@ -3,7 +3,7 @@
 //! the book.
 
 use super::configuration::{LinkJacobian, LinkPose, LinkPoses};
-use super::frame::{Frame, JacobianFrame};
+use super::jacobians::{Frame, JacobianFrame};
 use super::joint::JointKind;
 use super::step::Step;
 use super::tree::Mechanism;
