@@ -3,11 +3,11 @@
 //! pose that has been written.
 
 use super::jacobians::Frame;
+use super::job::{Found, Point};
 use super::joint::JointKind;
 use super::step::{Alignment, Factor, Moves, NONE, ORDER, SIGNS, Step, Way};
 use super::tree::Mechanism;
 use super::values::half_turn;
-use core::ops::Range;
 use dq8::Real;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, vector};
@@ -129,46 +129,6 @@ impl<R: Real + Number> LinkJacobian<'_, R> {
             }
         }
         pose
-    }
-}
-
-/// A link, and a point in its frame.
-pub(crate) type Point<R> = (usize, [R; 3]);
-
-/// Points, of which those of one link are looked for after the other.
-#[derive(Clone, Copy)]
-pub(crate) struct Found<'p, R> {
-    pub(crate) points: &'p [Point<R>],
-    in_order: bool,
-    /// Where those of the next link are likely to begin.
-    next: usize,
-}
-
-impl<'p, R> Found<'p, R> {
-    pub(crate) fn new(points: &'p [Point<R>]) -> Self {
-        let in_order = points.is_sorted_by(|(a, _), (b, _)| a <= b);
-        Self { points, in_order, next: 0 }
-    }
-
-    /// Those of a link are among these.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
-        if !self.in_order {
-            return 0..self.points.len();
-        }
-        let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
-        let mut end = self.next;
-        // `next` is where the points of the last link ended, so never in the middle of a link's
-        // own.
-        if !is_of(self.points.get(end)) {
-            end = self.points.partition_point(|(of, _)| *of < link);
-        }
-        let start = end;
-        while is_of(self.points.get(end)) {
-            end += 1;
-        }
-        self.next = end;
-        start..end
     }
 }
 

@@ -1,11 +1,21 @@
-use super::configuration::{Found, LinkPoints, Point};
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
 use super::walk::{Joined, Task, Walk};
+#[cfg(feature = "alloc")]
+use super::{Dh, DhConvention, Joint, MechanismError};
+#[cfg(feature = "alloc")]
+use alloc::{vec, vec::Vec};
+use core::ops::Range;
 use dq8::batch::{Quat, vector};
+#[cfg(feature = "alloc")]
+use dq8::geometry::Screw;
+#[cfg(feature = "alloc")]
+use dq8::scalar::DualQuat;
+#[cfg(feature = "alloc")]
+use dq8::seams::brief;
 use dq8::seams::{Choice, Outputs};
-use dq8::storage::{Element, Layout, Number, same_length, whole_instances};
+use dq8::storage::{Element, Layout, Number, whole_instances};
 use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::{Level, Records};
 
@@ -280,52 +290,48 @@ pub(crate) fn first_carried<R>(
 
 // Points that links carry: spheres of a collision model, feet, sensors.
 
-impl<R: Real> Mechanism<'_, R> {
-    /// Where points on links are, in the frame of the base. `points` name the link and the place in
-    /// its frame, in any order; in the order of the links they are found sooner.
-    ///
-    /// ```
-    /// use dq8::DualQuat;
-    /// use dq8_robot::{Joint, OwnedMechanism};
-    /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
-    /// let arm = OwnedMechanism::new(&[
-    ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
-    ///     Joint::prismatic(Some(0), out, [1.0, 0.0, 0.0]),
-    /// ])?;
-    /// let (elbow, tip) = ((0, [1.0, 0.0, 0.0]), (1, [0.5, 0.0, 0.25]));
-    /// let mut places = [[0.0; 3]; 2];
-    /// arm.view().link_points(&[0.0, 2.0], &[elbow, tip], &mut places)?;
-    /// assert_eq!(places, [[1.0, 0.0, 0.0], [3.5, 0.0, 0.25]]);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If there are not as many values as the mechanism has or as many places as points, or there
-    /// is no such link; `places` is untouched.
-    pub fn link_points(
-        &self,
-        values: &[R],
-        points: &[(usize, [R; 3])],
-        places: &mut [[R; 3]],
-    ) -> Result<(), ShapeError> {
-        same_length("values", values.len(), self.values)?;
-        same_length("places", places.len(), points.len())?;
-        self.check_points(points)?;
-        let quick = LinkPoints { mechanism: self, values, points, places: &mut *places };
-        if R::quick(quick).is_some() {
-            return Ok(());
-        }
-        for (&(mut link, mut place), slot) in points.iter().zip(places) {
-            while let Some(step) = self.step(link) {
-                place = (step.placement() * step.motion(values)).transform_point(place);
-                link = step.parent as usize;
-            }
-            *slot = place;
-        }
-        Ok(())
+/// A link, and a point in its frame.
+pub(crate) type Point<R> = (usize, [R; 3]);
+
+/// Points, of which those of one link are looked for after the other.
+#[derive(Clone, Copy)]
+pub(crate) struct Found<'p, R> {
+    pub(crate) points: &'p [Point<R>],
+    in_order: bool,
+    /// Where those of the next link are likely to begin.
+    next: usize,
+}
+
+impl<'p, R> Found<'p, R> {
+    pub(crate) fn new(points: &'p [Point<R>]) -> Self {
+        let in_order = points.is_sorted_by(|(a, _), (b, _)| a <= b);
+        Self { points, in_order, next: 0 }
     }
 
-    fn check_points(&self, points: &[Point<R>]) -> Result<(), ShapeError> {
+    /// Those of a link are among these.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
+        if !self.in_order {
+            return 0..self.points.len();
+        }
+        let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
+        let mut end = self.next;
+        // `next` is where the points of the last link ended, so never in the middle of a link's
+        // own.
+        if !is_of(self.points.get(end)) {
+            end = self.points.partition_point(|(of, _)| *of < link);
+        }
+        let start = end;
+        while is_of(self.points.get(end)) {
+            end += 1;
+        }
+        self.next = end;
+        start..end
+    }
+}
+
+impl<R: Real> Mechanism<'_, R> {
+    pub(crate) fn check_points(&self, points: &[Point<R>]) -> Result<(), ShapeError> {
         let links = self.links();
         match points.iter().find(|(link, _)| *link >= links) {
             Some(&(link, _)) => Err(ShapeError::NoLink { link, links }),
@@ -483,5 +489,103 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
         waiting: &mut Self::State<V>,
     ) {
         self.write::<V>(level, group, waiting);
+    }
+}
+
+/// A [`Mechanism`] with memory of its own.
+///
+/// ```
+/// use dq8_robot::{Joint, OwnedMechanism};
+/// use dq8::DualQuat;
+/// let up = DualQuat::from_translation([0.0_f32, 0.0, 1.0]);
+/// let joints = [None, Some(0), Some(1)].map(|parent| Joint::revolute(parent, up, [1.0, 0.0, 0.0]));
+/// let arm = OwnedMechanism::new(&joints)?;
+/// let tool = arm.link_pose(&[0.0; 3], 2)?;
+/// assert_eq!(tool.translation(), [0.0, 0.0, 3.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[cfg(feature = "alloc")]
+#[derive(Clone)]
+pub struct OwnedMechanism<R> {
+    steps: Vec<Step<R>>,
+    values: usize,
+    rates: usize,
+}
+
+#[cfg(feature = "alloc")]
+brief!([R] OwnedMechanism<R>: OwnedMechanism |it| {
+    links: it.steps.len(), values: it.values, rates: it.rates,
+});
+
+#[cfg(feature = "alloc")]
+impl<R: Real> OwnedMechanism<R> {
+    /// See [`Mechanism::new`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
+        Self::of(joints.len(), |steps| Mechanism::new(joints, steps))
+    }
+
+    /// See [`Mechanism::from_screws`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_screws(
+        screws: &[(Screw<R>, [R; 2])],
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        Self::of(screws.len() + 1, |steps| Mechanism::from_screws(screws, tool, steps))
+    }
+
+    /// See [`Mechanism::from_dh`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_dh(
+        rows: &[Dh<R>],
+        convention: DhConvention,
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        Self::of(rows.len() + 1, |steps| Mechanism::from_dh(rows, convention, tool, steps))
+    }
+
+    fn of(
+        count: usize,
+        make: impl for<'s> FnOnce(&'s mut [Step<R>]) -> Result<Mechanism<'s, R>, MechanismError>,
+    ) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); count];
+        let Mechanism { values, rates, .. } = make(&mut steps)?;
+        Ok(Self { steps, values, rates })
+    }
+
+    /// A run over many configurations: [`Mechanism::job`].
+    pub fn job(&self) -> Job<'_, R>
+    where
+        R: Copy,
+    {
+        self.view().job()
+    }
+
+    /// See [`Mechanism::link_pose`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
+        self.view().link_pose(values, link)
+    }
+
+    /// See [`Mechanism::link_poses`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
+        self.view().link_poses(values, poses)
+    }
+
+    /// The same, borrowed: everything else is asked of it.
+    #[must_use]
+    pub fn view(&self) -> Mechanism<'_, R> {
+        Mechanism { steps: &self.steps, values: self.values, rates: self.rates }
     }
 }

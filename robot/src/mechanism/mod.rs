@@ -13,10 +13,10 @@ mod velocities;
 pub(crate) mod walk;
 
 pub use jacobians::{Body, JacobianFrame, World, WorldAligned};
+#[cfg(feature = "alloc")]
+pub use job::OwnedMechanism;
 pub use job::{AllLinks, Job};
 pub use joint::{Joint, JointKind, MechanismError, Mimic};
 pub use step::Step;
-#[cfg(feature = "alloc")]
-pub use tree::OwnedMechanism;
 pub use tree::{Dh, DhConvention, Mechanism};
 pub use values::JointValues;

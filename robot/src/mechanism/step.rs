@@ -371,41 +371,6 @@ fn clean<R: Real>(numbers: &mut [R], size: R) {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Alignment, Moves, plan};
-    use crate::mechanism::joint::Joint;
-    use crate::mechanism::step::Step;
-    use dq8::{DualQuat, Quat, Real};
-
-    /// Frames that are turned by a quarter or a half each, as files and floats have it, stay on the
-    /// axes of the base.
-    fn stays_aligned<R: Real>() {
-        let mut steps = [Step::default(); 60];
-        for (index, step) in steps.iter_mut().enumerate() {
-            let axis =
-                |which: usize| [0, 1, 2].map(|i| if i == which % 3 { R::ONE } else { R::ZERO });
-            let angle = R::PI * R::HALF * R::from((1 + index % 2) as f32);
-            let turn = Quat::from_axis_angle(axis(index * index), angle);
-            let at = DualQuat::from_rotation_translation(turn, axis(index / 2));
-            let on = index.checked_sub(1);
-            *step = Step::of(&Joint::revolute(on, at, axis(index / 5)), index).unwrap();
-            step.parent = on.map_or(u32::MAX, |on| on as u32);
-        }
-        plan(&mut steps);
-        for step in steps {
-            assert!(!matches!(step.planned.moves, Moves::AboutAny | Moves::Otherwise), "{step:?}");
-            assert_ne!(step.planned.half_offset.along, Alignment::Any, "{step:?}");
-        }
-    }
-
-    #[test]
-    fn quarter_turns_leave_hinges_and_ways_along_axes_of_the_base() {
-        stays_aligned::<f32>();
-        stays_aligned::<f64>();
-    }
-}
-
 // The limits of values: of a joint, and of what mimics it.
 //
 // A joint that mimics another has limits of its own in many files, copied from its leader without
@@ -443,4 +408,39 @@ impl<R: Real> Step<R> {
 /// From −∞ to ∞.
 pub(crate) fn endless<R: Real>() -> [R; 2] {
     [-R::ONE / R::ZERO, R::ONE / R::ZERO]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Alignment, Moves, plan};
+    use crate::mechanism::joint::Joint;
+    use crate::mechanism::step::Step;
+    use dq8::{DualQuat, Quat, Real};
+
+    /// Frames that are turned by a quarter or a half each, as files and floats have it, stay on the
+    /// axes of the base.
+    fn stays_aligned<R: Real>() {
+        let mut steps = [Step::default(); 60];
+        for (index, step) in steps.iter_mut().enumerate() {
+            let axis =
+                |which: usize| [0, 1, 2].map(|i| if i == which % 3 { R::ONE } else { R::ZERO });
+            let angle = R::PI * R::HALF * R::from((1 + index % 2) as f32);
+            let turn = Quat::from_axis_angle(axis(index * index), angle);
+            let at = DualQuat::from_rotation_translation(turn, axis(index / 2));
+            let on = index.checked_sub(1);
+            *step = Step::of(&Joint::revolute(on, at, axis(index / 5)), index).unwrap();
+            step.parent = on.map_or(u32::MAX, |on| on as u32);
+        }
+        plan(&mut steps);
+        for step in steps {
+            assert!(!matches!(step.planned.moves, Moves::AboutAny | Moves::Otherwise), "{step:?}");
+            assert_ne!(step.planned.half_offset.along, Alignment::Any, "{step:?}");
+        }
+    }
+
+    #[test]
+    fn quarter_turns_leave_hinges_and_ways_along_axes_of_the_base() {
+        stays_aligned::<f32>();
+        stays_aligned::<f64>();
+    }
 }
