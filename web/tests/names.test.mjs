@@ -35,7 +35,7 @@ const TABLE = [
   ["src/scalar/rigid.rs", "from_rotation_translation", "fromRotationsTranslations", "motion_from_rotation_translation", "from_rotation_translation"],
   ["robot/src/urdf/robot.rs", "from_urdf", "robot", none("C reads no files"), "from_urdf"],
   ["robot/src/urdf/robot.rs", "link", "link", none("C reads no files"), "links"],
-  ["robot/src/mechanism/poses.rs", "poses", "poses", "link_poses", "poses"],
+  ["robot/src/mechanism/job.rs", "poses", "poses", "link_poses", "poses"],
   ["robot/src/mechanism/jacobians.rs", "jacobians", "jacobians", "mechanism_link_jacobian", "jacobian"],
   ["robot/src/ik/job.rs", "solve", "reach", "mechanism_reach", "reach"],
   ["robot/src/ik/job.rs", "solve_in", none("a page has one target at a time"), "reach", "reach"],

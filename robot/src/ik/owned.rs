@@ -7,7 +7,7 @@ use super::problem::{Facts, Goal, Reach, ReachError};
 use super::rates::RatesError;
 use super::report::{Options, Report};
 use super::six_axis::{SixAxisArm, Solutions, SolutionsError, SolutionsJob};
-use crate::mechanism::owned::OwnedMechanism;
+use crate::mechanism::job::OwnedMechanism;
 use crate::mechanism::tree::Mechanism;
 use alloc::vec;
 use alloc::vec::Vec;

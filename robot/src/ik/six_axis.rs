@@ -11,9 +11,9 @@ use super::report::{Options, Report};
 use super::scratch::enough;
 use super::search::Work;
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::placed::Placed;
 use crate::mechanism::step::{NONE, UNIT};
 use crate::mechanism::values::half_turn;
+use crate::mechanism::walk::Placed;
 use core::ops::Deref;
 use dq8::batch::{self, cos_sin, half_turns, vector};
 #[cfg(feature = "alloc")]
