@@ -114,7 +114,7 @@ pub mod law;
 mod number;
 mod operators;
 mod palette_entry;
-mod plain;
+mod pod;
 pub mod representation;
 pub mod scalar;
 #[doc(hidden)]

@@ -1,7 +1,7 @@
 use super::{Line, vector};
 use core::ops::{Add, Mul, Neg, Sub};
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A dual vector a + εb (Jia, *Dual Quaternions*, §3): the vector part of a dual quaternion,
     /// and the logarithm of a unit one.
     ///

@@ -1,7 +1,7 @@
 use super::vector;
 use core::ops::{Add, Mul, Sub};
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A line in Plücker coordinates l + εm: every point x of it has x × l = m.
     ///
     /// The length of l is free; with |l| = 1, |m| is the distance from the origin and l × m the

@@ -1,7 +1,7 @@
 use super::vector;
 use core::ops::{Add, Mul, Sub};
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A plane n·x = d.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

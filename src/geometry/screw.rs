@@ -1,6 +1,6 @@
 use super::Line;
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A screw: turn by θ about an axis and slide by d along it. Every rigid motion is one
     /// (Chasles).
     ///

@@ -1,7 +1,7 @@
 use super::vector;
 use core::ops::{Add, Mul, Neg, Sub};
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A twist ω + εv: the velocity of a rigid body as a dual vector, an element of se(3).
     ///
     /// `angular` is ω in radians per unit of time. `linear` is v, the velocity of *the point of

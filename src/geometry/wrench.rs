@@ -1,7 +1,7 @@
 use super::Twist;
 use core::ops::{Add, Mul};
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A wrench f + ετ: force and torque on a rigid body, dual to a [`Twist`].
     ///
     /// `torque` is taken about the origin of the frame; both vectors are in its axes. As with

@@ -12,7 +12,8 @@ use crate::storage::shape::{ShapeError, whole_instances};
 use crate::storage::{Aos, Element, identity};
 use core::marker::PhantomData;
 use core::ops::Range;
-use dq8_simd::{Gather, Lanes, Records};
+use dq8_simd::internal::Gather;
+use dq8_simd::{Lanes, Records};
 
 /// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
 /// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.

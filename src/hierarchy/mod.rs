@@ -101,4 +101,5 @@ pub use schedule::PlanScratch;
 pub use skeleton::{JointOrder, Skeleton};
 pub use slot::JointSlot;
 
-pub use dq8_simd::TrackPlace;
+#[doc(inline)]
+pub use dq8_simd::internal::TrackPlace;

@@ -5,7 +5,7 @@ use super::plan::{Order, Plan, is_long_chain, split_roots};
 use super::schedule::{PlanScratch, schedule};
 use alloc::boxed::Box;
 use alloc::vec;
-use dq8_simd::CheckedSchedule;
+use dq8_simd::internal::CheckedSchedule;
 
 /// The order of a [`Plan`], checked.
 #[derive(Clone, Debug)]

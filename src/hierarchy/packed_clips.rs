@@ -12,7 +12,8 @@ use crate::number::Scalar;
 use crate::storage::aos;
 use crate::storage::shape::ShapeError;
 use core::ops::Range;
-use dq8_simd::{Lanes, MAX_LANES, Mask, PlacedTracks, Records, TrackPlace, Tracks};
+use dq8_simd::internal::{PlacedTracks, TrackPlace, Tracks};
+use dq8_simd::{Lanes, MAX_LANES, Mask, Records};
 
 /// What 1 is in a key of a rotation.
 pub(super) const ONE: f64 = 32767.0;

@@ -9,7 +9,8 @@ use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::Source;
 use crate::storage::shape::{ShapeError, same_length};
-use dq8_simd::{CheckedSchedule, Level};
+use dq8_simd::Level;
+use dq8_simd::internal::CheckedSchedule;
 
 /// From this many joints on, a chain is cut into segments: on every target, because that decides
 /// the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by one 4.9,

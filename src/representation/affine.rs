@@ -5,7 +5,7 @@ use crate::number::Real;
 use crate::scalar::{DualQuat, vector};
 use core::ops::Mul;
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A linear map and a translation, v ↦ Lv + t: what a 3×4 matrix can hold and a dual
     /// quaternion cannot, scale, shear and reflection.
     ///

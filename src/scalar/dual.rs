@@ -3,7 +3,7 @@ use crate::contract::{power, sums};
 use crate::number::Real;
 use core::ops::{Div, Mul};
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A dual number a + εb, ε² = 0 (Clifford 1873).
     ///
     /// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so dual

@@ -3,7 +3,7 @@ use super::skin::Skin;
 use super::weight::Weight;
 use crate::number::Scalar;
 use crate::storage::shape::ShapeError;
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
 /// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of

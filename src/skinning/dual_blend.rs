@@ -5,7 +5,7 @@ use crate::brief::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Mask, Records};
 
 /// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, σ = Σ ±wᵢσᵢ

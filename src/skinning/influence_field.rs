@@ -4,7 +4,7 @@ use super::SkinningError;
 use super::skin::Skin;
 use super::weight::Weight;
 use crate::storage::shape::{same_length, whole_instances};
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 
 /// The place of a vertex's joints in a buffer that holds one vertex after the other, or its
 /// weights; counted in elements of their own type.

@@ -1,10 +1,10 @@
 use crate::number::Scalar;
 use core::hint::black_box;
 use dq8_simd::MAX_LANES;
-use dq8_simd::picks::{CheckedIndices, Index, PickRows, Picks};
+use dq8_simd::internal::{CheckedIndices, Index, PickRows, Picks};
 
 /// The number of influences of a vertex that are read at a time.
-pub(super) const GROUP: usize = dq8_simd::picks::GROUP;
+pub(super) const GROUP: usize = dq8_simd::internal::RECORDS_PER_LANE;
 
 /// Four influences of the vertices of one register, as kernels read them, whatever the types of
 /// joints and weights in memory. Influences that are not there have weight 0.

@@ -10,7 +10,7 @@ use crate::backend::Outputs;
 use crate::number::Scalar;
 use crate::storage::Tile;
 use crate::storage::shape::same_length;
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
 /// The places of a vertex's fields in a buffer that holds one vertex after the other, all counted

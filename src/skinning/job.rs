@@ -12,7 +12,7 @@ use crate::backend::Choice;
 use crate::brief::brief;
 use crate::number::Scalar;
 use crate::storage::{Element, Number};
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 
 /// A run that poses the mesh of a [`Skin`], with options that all have a default.
 ///

@@ -6,7 +6,7 @@ use super::weight::Weight;
 use crate::brief::brief;
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat, Records};
 
 /// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. Needs weights that

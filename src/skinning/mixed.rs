@@ -7,7 +7,7 @@ use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
 use core::fmt::Debug;
 use dq8_simd::Lanes;
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 
 /// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With
 /// [`Linear`](super::Linear) and [`DualBlend`](super::DualBlend) that is the usual weighted blend

@@ -56,6 +56,8 @@ mod vertex;
 mod weight;
 
 pub use blender::Blender;
+#[doc(inline)]
+pub use dq8_simd::internal::Index;
 pub use dual_blend::DualBlend;
 pub use error::SkinningError;
 pub use influence_field::InfluenceField;

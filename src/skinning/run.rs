@@ -28,7 +28,7 @@ use super::weight::Weight;
 use crate::backend::{Backend, Kernel};
 use crate::storage::{self, Element, Layout, Number, Register};
 use core::marker::PhantomData;
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
 /// Checks that everything fits.

@@ -5,7 +5,7 @@ use crate::brief::brief;
 use crate::number::{Real, Scalar};
 use crate::storage::shape::{same_length, whole_instances};
 use core::ops::RangeInclusive;
-use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};
+use dq8_simd::internal::{CheckedIndices, Index, PickedInPlace, Picks};
 
 /// The joints that move each vertex, and how much: checked once, to be posed any number of times.
 ///

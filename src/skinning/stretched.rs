@@ -7,7 +7,7 @@ use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::Lanes;
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 
 /// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, S = Σ
 /// wᵢSᵢ, σ as of [`DualBlend`]. What a joint's matrix has beyond a motion comes first, blended

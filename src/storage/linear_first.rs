@@ -8,7 +8,7 @@ use crate::geometry::Twist;
 use crate::number::Scalar;
 use dq8_simd::{Float, Level};
 
-crate::plain::plain! {
+crate::pod::pod! {
     /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many
     /// controllers; `[R; 6]`, [`Twist`] and a [`Block`](super::Block) of six rows have the angular
     /// part first. It may be any element of six numbers: a column of a Jacobian, a velocity, an

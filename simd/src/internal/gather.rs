@@ -10,7 +10,8 @@ use crate::lanes::Lanes;
 /// The greatest of them is found once, so that a load of any lanes needs one comparison to be safe.
 ///
 /// ```
-/// use dq8_simd::{Gather, Lanes, Portable, Records, f32x4};
+/// use dq8_simd::internal::Gather;
+/// use dq8_simd::{Lanes, Portable, Records, f32x4};
 /// // Three rows of two records.
 /// let table: Vec<[f32; 4]> = (0..6_u8).map(|i| [f32::from(i); 4]).collect();
 /// let frames = [2, 0, 0, 1];

@@ -7,7 +7,7 @@ use crate::lanes::{Lanes, MAX_LANES};
 use core::fmt::Debug;
 
 /// How many records a lane takes.
-pub const GROUP: usize = 4;
+pub const RECORDS_PER_LANE: usize = 4;
 
 /// How an index lies in memory: `u8`, `u16` or `u32`. Sealed.
 pub trait Index:
@@ -16,7 +16,7 @@ pub trait Index:
     /// Four indices. Overridden where one load of all four is quicker than four.
     #[doc(hidden)]
     #[inline(always)]
-    fn numbers(row: [Self; GROUP]) -> [usize; GROUP] {
+    fn numbers(row: [Self; RECORDS_PER_LANE]) -> [usize; RECORDS_PER_LANE] {
         let [a, b, c, d] = row;
         [a.into() as usize, b.into() as usize, c.into() as usize, d.into() as usize]
     }
@@ -24,7 +24,7 @@ pub trait Index:
 impl Index for u8 {}
 impl Index for u16 {
     #[inline(always)]
-    fn numbers(row: [Self; GROUP]) -> [usize; GROUP] {
+    fn numbers(row: [Self; RECORDS_PER_LANE]) -> [usize; RECORDS_PER_LANE] {
         let word: u64 = bytemuck::must_cast(row);
         let (a, b) = (usize::from(word as u16), usize::from((word >> 16) as u16));
         let (c, d) = (usize::from((word >> 32) as u16), usize::from((word >> 48) as u16));
@@ -138,8 +138,8 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
 
     /// The rows from row `first` on, if they have four columns and nothing lies between them.
     #[inline(always)]
-    fn fours(self, first: usize) -> Option<&'a [[J; GROUP]]> {
-        let packed = self.columns == GROUP && self.stride == GROUP;
+    fn fours(self, first: usize) -> Option<&'a [[J; RECORDS_PER_LANE]]> {
+        let packed = self.columns == RECORDS_PER_LANE && self.stride == RECORDS_PER_LANE;
         if packed { self.indices.as_chunks().0.get(first..) } else { None }
     }
 }
@@ -148,7 +148,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
 /// that has all those records.
 #[derive(Clone, Copy, Debug)]
 pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
-    rows: &'a [[J; GROUP]],
+    rows: &'a [[J; RECORDS_PER_LANE]],
     table: &'t [[R; C]],
 }
 
@@ -156,7 +156,7 @@ impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
     /// The records of a row. `None` if there is no such row.
     #[inline(always)]
     #[must_use]
-    pub fn records(&self, row: usize) -> Option<[&'t [R; C]; GROUP]> {
+    pub fn records(&self, row: usize) -> Option<[&'t [R; C]; RECORDS_PER_LANE]> {
         let &row = self.rows.get(row)?;
         // SAFETY: these indices have been checked, and the table has as many records.
         Some(unsafe { records(row, self.table) })
@@ -169,9 +169,9 @@ impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
 /// The table has them.
 #[inline(always)]
 unsafe fn records<J: Index, R, const C: usize>(
-    row: [J; GROUP],
+    row: [J; RECORDS_PER_LANE],
     table: &[[R; C]],
-) -> [&[R; C]; GROUP] {
+) -> [&[R; C]; RECORDS_PER_LANE] {
     let [a, b, c, d] = J::numbers(row);
     // SAFETY: promised.
     unsafe {
@@ -187,7 +187,7 @@ unsafe fn records<J: Index, R, const C: usize>(
 /// Indices for each lane in memory of their own: for lanes whose indices do not lie in order.
 #[derive(Clone, Debug)]
 pub struct Picks<'a, J> {
-    rows: [[J; GROUP]; MAX_LANES],
+    rows: [[J; RECORDS_PER_LANE]; MAX_LANES],
     checked: CheckedIndices<'a, J>,
 }
 
@@ -196,7 +196,7 @@ impl<'a, J: Index> Picks<'a, J> {
     #[inline(always)]
     #[must_use]
     pub fn new(checked: CheckedIndices<'a, J>) -> Self {
-        Self { rows: [[J::default(); GROUP]; MAX_LANES], checked }
+        Self { rows: [[J::default(); RECORDS_PER_LANE]; MAX_LANES], checked }
     }
 
     /// The first lanes take the four indices of a row each, from row `first` on. False if there are
@@ -204,7 +204,7 @@ impl<'a, J: Index> Picks<'a, J> {
     #[inline(always)]
     pub fn set_rows(&mut self, lanes: usize, first: usize) -> bool {
         let CheckedIndices { indices, columns, stride, .. } = self.checked;
-        let Some(from) = first.checked_mul(stride).filter(|_| columns == GROUP) else {
+        let Some(from) = first.checked_mul(stride).filter(|_| columns == RECORDS_PER_LANE) else {
             return false;
         };
         let mut rest = indices.get(from..).unwrap_or_default();
@@ -251,7 +251,7 @@ impl<'a, J: Index> Picks<'a, J> {
 /// Four indices for each lane, none of them beyond a bound, if that is not zero.
 #[derive(Clone, Copy, Debug)]
 pub struct PickRows<'a, J> {
-    rows: &'a [[J; GROUP]; MAX_LANES],
+    rows: &'a [[J; RECORDS_PER_LANE]; MAX_LANES],
     bound: usize,
 }
 
@@ -271,7 +271,7 @@ impl<'a, J: Index> PickRows<'a, J> {
 /// offsets that a vector multiplied and stored before took a third longer.
 #[derive(Clone, Copy, Debug)]
 pub struct Picked<'p, 't, J, R, const C: usize> {
-    rows: &'p [[J; GROUP]; MAX_LANES],
+    rows: &'p [[J; RECORDS_PER_LANE]; MAX_LANES],
     table: &'t [[R; C]],
 }
 
@@ -282,7 +282,7 @@ impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
     /// If there is no such lane.
     #[inline(always)]
     #[must_use]
-    pub fn records(&self, lane: usize) -> [&'t [R; C]; GROUP] {
+    pub fn records(&self, lane: usize) -> [&'t [R; C]; RECORDS_PER_LANE] {
         // SAFETY: a checked index is below a bound that the table has; others are 0, and the table
         // has a record.
         unsafe { records(self.rows[lane], self.table) }
@@ -298,7 +298,7 @@ impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
     pub fn quads<L: Lanes<Real = R>>(&self, level: L::Level, which: usize, from: usize) -> [L; 4] {
         const { assert!(4 <= C) };
         // `from + 4` may wrap.
-        assert!(from <= C - 4 && which < GROUP, "no such components");
+        assert!(from <= C - 4 && which < RECORDS_PER_LANE, "no such components");
         let first = self.table.as_flattened().as_ptr();
         // SAFETY: each index is that of a record of the table, as in `records`, of which four
         // numbers begin at `from`; there are as many as any register has lanes.

@@ -18,7 +18,7 @@ const PER_LINE: usize = 8;
 /// So many keys do not fit into the second cache.
 const FAR: usize = 1 << 17;
 
-/// Clips of the same columns: records of four short numbers ([`Shorts`]), one for each frame where
+/// Clips of the same columns: records of four short numbers, one for each frame where
 /// a column moves in a clip, and one in all where it does not. Numbers are written with the lower
 /// byte first, and nothing is aligned.
 ///

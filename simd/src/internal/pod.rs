@@ -1,4 +1,4 @@
-//! [`plain!`](crate::plain!): the promise that a struct is numbers and nothing else.
+//! [`pod!`](crate::pod!): the promise that a struct is numbers and nothing else.
 
 /// What is numbers `T` and nothing else, one after the other: no padding, and any bits are valid
 /// where any bits of `T` are.
@@ -49,7 +49,7 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 /// is looked up there.
 ///
 /// ```
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     /// A ball.
 ///     #[derive(Clone, Copy)]
 ///     struct Sphere<T> {
@@ -64,7 +64,7 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 /// A field that is not made of the struct's numbers is an error:
 ///
 /// ```compile_fail,E0277
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[derive(Clone, Copy)]
 ///     struct Sphere<T> {
 ///         centre: [T; 3],
@@ -76,7 +76,7 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 /// So is a layout of its own:
 ///
 /// ```compile_fail
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[derive(Clone, Copy)]
 ///     #[repr(C, align(16))]
 ///     struct Point<T> {
@@ -84,48 +84,49 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 ///     }
 /// }
 /// ```
+#[doc(hidden)]
 #[macro_export]
-macro_rules! plain {
+macro_rules! pod {
     ($(#[$($attribute:tt)+])* $seen:vis struct $name:ident<$number:ident> {
         $($(#[$($about:tt)+])* $shown:vis $field:ident: $type:ty),+ $(,)?
     }) => {
-        $crate::plain! {
+        $crate::pod! {
             @define C [$($field)+] $(#[$($attribute)+])* $seen struct $name<$number> {
                 $($(#[$($about)+])* $shown $field: $type),+
             }
         }
     };
     ($(#[$($attribute:tt)+])* $seen:vis struct $name:ident<$number:ident>($shown:vis $type:ty);) => {
-        $crate::plain! {
+        $crate::pod! {
             @define transparent [0] $(#[$($attribute)+])* $seen struct $name<$number>($shown $type);
         }
     };
     // Whoever calls this one himself is held to the same.
     (@define $layout:ident [$($field:tt)+] $(#[$($attribute:tt)+])*
         $seen:vis struct $name:ident<$number:ident> $fields:tt $($end:tt)?) => {
-        $crate::plain! { @without_padding $layout }
-        $($crate::plain! { @harmless $($attribute)+ })*
+        $crate::pod! { @without_padding $layout }
+        $($crate::pod! { @harmless $($attribute)+ })*
         $(#[$($attribute)+])*
         #[repr($layout)]
         $seen struct $name<$number> $fields $($end)?
 
         const _: () = {
-            const fn size_of_fields<$number>(plain: &$name<$number>) -> $crate::plain::Size {
+            const fn size_of_fields<$number>(plain: &$name<$number>) -> $crate::internal::pod::Size {
                 let $name { $($field: _),+ } = plain;
-                0 $(+ $crate::plain::size_of_numbers::<$number, _>(&plain.$field))+
+                0 $(+ $crate::internal::pod::size_of_numbers::<$number, _>(&plain.$field))+
             }
-            let plain = $crate::plain::zeroed::<$name<$crate::plain::Byte>>();
-            $crate::plain::check_padding::<$name<$crate::plain::Byte>>(size_of_fields(&plain));
+            let plain = $crate::internal::pod::zeroed::<$name<$crate::internal::pod::Byte>>();
+            $crate::internal::pod::check_padding::<$name<$crate::internal::pod::Byte>>(size_of_fields(&plain));
         };
         // SAFETY: `size_of_fields` compiles, so the finished struct has the fields above and no
         // other, and every one is numbers and nothing else: all have the alignment of a number, and
         // no padding lies between or behind them. Nor does an attribute add any, for the struct of
         // bytes, whose alignment and padding would be the same, has none.
-        unsafe impl<$number> $crate::plain::Numbers<$number> for $name<$number> {}
+        unsafe impl<$number> $crate::internal::pod::Numbers<$number> for $name<$number> {}
         // SAFETY: all fields are zeroable where a number is.
-        unsafe impl<$number: $crate::plain::Zeroable> $crate::plain::Zeroable for $name<$number> {}
+        unsafe impl<$number: $crate::internal::pod::Zeroable> $crate::internal::pod::Zeroable for $name<$number> {}
         // SAFETY: numbers without padding, of which any bits are valid.
-        unsafe impl<$number: $crate::plain::Pod> $crate::plain::Pod for $name<$number> {}
+        unsafe impl<$number: $crate::internal::pod::Pod> $crate::internal::pod::Pod for $name<$number> {}
     };
     (@without_padding C) => {};
     (@without_padding transparent) => {};
@@ -156,7 +157,7 @@ pub type Size = usize;
 ///     #[derive(Clone, Copy)]
 ///     #[repr(C, align(16))]
 ///     pub struct Point<T> { pub position: [T; 3] }
-///     dq8_simd::plain!(Point { position });
+///     dq8_simd::pod!(Point { position });
 /// }
 /// println!("{:x?}", bytemuck::bytes_of(&a::Point { position: [1.0_f32, 2.0, 3.0] }));
 /// ```
@@ -166,14 +167,14 @@ pub type Size = usize;
 ///     #[derive(Clone, Copy)]
 ///     #[repr(C, align(16))]
 ///     pub struct Point<T> { pub position: [T; 3] }
-///     dq8_simd::plain!(Point { position });
+///     dq8_simd::pod!(Point { position });
 /// }
 /// println!("{:x?}", bytemuck::bytes_of(&a::Point { position: [1.0_f32, 2.0, 3.0] }));
 /// ```
 /// ```compile_fail
 /// #[derive(Clone, Copy)]
 /// struct Sphere<T> { centre: [T; 3], radius: T }
-/// dq8_simd::plain!(Sphere { centre, radius });
+/// dq8_simd::pod!(Sphere { centre, radius });
 /// ```
 ///
 /// The struct away, another one of its name in its place:
@@ -184,13 +185,13 @@ pub type Size = usize;
 ///     pub struct Sphere<T> { pub centre: [T; 3], pub radius: T }
 /// }
 /// use other::Sphere;
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[cfg(any())]
 ///     struct Sphere<T> { centre: [T; 3], radius: T }
 /// }
 /// ```
 /// ```compile_fail
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[derive(Clone, Copy)]
 ///     #[cfg_attr(all(), repr(align(16)))]
 ///     struct Point<T> { position: [T; 3] }
@@ -200,17 +201,17 @@ pub type Size = usize;
 /// A layout and a list of fields of the caller's:
 ///
 /// ```compile_fail
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     @define Rust [centre radius] #[derive(Clone, Copy)] struct Sphere<T> { centre: [T; 3], radius: T }
 /// }
 /// ```
 /// ```compile_fail
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     @define C [centre] #[derive(Clone, Copy)] struct Sphere<T> { centre: [T; 3], visible: bool }
 /// }
 /// ```
 /// ```compile_fail,E0026
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[derive(Clone, Copy)]
 ///     struct Sphere<T> { centre: [T; 3], #[cfg(any())] radius: T }
 /// }

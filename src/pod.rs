@@ -2,4 +2,4 @@
 //! and its `unsafe` are in `dq8_simd`; the rooms that hold such structs know no more of the lanes
 //! than this.
 
-pub(crate) use dq8_simd::plain;
+pub(crate) use dq8_simd::pod;

@@ -1,4 +1,4 @@
-//! `plain!` among names that mean something else where it is called.
+//! `pod!` among names that mean something else where it is called.
 #![forbid(unsafe_code)]
 #![allow(dead_code, unused_macros, non_camel_case_types, reason = "names in the way")]
 #![allow(clippy::extra_unused_type_parameters, reason = "names in the way")]
@@ -30,17 +30,17 @@ mod names_in_the_way {
     macro_rules! assert {
         ($($all:tt)*) => {};
     }
-    macro_rules! plain {
+    macro_rules! pod {
         ($($all:tt)*) => {};
     }
-    dq8_simd::plain! {
+    dq8_simd::pod! {
         #[derive(Clone, Copy)]
         pub struct Sphere<T> {
             pub centre: [T; 3],
             pub radius: T,
         }
     }
-    dq8_simd::plain! {
+    dq8_simd::pod! {
         #[derive(Clone, Copy)]
         pub struct Ball<only_numbers>(pub Sphere<only_numbers>);
     }
