@@ -1,10 +1,10 @@
 //! Matrices, out and in.
 
 use super::rigid_matrix::RigidMatrix;
-use super::sweep::{SliceKernel, Things, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::{Backend, Kernel};
 use crate::errors::errors;
-use crate::palette_entry::{MatrixOrder, PaletteEntry};
+use crate::palette_entry::{MatrixOrder, PaletteEntry, motions};
 use crate::scalar::MatrixError;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Layout, Number, Register, Tile};

@@ -1,17 +1,16 @@
 //! Trajectories: poses at times, sampled at other times, and smoothed.
 
-use super::interpolate::{Interpolation, Many};
 #[cfg(feature = "rayon")]
 use super::sweep::GRAIN;
-use super::sweep::{SliceKernel, Things, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, part, sweep};
 #[cfg(feature = "rayon")]
 use crate::backend::Rows;
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::errors::errors;
 use crate::geometry::Twist;
-use crate::law::Sclerp;
 use crate::number::{Real, Scalar};
+use crate::palette_entry::motions;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Tile, tiles};
@@ -215,9 +214,8 @@ impl<R: Scalar> Trajectory<'_, R> {
                 *duration = if moves { end - start } else { <R as Real>::from_f64(f64::INFINITY) };
             }
             let n = 0..at.len();
-            let (a, b, t) =
-                (part(&from, n.clone()), part(&to, n.clone()), Many(part(&share, n.clone())));
-            sweep(backend, samples, Interpolation { law: Sclerp, a, b, t });
+            let (a, b, t) = (part(&from, n.clone()), part(&to, n.clone()), part(&share, n.clone()));
+            let _ = backend.sclerp_each(a, b, t, samples);
             if let Some(twists) = twists.next() {
                 sweep(backend, twists, Velocities { a, b, durations: part(&durations, n) });
             }
