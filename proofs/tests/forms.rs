@@ -74,7 +74,7 @@ const FORMS: &[Row] = &[
     ("src/hierarchy/sampled.rs Sampled", &[], SAMPLED),
     ("src/hierarchy/either.rs Either", &[], "not proved: one of two others"),
     (
-        "src/skinning/run.rs Run",
+        "src/skinning/job.rs Run",
         &[
             "linear_skin",
             "scaled_point",
