@@ -76,7 +76,7 @@ const FORMS: &[Row] = &[
     ("src/hierarchy/clip.rs Sampled", &[], SAMPLED),
     ("src/hierarchy/layers.rs Either", &[], "not proved: one of two others"),
     (
-        "src/skinning/run.rs Run",
+        "src/skinning/job.rs Run",
         &[
             "linear_skin",
             "scaled_point",

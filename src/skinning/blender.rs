@@ -1,6 +1,6 @@
-use super::influences::Scratch;
+use super::skin::Scratch;
 use super::skin::Skin;
-use super::weight::Weight;
+use super::skin::Weight;
 use crate::number::Scalar;
 use crate::storage::shape::ShapeError;
 use dq8_simd::internal::Index;

@@ -1,4 +1,4 @@
-//! Errors as lists: of each what it is, what it names, and what it says.
+//! Macros that write implementations from a list: errors, conversions, and a short `Debug`.
 
 /// An enum of errors. Each has documentation and a message, and fields, documented too, that the
 /// message names; one that has another error as its cause holds it, is made from it, and has it as
@@ -57,3 +57,40 @@ impl core::fmt::Display for Count {
         write!(f, "{number} {name}{}", if *number == 1 { "" } else { "s" })
     }
 }
+
+/// [`From`] as a list, one conversion a line: `from => to: |value| made`, where `Self` in `made` is
+/// the type behind the arrow.
+macro_rules! conversions {
+    ($($(#[$of:meta])* [$($number:tt)*] $from:ty => $to:ty: |$value:pat_param| $made:expr;)*) => {$(
+        $(#[$of])*
+        impl<$($number)*> From<$from> for $to {
+            #[inline]
+            fn from($value: $from) -> Self {
+                $made
+            }
+        }
+    )*};
+}
+pub(crate) use conversions;
+
+/// `Debug` of what holds many numbers: one line that says how many there are, and of what.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __brief {
+    ($([$($generics:tt)*] $Type:ty $(, where [$($bounds:tt)*])?: $name:ident |$it:ident| {
+        $($field:ident: $value:expr),+ $(,)?
+    })*) => {$(
+        impl<$($generics)*> core::fmt::Debug for $Type $(where $($bounds)*)? {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                let $it = self;
+                f.debug_struct(stringify!($name))$(.field(stringify!($field), &$value))+.finish()
+            }
+        }
+    )*};
+}
+pub use __brief as brief;
+
+/// The promise that a struct is numbers and nothing else, which makes it `bytemuck::Pod`. Its proof
+/// and its `unsafe` are in `dq8_simd`; the rooms that hold such structs know no more of the lanes
+/// than this.
+pub(crate) use dq8_simd::pod;

@@ -1,4 +1,4 @@
-//! One vertex at a time, as it is written in the papers: what the lanes are held to.
+//! The reference, which lanes are tested against: one vertex at a time, as the papers write it.
 
 use crate::number::Real;
 use crate::scalar::DualQuat;

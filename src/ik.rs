@@ -1,7 +1,13 @@
-use super::error::LimbsError;
+//! Inverse kinematics of two bones: hip, knee and ankle to a point, by the triangle of the bones
+//! and the way to the target. For robots and other chains of joints there is `Reach` of the crate
+//! `dq8-robot`.
+
+pub use crate::scalar::two_bone::{LimbError, Span, TwoBone};
+
 use crate::batch;
+use crate::macros::errors;
 use crate::number::{Real, Scalar};
-use crate::scalar::two_bone::{LimbError, TwoBone};
+use crate::storage::shape::ShapeError;
 use dq8_simd::{Lanes, Mask};
 
 /// Three joints of a skeleton that are a limb: hip, knee and ankle, or shoulder, elbow and wrist.
@@ -66,4 +72,26 @@ fn one_by_one<R: Real, A: AsRef<[R]>>(lanes: [A; 11], first: usize) -> Option<Li
             TwoBone::check([rx, ry, rz], [a, b], [x, y, z], [px, py, pz]).err()?;
         Some(LimbsError::Limb { limb: first + lane, error })
     })
+}
+
+errors! {
+    /// Limbs that cannot be bent, or slices that do not fit. Nothing has been written.
+    #[derive(Clone, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    LimbsError {
+        /// The slices do not fit each other.
+        Shape(error: ShapeError) => "{error}";
+        /// A limb cannot be bent.
+        Limb {
+            limb: usize = "Which, the first one; in blocks, things are counted one after the other.",
+            error: LimbError = "The fault."
+        } from error
+            => "limb {limb}: {error}";
+        /// Joints of a skeleton that are no limb.
+        NotChild { joint: usize = "The joint.", parent: usize = "The joint that should be its parent." }
+            => "joint {joint} is no child of joint {parent}";
+        /// A hinge that is no axis.
+        Hinge { index: usize = "The coordinate.", value: f64 = "Its value." }
+            => "the hinge is not finite: coordinate {index} is {value}";
+    }
 }

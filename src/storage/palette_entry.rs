@@ -1,9 +1,8 @@
-//! [`PaletteEntry`]: the forms in which motions are handed out, and [`MatrixOrder`]; and how they
-//! come in.
+//! [`PaletteEntry`]: the forms in which motions are handed out, and [`MatrixOrder`].
 
+use super::element::Element;
 use crate::batch;
-use crate::storage::{Element, Register, Tile, identity};
-use dq8_simd::{Lanes, Level};
+use dq8_simd::Lanes;
 
 /// In which order the numbers of a matrix lie in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,15 +63,4 @@ impl<E: Element<16>> PaletteEntry<16> for E {
     }
 }
 
-/// The motions of one register.
-pub(crate) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
-
-/// The motions of a tile; the identity in lanes beyond the end of `slice`.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn motions<E: Element<8>, V: Level>(
-    level: V,
-    slice: &[E],
-    tile: Tile,
-) -> Option<Motions<E, V>> {
-    Some(batch::DualQuat::from_array(E::load(level, slice, tile, &identity())?))
-}
+pub(crate) use super::source::{Motions, motions};
