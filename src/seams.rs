@@ -8,3 +8,4 @@ pub use crate::errors::errors;
 pub use crate::everyday::{Number, Quick};
 pub use crate::scalar::blend::weighted_sum;
 pub use crate::scalar::mean::dib;
+pub use crate::{__for_each_kernel as for_each_kernel, __record as record};
