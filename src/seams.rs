@@ -8,3 +8,4 @@ pub use crate::macros::brief;
 pub use crate::macros::errors;
 pub use crate::scalar::blend::dib;
 pub use crate::scalar::blend::weighted_sum;
+pub use crate::{__for_each_kernel as for_each_kernel, __record as record};

@@ -5,7 +5,7 @@
 //! | [`status`] | [`Status`], what every call returns, and its text |
 //! | [`backend`] | which instructions compute |
 //! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion: the scalar reference |
-//! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
+//! | [`slices`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
 //! | [`clips`] | packed clips, plain |
@@ -36,13 +36,11 @@ pub mod clips;
 pub mod geometry;
 pub mod hierarchy;
 pub mod joint;
-pub mod lines;
 pub mod links;
 pub mod mean;
 pub mod mechanism;
 mod memory;
 pub mod mesh;
-pub mod metric;
 pub mod motion;
 pub mod packing;
 pub mod palette;
@@ -56,7 +54,6 @@ mod span;
 pub mod status;
 pub mod targets;
 pub mod trajectory;
-pub mod twists;
 
 pub use backend::InstructionSet;
 pub use slices::Order;

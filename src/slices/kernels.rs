@@ -9,7 +9,7 @@ use crate::storage::{Element, Number, Register, Source, Tile, identity};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// Calls the macro `callback` with every kernel:
+/// Calls the macro `callback`, with what it is given, and with every kernel:
 ///
 /// ```text
 /// /// What it computes, in words that are as right in C.
@@ -24,8 +24,8 @@ use dq8_simd::{Lanes, Level};
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __for_each_kernel {
-    ($($callback:tt)+) => {
-        $($callback)+! {
+    ($($callback:ident)::+ $(, $($given:tt)*)?) => {
+        $($callback)::+! { $($($given)*,)?
             /// The products `a[i] b[i]`: b acts first.
             mul[M: 8](a: any M, b: any M) -> products: any M, in place mul_in_place = a * b, {
                 /// `products[i]` = aᵢbᵢ

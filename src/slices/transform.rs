@@ -11,8 +11,8 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it, a product
-    /// ([`DualQuat::mul`](crate::DualQuat#impl-Mul-for-DualQuat<R>)).
+    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it. The products of
+    /// two slices are [`mul`](Self::mul).
     ///
     /// ```
     /// use dq8::{Backend, DualQuat};
