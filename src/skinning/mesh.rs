@@ -7,8 +7,8 @@ use crate::storage::shape::same_length;
 use crate::storage::{self, Element, Layout, Number, Register, Tile};
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
-/// What there is for each vertex of a mesh, a slice each: written as [`Surface`], at rest, or
-/// [`SurfaceMut`], posed, which say what slices they are.
+/// The slices of a mesh, one for each field of its vertices; [`Surface`] and [`SurfaceMut`] say
+/// which slices.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Vertices<S> {
@@ -20,22 +20,31 @@ pub struct Vertices<S> {
     pub tangents: Option<S>,
 }
 
-/// A mesh at rest.
+/// A mesh at rest: positions, and normals and tangents if it has them, a slice each. `positions`
+/// makes one without the others, and `normals` and `tangents` add them.
+///
+/// ```
+/// use dq8::skinning::Surface;
+/// let (positions, normals) = ([[1.0_f32, 2.0, 3.0]], [[0.0, 0.0, 1.0]]);
+/// let rest = Surface::positions(&positions).normals(&normals);
+/// assert_eq!((rest.normals, rest.tangents), (Some(&normals[..]), None));
+/// ```
 pub type Surface<'s, P> = Vertices<&'s [P]>;
 
-/// The memory that a posed mesh goes to. It has normals and tangents if the mesh at rest has.
+/// The memory that a posed mesh goes to, made like a [`Surface`]. It has normals and tangents if the
+/// mesh at rest has.
 pub type SurfaceMut<'s, P> = Vertices<&'s mut [P]>;
 
 impl<S> Vertices<S> {
-    /// Nothing but positions.
+    /// Positions alone.
     pub fn positions(positions: S) -> Self {
         Self { positions, normals: None, tangents: None }
     }
-    /// And normals.
+    /// The mesh with normals.
     pub fn normals(self, normals: S) -> Self {
         Self { normals: Some(normals), ..self }
     }
-    /// And tangents.
+    /// The mesh with tangents.
     pub fn tangents(self, tangents: S) -> Self {
         Self { tangents: Some(tangents), ..self }
     }
