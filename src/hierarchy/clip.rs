@@ -5,13 +5,12 @@ use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{GROUPS, Locals, Numbers, Rows, each, part_of, resized};
 use super::slot::JointSlot;
-use crate::brief::brief;
 use crate::law::Law;
+use crate::macros::brief;
 use crate::number::{Real, Scalar};
-use crate::palette_entry::Motions;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
-use crate::storage::{Aos, Element, Layout, Number, Register, aos, identity};
+use crate::storage::{Aos, Element, Layout, Motions, Number, Register, aos, identity};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 use core::fmt::Debug;

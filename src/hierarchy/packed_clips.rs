@@ -4,9 +4,8 @@
 use super::clip::{ALONE, Alone, Keys, PlacedKeys, Timing, first};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
-use crate::brief::brief;
-use crate::errors::errors;
 use crate::law::{Law, NlerpLerp};
+use crate::macros::{brief, errors};
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::ShapeError;
