@@ -1,6 +1,7 @@
 //! Meshes at rest and posed: a slice for each field, or vertices that are records of several fields.
 
 use super::SkinningError;
+use super::blender::PlainPoints;
 use crate::backend::Outputs;
 use crate::number::Scalar;
 use crate::storage::shape::same_length;
@@ -73,17 +74,17 @@ pub(super) trait Mesh: Outputs {
     /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile)
     -> Option<Vectors<Self::Point, V>>;
-    /// Positions at rest and posed, if they are plain, and there is nothing else to pose.
+    /// The positions, if they are plain, and there is nothing else to pose. `first` is the number
+    /// of the first vertex.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn points(&mut self) -> Option<PlainPoints<'_, Number<Self::Point, 3>>> {
+    fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<Self::Point, 3>>> {
+        let _ = first;
         None
     }
     /// The posed vectors of a tile.
     fn store<V: Level>(&mut self, vectors: Vectors<Self::Point, V>, field: Field, tile: Tile);
 }
 
-/// Points at rest, and posed.
-pub(super) type PlainPoints<'m, R> = (&'m [[R; 3]], &'m mut [[R; 3]]);
 /// A register for each component of a vector.
 pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
 
@@ -143,11 +144,12 @@ impl<P: Element<3>> Mesh for Separate<'_, P> {
         P::load(level, from, tile, &storage::identity())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn points(&mut self) -> Option<PlainPoints<'_, Number<P, 3>>> {
+    fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<P, 3>>> {
         if self.rest.normals.is_some() || self.rest.tangents.is_some() {
             return None;
         }
-        Some((P::plain(self.rest.positions)?, P::plain_mut(self.posed.positions)?))
+        let (rest, posed) = (P::plain(self.rest.positions)?, P::plain_mut(self.posed.positions)?);
+        Some(PlainPoints { first, rest, posed })
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile) {
