@@ -52,7 +52,7 @@ KERNELS = {
     ("DualQuat", "inverse"): ["inverse", "inverse_in_place"],
     ("DualQuat", "conjugate"): ["conjugate", "conjugate_in_place"],
     ("DualQuat", "nlerp"): ["nlerp", "nlerp_each"],
-    ("DualQuat", "sclerp"): ["sclerp", "sclerp_each", "resample", "resample_with_twists"],
+    ("DualQuat", "sclerp"): ["sclerp", "sclerp_each"],
     ("DualQuat", "slerp_lerp"): ["slerp_lerp", "slerp_lerp_each"],
     ("DualQuat", "dlb"): ["dlb"],
     ("DualQuat", "dib"): ["dib_windows"],

@@ -166,7 +166,7 @@ fn interpolate<E: Element<8>, W: Between, T: Parameter<E>>(
 }
 
 /// The parameter t: the same for all, or one for each.
-pub(super) trait Parameter<E: Element<8>>: Sync {
+trait Parameter<E: Element<8>>: Sync {
     /// That of some of the elements.
     fn part(&self, elements: Range<usize>) -> Self;
     fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>>;
@@ -183,7 +183,7 @@ impl<E: Element<8>> Parameter<E> for One<Number<E, 8>> {
     }
 }
 
-pub(super) struct Many<'s, T>(pub(super) &'s [T]);
+struct Many<'s, T>(&'s [T]);
 impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_, T> {
     fn part(&self, elements: Range<usize>) -> Self {
         Self(part(self.0, elements))
@@ -195,11 +195,11 @@ impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_,
     }
 }
 
-pub(super) struct Interpolation<'s, E, W, T> {
-    pub(super) law: W,
-    pub(super) a: &'s [E],
-    pub(super) b: &'s [E],
-    pub(super) t: T,
+struct Interpolation<'s, E, W, T> {
+    law: W,
+    a: &'s [E],
+    b: &'s [E],
+    t: T,
 }
 
 impl<E: Element<8>, W: Between, T: Parameter<E>> SliceKernel<E, 8> for Interpolation<'_, E, W, T> {

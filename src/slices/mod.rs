@@ -7,7 +7,7 @@
 //! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
 //! | [`conjugate`](Backend::conjugate), and in place | the inverse of unit motions |
 //! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
-//! | [`resample`](Backend::resample), [`resample_with_twists`](Backend::resample_with_twists), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
+//! | [`dib_windows`](Backend::dib_windows) | means of windows of poses that follow each other |
 //! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |
 //! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
 //! | [`transform_lines_each`](Backend::transform_lines_each), [`transform_planes_each`](Backend::transform_planes_each), [`transform_twists_each`](Backend::transform_twists_each) | by one motion each |
@@ -43,15 +43,14 @@ mod product;
 mod rigid_matrix;
 mod screw;
 mod sweep;
-mod trajectory;
 mod transform;
 mod transform_each;
 mod two_bone;
 mod unit;
+mod windows;
 
 pub use matrix::MatricesError;
 pub use rigid_matrix::RigidMatrix;
-pub use trajectory::TrajectoryError;
 
 #[cfg(doc)]
 use crate::Backend;
