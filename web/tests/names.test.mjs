@@ -40,7 +40,7 @@ const TABLE = [
   ["robot/src/ik/job.rs", "solve", "reach", "mechanism_reach", "reach"],
   ["robot/src/ik/job.rs", "solve_in", none("a page has one target at a time"), "reach", "reach"],
   ["src/scalar/blend.rs", "dib", none("of clips, blend has the mean of two"), "motion_mean", "mean"],
-  ["src/slices/trajectory.rs", "resample", none("clips are sampled by their frames"), "resample", "resample"],
+  ["trajectory/src/job.rs", "sample", none("clips are sampled by their frames"), "resample", "resample"],
   ["src/storage/mod.rs", null, "floats", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/storage/mod.rs", null, "motions", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/hierarchy/skeleton.rs", null, "free", none(BORROWED), none("Python collects what is not needed")],

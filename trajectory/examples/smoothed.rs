@@ -2,10 +2,11 @@
 //! 100 Hz, and velocities.
 //!
 //! ```sh
-//! cargo run --release --example trajectory
+//! cargo run --release --example smoothed
 //! ```
 
 use dq8::{Backend, DualQuat, Quat, Twist};
+use dq8_trajectory::Trajectory;
 
 /// A turn at 1 rad/s while going up at 0.2 m/s: the truth.
 fn screw(seconds: f64) -> DualQuat<f64> {
@@ -26,12 +27,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let poses: Vec<_> = times.iter().enumerate().map(measured).collect();
     // The intrinsic mean of every nine; then 100 Hz, on the screw between neighbours, and how fast
     // it goes there.
-    let (backend, mut smooth) = (Backend::best(), vec![DualQuat::IDENTITY; poses.len() - 8]);
-    let converged = backend.dib_windows(&poses, &[1.0; 9], 1e-12, 16, &mut smooth)?;
+    let mut smooth = vec![DualQuat::IDENTITY; poses.len() - 8];
+    let converged = Backend::best().dib_windows(&poses, &[1.0; 9], 1e-12, 16, &mut smooth)?;
     let at: Vec<_> = (10..300).map(|i| f64::from(i) / 100.0).collect();
     let (mut samples, mut twists) = (vec![DualQuat::IDENTITY; 290], vec![Twist::ZERO; 290]);
-    let middle = &times[4..196];
-    backend.resample_with_twists(middle, &smooth, &at, &mut samples, &mut twists)?;
+    let path = Trajectory::new(&times[4..196], &smooth)?;
+    path.job().sample_with_twists(&at, &mut samples, &mut twists)?;
     let far = samples.iter().zip(&at).map(|(pose, &time)| pose.distance_to(screw(time)));
     let worst = far.fold(0.0, f64::max);
     println!("{converged} means; at most {worst:.4} m from the truth; {:.3?}", twists[150]);

@@ -1,4 +1,4 @@
-//! Poses at times.
+//! `resample`: many trajectories at the same times.
 
 use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::axis::Axis;
@@ -8,8 +8,8 @@ use crate::number::Number;
 use crate::output::Output;
 use crate::shape::{EIGHT, NUMBER};
 use crate::threads::{GRAIN, Threads};
-use dq8::slices::TrajectoryError;
-use dq8::{Backend, DualQuat};
+use dq8::DualQuat;
+use dq8_trajectory::{Time, Trajectory, TrajectoryError};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -19,11 +19,19 @@ use pyo3::prelude::*;
 /// ``t = (at − times[k])/(times[k + 1] − times[k])``; before the first and after the last pose,
 /// that pose. One thread computes.
 ///
-/// Parameters ---------- times : array_like, shape (n,) Finite times that rise, n > 0. poses :
-/// array_like, shape (n, ..., 8) Unit dual quaternions at these times; of a clip ``(frames, joints,
-/// 8)`` each joint is a trajectory. at : array_like, shape (...) When to sample, in any order;
-/// rising times are found fastest. axis : int, optional The dimension of `poses` that is time: the
-/// first. out : ndarray, optional Where to write the result.
+/// Parameters
+/// ----------
+/// times : array_like, shape (n,)
+///     Finite times that rise, n > 0.
+/// poses : array_like, shape (n, ..., 8)
+///     Unit dual quaternions at these times; of a clip ``(frames, joints, 8)`` each joint is a
+///     trajectory.
+/// at : array_like, shape (...)
+///     When to sample, in any order; rising times are found fastest.
+/// axis : int, optional
+///     The dimension of `poses` that is time: the first.
+/// out : ndarray, optional
+///     Where to write the result.
 ///
 /// Returns
 /// -------
@@ -58,7 +66,7 @@ pub fn resample<'py>(
     }
 }
 
-fn typed<'py, R: Number>(
+fn typed<'py, R: Number + Time>(
     [times, poses, at]: &[Argument<'py>; 3],
     axis: Axis,
     out: Option<&Bound<'py, PyAny>>,
@@ -82,27 +90,31 @@ fn typed<'py, R: Number>(
         let at = at.in_full()?.apart_from(&output)?;
 
         let (instants, samples) = (times.records::<1>(), at.records::<1>());
-        let poses: &[DualQuat<R>] = bytemuck::must_cast_slice(poses.records::<8>());
-        let (instants, samples) = (instants.as_flattened(), samples.as_flattened());
+        let samples = samples.as_flattened();
+        let stamps: Vec<f64> = instants.as_flattened().iter().map(|&time| time.into()).collect();
+        let poses: Vec<_> = { poses.records::<8>().iter() }
+            .map(|pose| DualQuat::<f64>::from_array(pose.map(Into::into)))
+            .collect();
         let threads = Threads::alone();
         output.fill(&threads, |to: &mut [[R; 8]]| {
             let to: &mut [DualQuat<R>] = bytemuck::must_cast_slice_mut(to);
-            let backend = Backend::best();
-            // Everything is checked before something is written. Each piece checks the times again,
-            // so it is no smaller.
+            // Everything is checked before something is written.
             if let Some(first) = poses.get(..count) {
-                backend.resample(instants, first, &[], &mut []).map_err(named)?;
+                Trajectory::new(&stamps, first).map_err(named)?;
             }
             if let Some(index) = samples.iter().position(|time| time.is_nan()) {
-                return Err(named(TrajectoryError::NotATime { index }));
+                let message = format!("`at`: sample {index} is asked for at NaN.");
+                return Err(PyValueError::new_err(message));
             }
-            let size = GRAIN.max(instants.len());
+            // Each piece finds the ways between the poses again, as long as some samples take.
+            let size = GRAIN.max(16 * stamps.len());
             let rows = poses.chunks_exact(count).zip(to.chunks_mut(samples.len().max(1)));
             let pieces = rows.flat_map(|(poses, to)| {
                 samples.chunks(size).zip(to.chunks_mut(size)).map(move |piece| (poses, piece))
             });
             threads.each(pieces, &|(poses, (samples, to))| {
-                backend.resample(instants, poses, samples, to).is_ok()
+                Trajectory::new(&stamps, poses)
+                    .is_ok_and(|path| path.job().sample(samples, to).is_ok())
             });
             Ok(())
         })
@@ -114,7 +126,6 @@ fn named(error: TrajectoryError) -> PyErr {
     let argument = match error {
         TrajectoryError::Empty => "`poses`: ",
         TrajectoryError::NotRising { .. } => "`times`: ",
-        TrajectoryError::NotATime { .. } => "`at`: ",
         _ => "",
     };
     PyValueError::new_err(format!("{argument}{error}."))
