@@ -19,6 +19,8 @@ use dq8::{DualQuat, Real};
 /// whose angles were typed with few digits, the starts are what its formula finds, which are far
 /// fewer.
 ///
+#[doc = include_str!("six_axes.svg")]
+///
 /// ```
 /// use dq8::DualQuat;
 /// use dq8_robot::ik::{Family, Goal, OwnedReach, SixAxisArm};
