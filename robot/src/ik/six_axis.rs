@@ -35,6 +35,8 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 /// whose angles were typed with few digits, the starts are what its formula finds, which are far
 /// fewer.
 ///
+#[doc = include_str!("six_axes.svg")]
+///
 /// ```
 /// use dq8::DualQuat;
 /// use dq8_robot::ik::{Family, Goal, OwnedReach, SixAxisArm};
