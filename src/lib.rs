@@ -122,6 +122,8 @@ pub mod guide;
 pub mod hierarchy;
 pub mod ik;
 pub mod incidence;
+#[doc(hidden)]
+pub mod internal;
 pub mod interop;
 pub mod law;
 mod macros;
@@ -129,8 +131,6 @@ mod number;
 mod operators;
 pub mod representation;
 pub mod scalar;
-#[doc(hidden)]
-pub mod seams;
 pub mod skinning;
 pub mod slices;
 pub mod storage;
@@ -147,10 +147,6 @@ struct Readme;
 
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
-
-pub(crate) use macros as brief;
-pub(crate) use macros as errors;
-pub(crate) use storage::palette_entry;
 
 pub use backend::{Backend, Kernel, UnavailableBackend};
 pub use contract::{DualNumber, Motion, Quaternion};

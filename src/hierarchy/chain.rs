@@ -4,7 +4,7 @@
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::number::Scalar;
-use crate::palette_entry::motions;
+use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity};
 use core::marker::PhantomData;

@@ -60,6 +60,6 @@ pub use element::{Element, Layout, Number, Register, Tile, identity, tiles};
 #[cfg(feature = "alloc")]
 pub(crate) use packing::{Pack, Unpack, blocks_for};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};
-pub(crate) use palette_entry::MatrixOrder;
+pub(crate) use palette_entry::{MatrixOrder, PaletteEntry};
 pub use shape::{same_length, whole_instances};
-pub(crate) use source::Source;
+pub(crate) use source::{Motions, Source, motions};

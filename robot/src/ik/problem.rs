@@ -8,8 +8,8 @@ use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{Step, UNIT};
 use crate::mechanism::tree::Mechanism;
 use dq8::Real;
+use dq8::internal::{brief, errors};
 use dq8::scalar::{DualQuat, vector};
-use dq8::seams::{brief, errors};
 
 /// What is asked of a link: which of the six components of its error vanish, and how much each
 /// weighs where not all can.

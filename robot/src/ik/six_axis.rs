@@ -17,8 +17,8 @@ use crate::mechanism::walk::Placed;
 use core::ops::Deref;
 use dq8::batch::{self, cos_sin, half_turns, vector};
 #[cfg(feature = "alloc")]
-use dq8::seams::Rows;
-use dq8::seams::{Choice, errors};
+use dq8::internal::Rows;
+use dq8::internal::{Choice, errors};
 use dq8::storage::same_length;
 use dq8::{Backend, DualQuat, Kernel, Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level, Mask, Portable};
@@ -297,7 +297,7 @@ pub struct SolutionsJob<'a, R> {
 }
 
 impl<R> SolutionsJob<'_, R> {
-    dq8::seams::options!();
+    dq8::internal::options!();
 }
 
 impl<R: Scalar> SolutionsJob<'_, R> {

@@ -11,10 +11,10 @@ use dq8::batch::{Quat, vector};
 #[cfg(feature = "alloc")]
 use dq8::geometry::Screw;
 #[cfg(feature = "alloc")]
-use dq8::scalar::DualQuat;
+use dq8::internal::brief;
+use dq8::internal::{Choice, Outputs};
 #[cfg(feature = "alloc")]
-use dq8::seams::brief;
-use dq8::seams::{Choice, Outputs};
+use dq8::scalar::DualQuat;
 use dq8::storage::{Element, Layout, Number, whole_instances};
 use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::{Level, Records};
@@ -76,7 +76,7 @@ impl<R: Copy> Job<'_, R, &[usize]> {
 }
 
 impl<R, S> Job<'_, R, S> {
-    dq8::seams::options!();
+    dq8::internal::options!();
 }
 
 impl<R: Scalar, S: Sync> Job<'_, R, S> {

@@ -2,8 +2,8 @@ use super::joint::{Joint, JointKind, MechanismError};
 use super::step::{NONE, Step, endless, finite, plan, unit};
 use super::values::JointValues;
 use dq8::geometry::{Line, Screw};
+use dq8::internal::brief;
 use dq8::scalar::{DualQuat, Quat, vector};
-use dq8::seams::brief;
 use dq8::storage::{Layout, same_length, whole_instances};
 use dq8::{Real, ShapeError};
 
