@@ -4,7 +4,7 @@
 
 use super::model::Model;
 use super::problem::Reach;
-use super::report::{Options, Report};
+use super::report::{Options, Report, Tracking};
 use super::scratch::enough;
 use super::search::{Lane, Search, Work};
 use dq8::scalar::DualQuat;
@@ -50,7 +50,7 @@ where
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
-        self.search::<true, false>(targets, values, scratch, options)
+        self.search::<true, false>(targets, values, scratch, &(*options).into())
     }
 
     /// [`solve`](Self::solve) without [restarts](Options::restarts), whatever the options say: for
@@ -67,7 +67,7 @@ where
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
         let options = Options { restarts: false, ..*options };
-        self.search::<false, false>(targets, values, scratch, &options)
+        self.search::<false, false>(targets, values, scratch, &options.into())
     }
 
     /// [`follow`](Self::follow) for many goals: steps are of first order, and of more than a pose
@@ -76,7 +76,7 @@ where
     /// are however far something that floats has gone. Steps are damped by half of the squared
     /// error (λ² = ½|e|², Sugihara 2011; of many goals, of its mean), unless a posture or the
     /// start weighs, and the last one is what is returned: in front of a target that it cannot
-    /// reach, an arm goes on with the target in every frame. [`Options::track`] is made for it,
+    /// reach, an arm goes on with the target in every frame. [`Tracking`] has its options,
     /// [`ReachJob::sequence`](super::ReachJob::sequence) does it for clips on lanes.
     ///
     /// # Errors
@@ -86,10 +86,9 @@ where
         targets: &[DualQuat<R>],
         values: &mut [R],
         scratch: &mut [R],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
-        let options = Options { restarts: false, ..*options };
-        self.search::<false, true>(targets, values, scratch, &options)
+        self.search::<false, true>(targets, values, scratch, &options.without_restarts())
     }
 
     #[inline]
@@ -98,13 +97,13 @@ where
         targets: &[DualQuat<R>],
         values: &mut [R],
         scratch: &mut [R],
-        options: &Options<R>,
+        tracking: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
-        let work = Work { targets, values, reports: &mut reports, options, clips: None };
-        work.check(self)?;
+        let work = Work { targets, values, reports: &mut reports, tracking, clips: None };
+        let work = work.checked(self)?;
         enough(scratch.len(), self.scratch_len())?;
-        if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.options, scratch) {
+        if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.tracking, scratch) {
             Search::new(model, work, &mut [Lane::IDLE]).run::<AGAIN>();
         }
         let [report] = reports;
@@ -113,11 +112,17 @@ where
 }
 
 impl<R: Copy> Work<'_, R> {
-    pub(super) fn check(&self, reach: &Reach<'_, R>) -> Result<(), ShapeError> {
+    /// The work, once all of its lengths fit each other and the problem.
+    fn checked(self, reach: &Reach<'_, R>) -> Result<Self, ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
+        if let Some(clips) = self.clips {
+            let frames = clips.iter().fold(0, |frames: usize, &count| frames.saturating_add(count));
+            same_length("frames of clips", frames, configurations)?;
+        }
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
-        same_length("values", self.values.len(), configurations.saturating_mul(values))
+        same_length("values", self.values.len(), configurations.saturating_mul(values))?;
+        Ok(self)
     }
 }
 
@@ -180,14 +185,15 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let scratch = self.reach.batch_scratch_len();
-        Work { targets, values, reports, options, clips: None }.check(&self.reach)?;
+        let (scratch, tracking) = (self.reach.batch_scratch_len(), &Tracking::from(*options));
+        let work = Work { targets, values, reports, tracking, clips: None }.checked(&self.reach)?;
+        let Work { values, reports, .. } = work;
         let backend = self.choice.instructions();
         let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
         let (grain, outputs) = (grain(reports.len()), ((reports, 1), (values, count)));
         let run = |first, ((reports, _), (values, _)): (Rows<Report<R>>, Rows<R>)| {
             let targets = targets.get(first * goals..).unwrap_or_default();
-            let work = Work { targets, values, reports, options, clips: None };
+            let work = Work { targets, values, reports, tracking, clips: None };
             self.run::<true, false>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         backend.share(grain, outputs, &run);
@@ -209,8 +215,8 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let work = Work { targets, values, reports, options, clips: None };
-        work.check(&self.reach)?;
+        let tracking = &Tracking::from(*options);
+        let work = Work { targets, values, reports, tracking, clips: None }.checked(&self.reach)?;
         enough(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<true, false>(self.choice.instructions(), work, scratch);
         Ok(())
@@ -252,7 +258,8 @@ impl<R: Scalar, const AGAIN: bool, const TRACK: bool> Kernel for Targets<'_, R, 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { reach, work, scratch } = self;
-        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.options, scratch) {
+        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.tracking, scratch)
+        {
             Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<AGAIN>();
         }
     }
@@ -269,12 +276,12 @@ impl<R: Scalar> ReachJob<'_, R> {
     ///
     /// `targets` is `[frame][goal]`, `values` `[frame][value]`, and there is a report for each
     /// frame. Allocates [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers for each
-    /// task that runs at the same time. [`Options::track`] is made for it. For a single clip,
+    /// task that runs at the same time. [`Tracking`] has its options. For a single clip,
     /// `track` once a frame is quicker.
     ///
     /// ```
     /// use dq8::DualQuat;
-    /// use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
+    /// use dq8_robot::ik::{Goal, OwnedReach, Report, Tracking};
     /// use dq8_robot::{Joint, OwnedMechanism};
     /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
     /// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
@@ -284,7 +291,7 @@ impl<R: Scalar> ReachJob<'_, R> {
     /// let along = |frame: usize| DualQuat::from_translation([1.5, 0.01 * frame as f64, 0.0]);
     /// let targets: Vec<_> = (0..30).chain(0..20).map(along).collect();
     /// let (mut values, mut reports) = (vec![0.3; 150], vec![Report::default(); 50]);
-    /// reach.job().sequence(&[30, 20], &targets, &mut values, &mut reports, &Options::track())?;
+    /// reach.job().sequence(&[30, 20], &targets, &mut values, &mut reports, &Tracking::default())?;
     /// // Both begin alike, and so go on.
     /// assert_eq!(values[..60], values[90..]);
     /// assert!(reports[29].linear_error < 0.01);
@@ -300,19 +307,19 @@ impl<R: Scalar> ReachJob<'_, R> {
         targets: &[DualQuat<R>],
         values: &mut [R],
         reports: &mut [Report<R>],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
         let scratch = self.reach.batch_scratch_len();
-        let options = &Options { restarts: false, ..*options };
-        check(clips, reports.len())?;
-        Work { targets, values, reports, options, clips: Some(clips) }.check(&self.reach)?;
+        let tracking = &options.without_restarts();
+        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let Work { values, reports, .. } = work.checked(&self.reach)?;
         let backend = self.choice.instructions();
         let goals = self.reach.goals.len();
         let run = |first, part: Clips<'_, R>| {
             let before: usize = clips.iter().take(first).sum();
             let targets = targets.get(before * goals..).unwrap_or_default();
             let Clips { clips, values, reports } = part;
-            let work = Work { targets, values, reports, options, clips: Some(clips) };
+            let work = Work { targets, values, reports, tracking, clips: Some(clips) };
             self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         let all = Clips { clips, values, reports };
@@ -337,22 +344,15 @@ impl<R: Scalar> ReachJob<'_, R> {
         targets: &[DualQuat<R>],
         values: &mut [R],
         reports: &mut [Report<R>],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
-        let options = &Options { restarts: false, ..*options };
-        let work = Work { targets, values, reports, options, clips: Some(clips) };
-        check(clips, work.reports.len())?;
-        work.check(&self.reach)?;
+        let tracking = &options.without_restarts();
+        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let work = work.checked(&self.reach)?;
         enough(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<false, true>(self.choice.instructions(), work, scratch);
         Ok(())
     }
-}
-
-/// Whether clips have as many frames as there are.
-fn check(clips: &[usize], frames: usize) -> Result<(), ShapeError> {
-    let all = clips.iter().fold(0, |all: usize, &count| all.saturating_add(count));
-    same_length("frames of clips", all, frames)
 }
 
 /// What clips write, cut between two.

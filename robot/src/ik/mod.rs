@@ -6,7 +6,7 @@
 //! | [`Reach`], [`Freedom`] | goals of a mechanism, checked once, in memory of the caller |
 //! | `OwnedReach` | the same with memory of its own (feature `alloc`) |
 //! | [`ReachJob`] | searches for many configurations, with options |
-//! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
+//! | [`Options`], [`Tracking`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
 //! | [`Reach::rates`], [`ReachJob::sequence`] | velocities; clips of frames |
 //! | [`SixAxisArm`], [`Solutions`] | all ways in which an arm of six hinges reaches a target |
 
@@ -39,5 +39,5 @@ pub use job::ReachJob;
 pub use owned::{OwnedReach, OwnedSixAxisArm};
 pub use problem::{Goal, Reach, ReachError};
 pub use rates::RatesError;
-pub use report::{Options, Outcome, Report};
+pub use report::{Options, Outcome, Report, Tracking};
 pub use six_axis::{Singular, SixAxisArm, Solution, Solutions, SolutionsError, SolutionsJob};

@@ -5,7 +5,7 @@
 
 use super::freedom::Freedom;
 use super::problem::{Goal, Reach};
-use super::report::Options;
+use super::report::Tracking;
 use super::scratch::{DRAWN, GOAL, POSE, Rows, Scratch, TARGET, TURN};
 use crate::mechanism::placed::Placed;
 use crate::mechanism::step::NONE;
@@ -59,6 +59,19 @@ pub(super) struct Apart<L> {
     pub(super) linear: L,
 }
 
+/// What the lanes are to do in a step.
+#[derive(Clone, Copy)]
+pub(super) struct Decisions<L: Lanes> {
+    /// How many times as much as usual the step is damped.
+    pub(super) caution: L,
+    /// The lanes that step.
+    pub(super) running: L::Mask,
+    /// The lanes that are at their targets, and go on toward the posture.
+    pub(super) arrived: L::Mask,
+    /// Whether the search may begin again, and so asks what a step leaves.
+    pub(super) again: bool,
+}
+
 /// What a step did.
 #[derive(Clone, Copy)]
 pub(super) struct Stepped<L> {
@@ -74,10 +87,10 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     pub(super) fn new(
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,
-        options: &Options<L::Real>,
+        tracking: &Tracking<L::Real>,
         memory: &'s mut [L::Real],
     ) -> Option<Self> {
-        let scratch = Scratch::new(reach, memory)?;
+        let (scratch, options) = (Scratch::new(reach, memory)?, &tracking.options);
         // Each lane has its own with what it is given.
         let one = L::splat(level, dq8::Real::ONE);
         let damping = L::splat(level, options.damping);
@@ -88,12 +101,12 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
             least_damping: damping * damping,
         };
         let square = |weight: L::Real| L::splat(level, weight * weight);
-        let posture = reach.posture.map_or(L::Real::default(), |_| options.posture_weight);
+        let posture = reach.posture.map_or(L::Real::default(), |_| tracking.posture_weight);
         let follows = Follows {
-            by_tree: TRACK && reach.is_by_tree(options),
-            weighs: TRACK && reach.weighs(options),
+            by_tree: TRACK && reach.is_by_tree(tracking),
+            weighs: TRACK && reach.weighs(tracking),
             posture: square(posture),
-            start: square(options.start_weight),
+            start: square(tracking.start_weight),
         };
         Some(Self { level, reach, scales, scratch, follows })
     }

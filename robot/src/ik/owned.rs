@@ -5,7 +5,7 @@ use super::freedom::Freedom;
 use super::job::ReachJob;
 use super::problem::{Facts, Goal, Reach, ReachError};
 use super::rates::RatesError;
-use super::report::{Options, Report};
+use super::report::{Options, Report, Tracking};
 use super::six_axis::{SixAxisArm, Solutions, SolutionsError, SolutionsJob};
 use crate::mechanism::owned::OwnedMechanism;
 use crate::mechanism::tree::Mechanism;
@@ -136,7 +136,7 @@ where
         &mut self,
         targets: &[DualQuat<R>],
         values: &mut [R],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
         self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
     }

@@ -55,10 +55,8 @@ where
         scratch: &mut [R],
     ) -> Result<(), RatesError> {
         same_length("rates", rates.len(), self.mechanism.rates)?;
-        enough(scratch.len(), self.scratch_len())?;
-        let wanted = Wanted { values, twists, damping, rates };
-        wanted.check(self, 1)?;
-        run::<R>(Portable, self, wanted, scratch);
+        let work = Velocities { reach: self, values, twists, damping, rates, scratch };
+        work.checked(1, self.scratch_len())?.solve::<R>(Portable);
         Ok(())
     }
 }
@@ -81,25 +79,28 @@ impl<R: Scalar> ReachJob<'_, R> {
     ) -> Result<(), RatesError> {
         let count =
             dq8::storage::whole_instances("rates", self.reach.mechanism.rates, rates.len())?;
-        enough(scratch.len(), self.reach.batch_scratch_len())?;
-        let wanted = Wanted { values, twists, damping, rates };
-        wanted.check(&self.reach, count)?;
-        self.choice.instructions().run(Velocities { reach: &self.reach, wanted, scratch });
+        let work = Velocities { reach: &self.reach, values, twists, damping, rates, scratch };
+        let work = work.checked(count, self.reach.batch_scratch_len())?;
+        self.choice.instructions().run(work);
         Ok(())
     }
 }
 
-/// What is asked, and where the answer goes.
-struct Wanted<'s, R> {
+/// Velocities of goals, and the place of the rates that have them.
+struct Velocities<'s, R> {
+    reach: &'s Reach<'s, R>,
     values: &'s [R],
     twists: &'s [Twist<R>],
     damping: R,
     rates: &'s mut [R],
+    scratch: &'s mut [R],
 }
 
-impl<R: Real> Wanted<'_, R> {
-    fn check(&self, reach: &Reach<'_, R>, count: usize) -> Result<(), RatesError> {
-        let (goals, values) = (reach.goals.len(), reach.mechanism.values);
+impl<R: Real> Velocities<'_, R> {
+    /// The same, once lengths are those of `count` configurations and all numbers are finite.
+    fn checked(self, count: usize, scratch: usize) -> Result<Self, RatesError> {
+        let (goals, values) = (self.reach.goals.len(), self.reach.mechanism.values);
+        enough(self.scratch.len(), scratch)?;
         same_length("values", self.values.len(), count.saturating_mul(values))?;
         same_length("twists", self.twists.len(), count.saturating_mul(goals))?;
         if !(self.damping >= R::ZERO && self.damping.is_finite()) {
@@ -117,14 +118,8 @@ impl<R: Real> Wanted<'_, R> {
                 }
             }
         }
-        Ok(())
+        Ok(self)
     }
-}
-
-struct Velocities<'s, R> {
-    reach: &'s Reach<'s, R>,
-    wanted: Wanted<'s, R>,
-    scratch: &'s mut [R],
 }
 
 impl<R: Scalar> Kernel for Velocities<'_, R> {
@@ -132,46 +127,47 @@ impl<R: Scalar> Kernel for Velocities<'_, R> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        run::<R::Lanes<V>>(level, self.reach, self.wanted, self.scratch);
+        self.solve::<R::Lanes<V>>(level);
     }
 }
 
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn run<L: Lanes<Real: Scalar>>(
-    level: L::Level,
-    reach: &Reach<'_, L::Real>,
-    wanted: Wanted<'_, L::Real>,
-    scratch: &mut [L::Real],
-) {
-    // A posture is a place, and has no part in velocities.
-    let reach = &Reach { posture: None, ..*reach };
-    let options = Options { damping: wanted.damping, ..Options::track() };
-    let Some(mut model) = Model::<L, true>::new(level, reach, &options, scratch) else { return };
-    let length = reach.facts.size * L::Real::from(0.125);
-    model.scales.length = L::splat(level, length);
-    model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
-    let (count, rates) = (reach.mechanism.values, reach.mechanism.rates);
-    let configurations = wanted.rates.len().checked_div(rates).unwrap_or(0);
-    for first in (0..configurations).step_by(L::LANES) {
-        // Lanes that are left over compute along with the last.
-        for lane in 0..L::LANES {
-            let from = (first + lane).min(configurations - 1);
-            let values = wanted.values.get(from * count..).unwrap_or_default();
-            for (row, &value) in values.iter().enumerate().take(count) {
-                model.scratch.values.set_number(row, lane, value);
-            }
-        }
-        model.place(Of::Values);
-        model.ask_velocities(wanted.twists, first, configurations);
-        model.rates();
-        for rate in 0..rates {
-            let freedom = reach.freedoms.get(reach.column(rate));
-            let unit = if freedom.is_some_and(Freedom::is_slide) { length } else { L::Real::ONE };
+impl<R: Scalar> Velocities<'_, R> {
+    /// The rates of all configurations, of as many at a time as there are lanes.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn solve<L: Lanes<Real = R>>(self, level: L::Level) {
+        // A posture is a place, and has no part in velocities.
+        let Self { values, twists, rates, .. } = self;
+        let reach = &Reach { posture: None, ..*self.reach };
+        let options = Options { damping: self.damping, ..Options::track() };
+        let model = Model::<L, true>::new(level, reach, &options.into(), self.scratch);
+        let Some(mut model) = model else { return };
+        let length = reach.facts.size * L::Real::from(0.125);
+        model.scales.length = L::splat(level, length);
+        model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
+        let (value_count, rate_count) = (reach.mechanism.values, reach.mechanism.rates);
+        let configurations = rates.len().checked_div(rate_count).unwrap_or(0);
+        for first in (0..configurations).step_by(L::LANES) {
+            // Lanes that are left over compute along with the last.
             for lane in 0..L::LANES {
-                // Zero where there is no such column.
-                let radians = model.scratch.radians.number(reach.column(rate), lane);
-                if let Some(slot) = wanted.rates.get_mut((first + lane) * rates + rate) {
-                    *slot = radians * unit;
+                let from = (first + lane).min(configurations - 1);
+                let values = values.get(from * value_count..).unwrap_or_default();
+                for (row, &value) in values.iter().enumerate().take(value_count) {
+                    model.scratch.values.set_number(row, lane, value);
+                }
+            }
+            model.place(Of::Values);
+            model.ask_velocities(twists, first, configurations);
+            model.rates();
+            for rate in 0..rate_count {
+                let freedom = reach.freedoms.get(reach.column(rate));
+                let unit =
+                    if freedom.is_some_and(Freedom::is_slide) { length } else { L::Real::ONE };
+                for lane in 0..L::LANES {
+                    // Zero where there is no such column.
+                    let radians = model.scratch.radians.number(reach.column(rate), lane);
+                    if let Some(slot) = rates.get_mut((first + lane) * rate_count + rate) {
+                        *slot = radians * unit;
+                    }
                 }
             }
         }

@@ -34,15 +34,6 @@ pub struct Options<R> {
     /// are more goals than freedom nothing is reached, and only this says that no more is to be
     /// had. Zero, the default, is no such end.
     pub least_gain: R,
-    /// How much a radian from the [posture](super::Reach::with_posture) weighs against one from a
-    /// target, everywhere and always, in searches that [track](super::Reach::track); others are
-    /// invalid with it. Zero, the default, is what the goals leave free, after they are reached.
-    pub posture_weight: R,
-    /// How much a radian from the start weighs: of a target that moves, from the last frame. It
-    /// takes the shaking out of what goals determine little, for a lag of its square times the way
-    /// in a frame: √(rate/480) for frames per second makes that two milliseconds. Not of what
-    /// floats, which it only makes slower. Like the weight of a posture, for searches that track.
-    pub start_weight: R,
 }
 
 /// 10⁻⁵ rad and 10⁻⁵ lengths, 100 iterations, steps of at most 1.5 rad, restarts.
@@ -57,8 +48,6 @@ impl<R: Real> Default for Options<R> {
             damping: R::ZERO,
             restarts: true,
             least_gain: R::ZERO,
-            posture_weight: R::ZERO,
-            start_weight: R::ZERO,
         }
     }
 }
@@ -100,8 +89,6 @@ impl<R: Real> Options<R> {
             damping: cast(self.damping),
             restarts: self.restarts,
             least_gain: cast(self.least_gain),
-            posture_weight: cast(self.posture_weight),
-            start_weight: cast(self.start_weight),
         }
     }
 
@@ -124,12 +111,61 @@ impl<R: Real> Options<R> {
             && self.damping.is_finite()
             && self.least_gain >= R::ZERO
             && self.least_gain <= R::ONE
-            && self.posture_weight >= R::ZERO
-            && self.posture_weight.is_finite()
-            && self.start_weight >= R::ZERO
-            && self.start_weight.is_finite()
             && length > R::ZERO
             && length.is_finite()
+    }
+}
+
+/// The options of a search that [tracks](super::Reach::track): those of any search, and what weighs
+/// beside the goals in every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tracking<R> {
+    /// The options of any search, [`Options::track`] by default; `restarts` has no effect.
+    pub options: Options<R>,
+    /// The weight of a radian from the [posture](super::Reach::with_posture) against one from a
+    /// target, everywhere and always. With zero, the default, the posture takes what the goals
+    /// leave free, after they are reached.
+    pub posture_weight: R,
+    /// The weight of a radian from the start, which is the last frame of a target that moves. It
+    /// takes the shaking out of joints that the goals hardly determine, for a lag of its square
+    /// times the way in a frame: √(rate/480) for frames per second makes that two milliseconds.
+    /// Zero by default; without effect on joints that float, which it would only slow down.
+    pub start_weight: R,
+}
+
+/// [`Options::track`], without weights.
+impl<R: Real> Default for Tracking<R> {
+    fn default() -> Self {
+        Options::track().into()
+    }
+}
+
+/// These options, without weights.
+impl<R: Real> From<Options<R>> for Tracking<R> {
+    fn from(options: Options<R>) -> Self {
+        Self { options, posture_weight: R::ZERO, start_weight: R::ZERO }
+    }
+}
+
+impl<R: Real> Tracking<R> {
+    /// The same options in other numbers, by way of `f64`.
+    #[must_use]
+    pub fn cast<S: Real>(&self) -> Tracking<S> {
+        let [posture_weight, start_weight] =
+            [self.posture_weight, self.start_weight].map(|weight| S::from_f64(weight.into()));
+        Tracking { options: self.options.cast(), posture_weight, start_weight }
+    }
+
+    /// The same options, of a search that never begins again.
+    pub(super) fn without_restarts(&self) -> Self {
+        Self { options: Options { restarts: false, ..self.options }, ..*self }
+    }
+
+    /// `true` if a search can be made with the weights.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn has_valid_weights(&self) -> bool {
+        let is_valid = |weight: R| weight >= R::ZERO && weight.is_finite();
+        is_valid(self.posture_weight) && is_valid(self.start_weight)
     }
 }
 

@@ -33,8 +33,8 @@
 //! - *Restarts are a constant of the type*, so that firmware without them does not hold them.
 
 use super::freedom::Kind;
-use super::model::{Apart, Model, Of, Stepped};
-use super::report::{Options, Outcome, Report};
+use super::model::{Apart, Decisions, Model, Of, Stepped};
+use super::report::{Options, Outcome, Report, Tracking};
 use super::scratch::GOAL;
 use dq8::batch::Quat;
 use dq8::scalar::DualQuat;
@@ -46,7 +46,8 @@ pub(super) struct Work<'s, R> {
     pub(super) targets: &'s [DualQuat<R>],
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
-    pub(super) options: &'s Options<R>,
+    /// Without weights if the search does not track.
+    pub(super) tracking: &'s Tracking<R>,
     /// How many frames each clip has, of which each starts from the one before; none if all start
     /// from their own values.
     pub(super) clips: Option<&'s [usize]>,
@@ -80,7 +81,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
         let mut last = Stepped { left: zero, moved: zero };
-        let again = AGAIN && self.work.options.restarts;
+        let again = AGAIN && self.work.tracking.options.restarts;
         loop {
             self.exchange();
             if !self.is_working() {
@@ -95,23 +96,10 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             let apart = self.model.compare(None);
             let wish = self.model.wish();
             self.judge(apart, wish, last);
-            // The decisions become vectors again: numbers and masks for the arithmetic of the step.
-            let caution = self.each(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| lane.caution,
-            );
-            let running = self.each(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| one_if(lane.next == Next::Step),
-            );
-            let arrived = self.each(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| one_if(lane.converged),
-            );
-            let running = zero.lt(running);
+            let decisions = self.decisions(again);
             // Those that have ended, or begin again, stay where they are.
-            if running.any() {
-                last = self.model.step(apart, caution, running, zero.lt(arrived), again);
+            if decisions.running.any() {
+                last = self.model.step(apart, decisions);
             }
             if again {
                 self.turn();
@@ -176,6 +164,25 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         }
     }
 
+    /// The decisions of all lanes as vectors again: numbers and masks for the arithmetic of the step.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn decisions(&self, again: bool) -> Decisions<L> {
+        let zero = L::splat(self.model.level, L::Real::ZERO);
+        let caution = self.each(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |lane| lane.caution,
+        );
+        let running = self.each(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |lane| one_if(lane.next == Next::Step),
+        );
+        let arrived = self.each(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |lane| one_if(lane.converged),
+        );
+        Decisions { caution, running: zero.lt(running), arrived: zero.lt(arrived), again }
+    }
+
     /// A number of each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn each(&self, of: impl Fn(&Lane<L::Real>) -> L::Real) -> L {
@@ -193,13 +200,17 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         // to lane.
         let Apart { square, angular, linear } = apart;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
-        let has_posture = self.model.reach.posture.is_some();
-        let weighs = self.model.weighs();
+        let rules = Rules {
+            options: &self.work.tracking.options,
+            has_posture: self.model.reach.posture.is_some(),
+            weighs: self.model.weighs(),
+            tracks: TRACK,
+        };
         let [wish, left, moved] = [wish.to_array(), last.left.to_array(), last.moved.to_array()];
         for index in 0..L::LANES {
             let square = number::<L>(&square, index);
             let seen = Seen {
-                square: if weighs { square + number::<L>(&wish, index) } else { square },
+                square: if rules.weighs { square + number::<L>(&wish, index) } else { square },
                 angular: number::<L>(&angular, index),
                 linear: number::<L>(&linear, index),
                 wish: number::<L>(&wish, index),
@@ -210,7 +221,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             if lane.configuration.is_none() {
                 continue;
             }
-            let (is_best, next) = lane.judge(seen, self.work.options, has_posture, weighs, TRACK);
+            let (is_best, next) = lane.judge(seen, rules);
             lane.next = next;
             // Before the step overwrites them. A search may end far from its best.
             if is_best {
@@ -279,6 +290,17 @@ pub(super) struct Seen<R> {
     pub(super) left: R,
     /// The square of all that the last step changed, in radians.
     pub(super) moved: R,
+}
+
+/// The rules by which all lanes are judged.
+#[derive(Clone, Copy)]
+struct Rules<'s, R> {
+    options: &'s Options<R>,
+    /// Whether a posture is to be approached once the targets are reached.
+    has_posture: bool,
+    /// Whether the posture or the start always acts.
+    weighs: bool,
+    tracks: bool,
 }
 
 /// A search for one configuration.
@@ -357,21 +379,15 @@ impl<R: Real> Lane<R> {
     }
 
     /// Whether this is the nearest so far, and what to do next.
-    pub(super) fn judge(
-        &mut self,
-        seen: Seen<R>,
-        options: &Options<R>,
-        has_posture: bool,
-        weighs: bool,
-        track: bool,
-    ) -> (bool, Next) {
+    fn judge(&mut self, seen: Seen<R>, rules: Rules<'_, R>) -> (bool, Next) {
+        let Rules { options, has_posture, weighs, tracks } = rules;
         let arrived = seen.angular <= options.angular_tolerance
             && seen.linear <= options.linear_tolerance
             && !self.out_of_reach;
         // Judged before anything ends: what is reported is the best, whichever pose is the last.
         let is_best = if weighs {
             self.is_fresh || self.is_nearer(&seen)
-        } else if track && !self.converged && seen.square.is_finite() {
+        } else if tracks && !self.converged && seen.square.is_finite() {
             // Of a target that moves the last step counts, if its pose is one: where only the best
             // counted, an arm in front of a pose that it cannot hold would stand until a leap pays.
             true
@@ -593,10 +609,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// with.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
-        let options = self.work.options;
-        // Who does not track, does not know them.
-        let weighs = options.posture_weight > L::Real::ZERO || options.start_weight > L::Real::ZERO;
-        if !options.is_valid() || (weighs && !TRACK) {
+        let options = &self.work.tracking.options;
+        if !options.is_valid() || (TRACK && !self.work.tracking.has_valid_weights()) {
             return None;
         }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
@@ -614,7 +628,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         let targets = self.work.targets.get(configuration * goals..)?.get(..goals)?;
         for index in 0..goals {
             let target = *targets.get(index)?;
-            let tolerance = self.work.options.linear_tolerance;
+            let tolerance = options.linear_tolerance;
             let (target, drawn) = reach.clamped(index, target, tolerance)?;
             beyond |= drawn.is_some();
             let numbers = target.to_array().into_iter().chain(drawn.unwrap_or_default());
@@ -627,7 +641,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         let longest =
             || if TRACK { reach.facts.size } else { reach.typical_length_to(targets, values) };
         let eighth = || longest() * L::Real::from(0.125);
-        let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
+        let length = options.length_per_radian.unwrap_or_else(eighth);
         if !length.is_finite() {
             return None;
         }

@@ -3,7 +3,7 @@
 //! Arms of the two families are solved by formula (`branches.rs`), and every solution is put
 //! through the mechanism once more before it counts. Other arms are searched from many starts.
 
-use super::branches::{Arm, Complex};
+use super::branches::{Arm, Branch, Complex};
 use super::family::{Family, Geometry};
 use super::freedom::Range;
 use super::problem::Reach;
@@ -120,30 +120,6 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
     }
 }
 
-pub(super) fn check<R: Real>(
-    targets: &[DualQuat<R>],
-    starts: &[[R; 6]],
-) -> Result<(), SolutionsError> {
-    for (index, target) in targets.iter().enumerate() {
-        for number in target.to_array() {
-            if !number.is_finite() {
-                return Err(SolutionsError::Target { index, value: number.into() });
-            }
-        }
-        if !target.is_unit(R::from(UNIT)) {
-            return Err(SolutionsError::NotUnit { index, norm: target.real().norm().into() });
-        }
-    }
-    for (index, start) in starts.iter().enumerate() {
-        for (hinge, value) in start.iter().enumerate() {
-            if !value.is_finite() {
-                return Err(SolutionsError::Start { index, hinge, value: (*value).into() });
-            }
-        }
-    }
-    Ok(())
-}
-
 /// All ways in which an arm of six hinges has its tool at a target, the nearest to the start first.
 /// A slice of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -252,34 +228,22 @@ where
         scratch: &mut [R],
     ) -> Result<Solutions<R>, SolutionsError> {
         enough(scratch.len(), self.scratch_len())?;
-        check(&[target], &[*start])?;
         let mut found = [Solutions::default()];
+        let (targets, starts) = (&[target], &[*start]);
+        let mut work = Targets { arm: self, targets, starts, found: &mut found }.checked()?;
         if self.geometry.family != Family::Other {
-            run::<R>(Portable, self, &[target], &[*start], &mut found);
+            work.by_formula::<R>(Portable);
         }
-        let others = if self.geometry.is_exact() { None } else { Some(remembered(&self.reach)) };
-        if let (Some((values, scratch)), [found]) =
-            (others.and_then(|others| scratch.split_at_mut_checked(others)), &mut found)
-        {
-            let size = self.reach.mechanism.values;
-            search_all(
-                &self.reach,
-                target,
-                start,
-                found,
-                values,
-                |targets, values, reports, options| {
-                    let starts = values.chunks_exact_mut(size.max(1)).zip(targets);
-                    for ((values, &target), report) in starts.zip(reports) {
-                        // Lengths fit; what is not there, has not converged.
-                        *report = self
-                            .reach
-                            .follow(&[target], values, scratch, options)
-                            .unwrap_or_default();
-                    }
-                },
-            );
-        }
+        let size = self.reach.mechanism.values.max(1);
+        work.by_searches(scratch, |work, scratch| {
+            let starts = work.values.chunks_exact_mut(size).zip(work.targets);
+            for ((values, &target), report) in starts.zip(work.reports) {
+                let options = &work.tracking.options;
+                // Lengths fit; a search that cannot be made has not converged.
+                let report_of = self.reach.follow(&[target], values, scratch, options);
+                *report = report_of.unwrap_or_default();
+            }
+        });
         let [found] = found;
         Ok(found)
     }
@@ -313,14 +277,15 @@ impl<R: Scalar> SolutionsJob<'_, R> {
         starts: &[[R; 6]],
         found: &mut [Solutions<R>],
     ) -> Result<(), SolutionsError> {
-        self.check(targets, starts, found)?;
+        let arm = &self.arm;
+        let Targets { found, .. } = Targets { arm, targets, starts, found }.checked()?;
         let backend = self.choice.instructions();
         let grain = if self.arm.family() == Family::Other { 1 } else { 256 };
         backend.share(grain, (found, 1), &|first, (found, _): Rows<'_, Solutions<R>>| {
             let targets = targets.get(first..).unwrap_or_default();
             let starts = starts.get(first..).unwrap_or_default();
             let mut scratch = alloc::vec![R::ZERO; self.arm.batch_scratch_len()];
-            self.run(backend, &mut scratch, targets, starts, found);
+            Targets { arm, targets, starts, found }.run(backend, &mut scratch);
         });
         Ok(())
     }
@@ -339,58 +304,13 @@ impl<R: Scalar> SolutionsJob<'_, R> {
         found: &mut [Solutions<R>],
     ) -> Result<(), SolutionsError> {
         enough(scratch.len(), self.arm.batch_scratch_len())?;
-        self.check(targets, starts, found)?;
-        self.run(self.choice.instructions(), scratch, targets, starts, found);
+        let work = Targets { arm: &self.arm, targets, starts, found }.checked()?;
+        work.run(self.choice.instructions(), scratch);
         Ok(())
-    }
-
-    fn check(
-        &self,
-        targets: &[DualQuat<R>],
-        starts: &[[R; 6]],
-        found: &[Solutions<R>],
-    ) -> Result<(), SolutionsError> {
-        same_length("starts", starts.len(), targets.len())?;
-        same_length("found", found.len(), targets.len())?;
-        check(targets, starts)
-    }
-
-    fn run(
-        &self,
-        backend: Backend,
-        scratch: &mut [R],
-        targets: &[DualQuat<R>],
-        starts: &[[R; 6]],
-        found: &mut [Solutions<R>],
-    ) {
-        let arm = &self.arm;
-        if arm.geometry.family != Family::Other {
-            backend.run(Targets { arm, targets, starts, found: &mut *found });
-        }
-        if arm.geometry.is_exact() {
-            return;
-        }
-        let split = scratch.split_at_mut_checked(remembered(&arm.reach));
-        let Some((values, scratch)) = split else { return };
-        for ((&target, start), found) in targets.iter().zip(starts).zip(found) {
-            search_all(
-                &arm.reach,
-                target,
-                start,
-                found,
-                values,
-                |targets, values, reports, options| {
-                    let work = Work { targets, values, reports, options, clips: None };
-                    // The kernel of other searches, told by `options` that it does not begin again;
-                    // firmware may have no other.
-                    const AGAIN: bool = cfg!(not(target_os = "none"));
-                    arm.reach.job().run::<AGAIN, false>(backend, work, scratch);
-                },
-            );
-        }
     }
 }
 
+/// Targets and starts, and the places of their solutions.
 struct Targets<'s, R> {
     arm: &'s SixAxisArm<'s, R>,
     targets: &'s [DualQuat<R>],
@@ -398,33 +318,112 @@ struct Targets<'s, R> {
     found: &'s mut [Solutions<R>],
 }
 
+impl<R: Real> Targets<'_, R> {
+    /// The same, once lengths fit, all numbers are finite, and targets are unit motions.
+    fn checked(self) -> Result<Self, SolutionsError> {
+        same_length("starts", self.starts.len(), self.targets.len())?;
+        same_length("found", self.found.len(), self.targets.len())?;
+        for (index, target) in self.targets.iter().enumerate() {
+            for number in target.to_array() {
+                if !number.is_finite() {
+                    return Err(SolutionsError::Target { index, value: number.into() });
+                }
+            }
+            if !target.is_unit(R::from(UNIT)) {
+                return Err(SolutionsError::NotUnit { index, norm: target.real().norm().into() });
+            }
+        }
+        for (index, start) in self.starts.iter().enumerate() {
+            for (hinge, value) in start.iter().enumerate() {
+                if !value.is_finite() {
+                    return Err(SolutionsError::Start { index, hinge, value: (*value).into() });
+                }
+            }
+        }
+        Ok(self)
+    }
+}
+
+impl<R: Scalar> Targets<'_, R> {
+    fn run(self, backend: Backend, scratch: &mut [R]) {
+        let arm = self.arm;
+        if arm.geometry.family != Family::Other {
+            backend.run(Targets { found: &mut *self.found, ..self });
+        }
+        self.by_searches(scratch, |work, scratch| {
+            // The kernel of other searches, told by `options` that it does not begin again; firmware
+            // may have no other.
+            const AGAIN: bool = cfg!(not(target_os = "none"));
+            arm.reach.job().run::<AGAIN, false>(backend, work, scratch);
+        });
+    }
+
+    /// Solutions by the formulas of the arm's family, for as many targets at a time as there are
+    /// lanes.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn by_formula<L: Lanes<Real = R>>(&mut self, level: L::Level) {
+        for first in (0..self.found.len()).step_by(L::LANES) {
+            let group = Group::<L>::load(level, self, first);
+            let branches = Arm::new(level, &self.arm.geometry, group.target, group.turns).solve();
+            let rest = self.found.get_mut(first..).unwrap_or_default();
+            let lanes = rest.len().min(L::LANES);
+            let found = rest.get_mut(..lanes).unwrap_or_default();
+            for slot in found.iter_mut() {
+                slot.clear(true);
+            }
+            for branch in branches.iter().filter(|branch| branch.exists.any()) {
+                group.insert(branch, found);
+            }
+        }
+    }
+
+    /// Solutions by searches, where the formulas are not those of the arm: `search` solves all that
+    /// it is given in the scratch.
+    fn by_searches(self, scratch: &mut [R], mut search: impl FnMut(Work<'_, R>, &mut [R])) {
+        let reach = &self.arm.reach;
+        if self.arm.geometry.is_exact() {
+            return;
+        }
+        let split = scratch.split_at_mut_checked(remembered(reach));
+        let Some((values, scratch)) = split else { return };
+        for ((&target, start), found) in self.targets.iter().zip(self.starts).zip(self.found) {
+            let starts = Starts { reach, target, start, found, values: &mut *values };
+            starts.search_all(|work| search(work, scratch));
+        }
+    }
+}
+
 impl<R: Scalar> Kernel for Targets<'_, R> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn run<V: Level>(self, level: V) {
-        run::<R::Lanes<V>>(level, self.arm, self.targets, self.starts, self.found);
+    fn run<V: Level>(mut self, level: V) {
+        self.by_formula::<R::Lanes<V>>(level);
     }
 }
 
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn run<L: Lanes<Real: Scalar>>(
+/// A target and a start in each lane.
+struct Group<'s, L: Lanes> {
     level: L::Level,
-    arm: &SixAxisArm<'_, L::Real>,
-    targets: &[DualQuat<L::Real>],
-    starts: &[[L::Real; 6]],
-    found: &mut [Solutions<L::Real>],
-) {
-    let zero = L::splat(level, L::Real::ZERO);
-    // Searches go on from what is only near, and keep within the limits.
-    let beside = if arm.geometry.is_exact() { zero } else { L::splat(level, arm.near()) };
-    for first in (0..found.len()).step_by(L::LANES) {
+    arm: &'s SixAxisArm<'s, L::Real>,
+    target: batch::DualQuat<L>,
+    /// The values of the start, within the limits, and the same as turns.
+    start: [L; 6],
+    turns: [Complex<L>; 6],
+}
+
+impl<'s, L: Lanes<Real: Scalar>> Group<'s, L> {
+    /// The targets from number `first` on.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load(level: L::Level, work: &Targets<'s, L::Real>, first: usize) -> Self {
+        let zero = L::splat(level, L::Real::ZERO);
+        let arm = work.arm;
         let mut numbers = [zero.to_array(); 14];
         for lane in 0..L::LANES {
             // Lanes that are left over compute along with the last.
-            let from = (first + lane).min(found.len() - 1);
-            let target = targets.get(from).copied().unwrap_or(DualQuat::IDENTITY);
-            let start = starts.get(from).copied().unwrap_or_default();
+            let from = (first + lane).min(work.found.len() - 1);
+            let target = work.targets.get(from).copied().unwrap_or(DualQuat::IDENTITY);
+            let start = work.starts.get(from).copied().unwrap_or_default();
             let all = target.to_array().into_iter().chain(start);
             for (array, number) in numbers.iter_mut().zip(all) {
                 if let Some(slot) = array.as_mut().get_mut(lane) {
@@ -445,46 +444,47 @@ fn run<L: Lanes<Real: Scalar>>(
             let (re, im) = cos_sin(value);
             (start[index], turns[index]) = (value, Complex { re, im });
         }
-        let branches = Arm::new(level, &arm.geometry, target, turns).solve();
-        for slot in found.iter_mut().skip(first).take(L::LANES) {
-            slot.clear(true);
+        Self { level, arm, target, start, turns }
+    }
+
+    /// Puts what holds of a branch, within limits and by the mechanism, into the lanes' solutions.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn insert(&self, branch: &Branch<L>, found: &mut [Solutions<L::Real>]) {
+        let (level, arm, start) = (self.level, self.arm, self.start);
+        let zero = L::splat(level, L::Real::ZERO);
+        // Searches go on from what is only near, and keep within the limits.
+        let beside = if arm.geometry.is_exact() { zero } else { L::splat(level, arm.near()) };
+        let mut exists = branch.exists;
+        let (mut values, mut square) = ([zero; 6], zero);
+        let fit = L::splat(level, arm.geometry.fit);
+        for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
+            let angle = branch.turns[index].angle();
+            // As far as a nearly stretched elbow tells.
+            let rounding = branch.rounding(Range::rounding(start[index]), fit);
+            let value = freedom.range.nearest(angle, start[index], rounding);
+            let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
+            exists = exists & beyond.abs().le(rounding + beside);
+            let way = value - start[index];
+            square = way.mul_add(way, square);
+            values[index] = value;
         }
-        for branch in &branches {
-            let mut exists = branch.exists;
-            if !exists.any() {
+        exists = exists & arm.is_there(values, self.target);
+        let distance = square.sqrt().to_array();
+        let values = values.map(|value| value.to_array());
+        let exists = exists.to_bitmask();
+        let singular = branch.singular.map(|mask| mask.to_bitmask());
+        for (lane, slot) in found.iter_mut().enumerate() {
+            if exists >> lane & 1 == 0 {
                 continue;
             }
-            let (mut values, mut square) = ([zero; 6], zero);
-            let fit = L::splat(level, arm.geometry.fit);
-            for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
-                let angle = branch.turns[index].angle();
-                // As far as a nearly stretched elbow tells.
-                let rounding = branch.rounding(Range::rounding(start[index]), fit);
-                let value = freedom.range.nearest(angle, start[index], rounding);
-                let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
-                exists = exists & beyond.abs().le(rounding + beside);
-                let way = value - start[index];
-                square = way.mul_add(way, square);
-                values[index] = value;
+            let mut solution = Solution::default();
+            for (value, array) in solution.values.iter_mut().zip(&values) {
+                *value = array.as_ref().get(lane).copied().unwrap_or_default();
             }
-            exists = exists & arm.is_there(values, target);
-            let distance = square.sqrt().to_array();
-            let values = values.map(|value| value.to_array());
-            let exists = exists.to_bitmask();
-            let singular = branch.singular.map(|mask| mask.to_bitmask());
-            for (lane, slot) in found.iter_mut().skip(first).take(L::LANES).enumerate() {
-                if exists >> lane & 1 == 0 {
-                    continue;
-                }
-                let mut solution = Solution::default();
-                for (value, array) in solution.values.iter_mut().zip(&values) {
-                    *value = array.as_ref().get(lane).copied().unwrap_or_default();
-                }
-                solution.distance = distance.as_ref().get(lane).copied().unwrap_or_default();
-                let [shoulder, elbow, wrist] = singular.map(|mask| mask >> lane & 1 == 1);
-                solution.singular = Singular { shoulder, elbow, wrist };
-                slot.insert(solution);
-            }
+            solution.distance = distance.as_ref().get(lane).copied().unwrap_or_default();
+            let [shoulder, elbow, wrist] = singular.map(|mask| mask >> lane & 1 == 1);
+            solution.singular = Singular { shoulder, elbow, wrist };
+            slot.insert(solution);
         }
     }
 }
@@ -530,71 +530,86 @@ const STARTS: usize = 64;
 const OTHER: f32 = 1e-3;
 
 /// How many numbers it takes to remember them.
-pub(super) fn remembered<R: Copy>(reach: &Reach<'_, R>) -> usize {
+fn remembered<R: Copy>(reach: &Reach<'_, R>) -> usize {
     reach.mechanism.values.saturating_mul(STARTS)
 }
 
-/// The solutions that `search` comes to: from those `found` of an arm that is nearly the same; if
-/// there are none, from `start` and from values that are spread evenly within the limits.
-pub(super) fn search_all<R: Scalar>(
-    reach: &Reach<'_, R>,
+/// Searches for the solutions of one target.
+struct Starts<'s, R> {
+    reach: &'s Reach<'s, R>,
     target: DualQuat<R>,
-    start: &[R; 6],
-    found: &mut Solutions<R>,
-    values: &mut [R],
-    search: impl FnOnce(&[DualQuat<R>], &mut [R], &mut [Report<R>], &Options<R>),
-) {
-    let fine = R::from(if R::EPSILON > R::from(1e-10) { 1e-5 } else { 1e-10 });
-    let options = Options {
-        angular_tolerance: fine,
-        linear_tolerance: fine,
-        max_iterations: 50,
-        restarts: false,
-        ..Options::default()
-    };
-    values.fill(R::ZERO);
-    let size = reach.mechanism.values.max(1);
-    let hinges = || reach.freedoms.iter().zip(start);
-    let guesses = *found;
-    let count = if guesses.is_empty() { STARTS } else { guesses.len() };
-    let values = values.get_mut(..count * size).unwrap_or_default();
-    for (number, values) in (0..).zip(values.chunks_exact_mut(size)) {
-        let guess = guesses.get(number as usize);
-        for (hinge, (freedom, &start)) in hinges().enumerate() {
-            let guess = guess.and_then(|guess| guess.values.get(hinge));
-            if let Some(slot) = values.get_mut(freedom.value as usize) {
-                *slot = match guess {
-                    Some(&guess) => guess,
-                    None if number == 0 => start,
-                    None => freedom.beginning(number),
-                };
+    start: &'s [R; 6],
+    /// The solutions of an arm that is nearly the same; then those of this one.
+    found: &'s mut Solutions<R>,
+    /// Memory for [`STARTS`] configurations.
+    values: &'s mut [R],
+}
+
+impl<R: Scalar> Starts<'_, R> {
+    /// The solutions that `search` comes to: from those found of an arm that is nearly the same; if
+    /// there are none, from the start and from values that are spread evenly within the limits.
+    fn search_all(self, search: impl FnOnce(Work<'_, R>)) {
+        let Self { reach, target, start, found, values } = self;
+        let fine = R::from(if R::EPSILON > R::from(1e-10) { 1e-5 } else { 1e-10 });
+        let options = Options {
+            angular_tolerance: fine,
+            linear_tolerance: fine,
+            max_iterations: 50,
+            restarts: false,
+            ..Options::default()
+        };
+        values.fill(R::ZERO);
+        let size = reach.mechanism.values.max(1);
+        let hinges = || reach.freedoms.iter().zip(start);
+        let guesses = *found;
+        let count = if guesses.is_empty() { STARTS } else { guesses.len() };
+        let values = values.get_mut(..count * size).unwrap_or_default();
+        for (number, values) in (0..).zip(values.chunks_exact_mut(size)) {
+            let guess = guesses.get(number as usize);
+            for (hinge, (freedom, &start)) in hinges().enumerate() {
+                let guess = guess.and_then(|guess| guess.values.get(hinge));
+                if let Some(slot) = values.get_mut(freedom.value as usize) {
+                    *slot = match guess {
+                        Some(&guess) => guess,
+                        None if number == 0 => start,
+                        None => freedom.beginning(number),
+                    };
+                }
             }
         }
-    }
-    let (targets, mut reports) = ([target; STARTS], [Report::default(); STARTS]);
-    let reports = reports.get_mut(..count).unwrap_or_default();
-    search(targets.get(..count).unwrap_or_default(), values, reports, &options);
-    found.clear(false);
-    for (values, report) in values.chunks_exact(size).zip(reports) {
-        if !report.is_converged() {
-            continue;
-        }
-        let mut solution = Solution::default();
-        for ((freedom, &start), slot) in hinges().zip(&mut solution.values) {
-            let value = values.get(freedom.value as usize).copied().unwrap_or_default();
-            let [value, to] =
-                [value, start].map(|value| R::Lanes::<Portable>::splat(Portable, value));
-            let near = freedom.range.keep(value, freedom.range.keep(to, freedom.range.clamp(to)));
-            *slot = near.to_array().as_ref().first().copied().unwrap_or_default();
-            solution.distance += (*slot - start) * (*slot - start);
-        }
-        solution.distance = solution.distance.sqrt();
-        let is_known = found.iter().any(|known| {
-            let pairs = known.values.iter().zip(&solution.values);
-            pairs.into_iter().all(|(&a, &b)| ((a - b) * R::HALF).sin().abs() < R::from(OTHER))
+        let (targets, mut reports) = ([target; STARTS], [Report::default(); STARTS]);
+        let reports = reports.get_mut(..count).unwrap_or_default();
+        let targets = targets.get(..count).unwrap_or_default();
+        search(Work {
+            targets,
+            values,
+            reports: &mut *reports,
+            tracking: &options.into(),
+            clips: None,
         });
-        if !is_known {
-            found.insert(solution);
+        found.clear(false);
+        for (values, report) in values.chunks_exact(size).zip(reports) {
+            if !report.is_converged() {
+                continue;
+            }
+            let mut solution = Solution::default();
+            for ((freedom, &start), slot) in hinges().zip(&mut solution.values) {
+                let value = values.get(freedom.value as usize).copied().unwrap_or_default();
+                let [value, to] =
+                    [value, start].map(|value| R::Lanes::<Portable>::splat(Portable, value));
+                let near =
+                    freedom.range.keep(value, freedom.range.keep(to, freedom.range.clamp(to)));
+                *slot = near.to_array().as_ref().first().copied().unwrap_or_default();
+                solution.distance += (*slot - start) * (*slot - start);
+            }
+            solution.distance = solution.distance.sqrt();
+            let is_known = found.iter().any(|known| {
+                let pairs = known.values.iter().zip(&solution.values);
+                pairs.into_iter().all(|(&a, &b)| ((a - b) * R::HALF).sin().abs() < R::from(OTHER))
+            });
+            if !is_known {
+                found.insert(solution);
+            }
         }
     }
 }

@@ -15,7 +15,7 @@
 //! At the end of the file the normal equations, of a size that is known at run time.
 
 use super::freedom::{Freedom, Kind};
-use super::model::{Apart, Model, Stepped};
+use super::model::{Apart, Decisions, Model, Stepped};
 use super::scratch::{Rows, Scratch};
 use crate::mechanism::values::half_turn;
 use dq8::Scalar;
@@ -34,17 +34,10 @@ const DAMPING: f64 = 0.02;
 const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived,
-    /// toward the posture too.
+    /// Moves the lanes that run; those that have arrived, toward the posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn step(
-        &mut self,
-        apart: Apart<L>,
-        caution: L,
-        running: L::Mask,
-        arrived: L::Mask,
-        again: bool,
-    ) -> Stepped<L> {
+    pub(super) fn step(&mut self, apart: Apart<L>, decisions: Decisions<L>) -> Stepped<L> {
+        let Decisions { caution, running, arrived, again } = decisions;
         let weighs = self.weighs();
         let mut square = apart.square;
         let mut part = caution.constant(DAMPING);

@@ -12,7 +12,7 @@
 use super::freedom::Freedom;
 use super::model::Model;
 use super::problem::{Goal, Reach};
-use super::report::Options;
+use super::report::Tracking;
 use super::scratch::{BODY, Scratch};
 use super::step::FLOOR;
 use crate::mechanism::step::{NONE, Step};
@@ -215,13 +215,13 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 
 impl<R: Real> Reach<'_, R> {
     /// Whether the posture or the start always acts.
-    pub(super) fn weighs(&self, options: &Options<R>) -> bool {
+    pub(super) fn weighs(&self, options: &Tracking<R>) -> bool {
         let posture = self.posture.is_some() && options.posture_weight > R::ZERO;
         posture || options.start_weight > R::ZERO
     }
 
     /// Whether searches with these options have the shape of the tree.
-    pub(super) fn is_by_tree(&self, options: &Options<R>) -> bool {
+    pub(super) fn is_by_tree(&self, options: &Tracking<R>) -> bool {
         let is_weighed = self.posture.is_none() || options.posture_weight > R::ZERO;
         self.facts.tree > 0 && is_weighed
     }
