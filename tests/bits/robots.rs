@@ -87,8 +87,15 @@ pub(super) fn robots(
     let (job, mut speeds) = (reach.job().backend(k), rates);
     job.rates_in(&mut scratch, &values, &twists[..COUNT], 0.1, &mut speeds).expect("lengths fit");
     say("Reach, rates", hash(&speeds));
-    job.sequence_in(&mut scratch, &[4, 7], &targets, &mut start, &mut reports, &Tracking::default())
-        .expect("lengths fit");
+    job.sequence_in(
+        &mut scratch,
+        &[4, 7],
+        &targets,
+        &mut start,
+        &mut reports,
+        &Tracking::default(),
+    )
+    .expect("lengths fit");
     say("Reach, clips", hash(&start));
 }
 
