@@ -2,7 +2,7 @@
 
 use super::goal::{Goal, ReachError};
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::limits::endless;
+use crate::mechanism::step::endless;
 use crate::mechanism::step::{NONE, Step};
 use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};

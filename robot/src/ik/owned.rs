@@ -8,7 +8,7 @@ use super::problem::{Facts, Reach};
 use super::rates::RatesError;
 use super::report::{Options, Report, Tracking};
 use super::six_axis::{SixAxisArm, Solutions, SolutionsJob};
-use crate::mechanism::owned::OwnedMechanism;
+use crate::mechanism::job::OwnedMechanism;
 use crate::mechanism::tree::Mechanism;
 use alloc::vec;
 use alloc::vec::Vec;

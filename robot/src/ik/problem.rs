@@ -3,8 +3,8 @@
 
 use super::freedom::{Freedom, Range, freedoms, tree_shape};
 use super::goal::{Goal, ReachError};
+use crate::mechanism::job::carries;
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::poses::carries;
 use crate::mechanism::step::{Step, UNIT};
 use crate::mechanism::tree::Mechanism;
 use dq8::Real;
