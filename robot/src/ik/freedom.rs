@@ -2,7 +2,7 @@
 
 use super::problem::ReachError;
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::step::endless;
+use crate::mechanism::step::unlimited;
 use crate::mechanism::step::{NONE, Step};
 use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
@@ -100,7 +100,7 @@ impl<R: Real> Freedom<R> {
             JointKind::Screw { pitch, .. } => (Kind::Turn, pitch == R::ZERO, 0),
             _ => (Kind::Turn, true, index),
         };
-        let [low, high] = step.limits.unwrap_or(endless());
+        let [low, high] = step.limits.unwrap_or(unlimited());
         let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
         let value = step.value.saturating_add(value as u32);
         let range = Range { low, high, turns };
@@ -224,7 +224,7 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     };
     let keeps = is_hinge && is_whole(step.multiplier);
     let range = Range { turns: if keeps { range.turns } else { Turns::Matter }, ..range };
-    match step.narrows([range.low, range.high]) {
+    match step.narrowed([range.low, range.high]) {
         Some([low, high]) => Range { low, high, ..range },
         // Others have left no more than one value.
         None => range,

@@ -189,7 +189,7 @@ impl<R: Real> Mechanism<'_, R> {
         for step in self.steps {
             let Some(pose) = poses.get(step.link as usize) else { continue };
             let zero = Twist::from_array([R::ZERO; 6]);
-            let own = step.moved(values, rates).fold(zero, |sum, own| sum + own);
+            let own = step.own_twists(values, rates).fold(zero, |sum, own| sum + own);
             let mut twist = pose.adjoint(own);
             if let Some(parent) = twists.get(step.parent as usize) {
                 twist = *parent + twist;
@@ -226,7 +226,7 @@ impl<R: Real> Mechanism<'_, R> {
             let Some(pose) = poses.get(step.link as usize) else { continue };
             let parent = step.parent as usize;
             let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
-            let own = step.moved(values, second_rates).fold(zero, |sum, own| sum + own);
+            let own = step.own_twists(values, second_rates).fold(zero, |sum, own| sum + own);
             acceleration = acceleration + pose.adjoint(own);
             // What carries the screws of the joint along: its parent, and for the turn of a planar
             // joint its slides, which are before it.
@@ -323,7 +323,7 @@ impl<R: Real> Step<R> {
     }
 
     /// The body twists for the joint's rates among all of them, in order.
-    fn moved(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
+    fn own_twists(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
         // None of a joint without rates.
         let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
         let own = rates.take(self.kind.rates()).enumerate();

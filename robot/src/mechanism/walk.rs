@@ -17,12 +17,12 @@
 //! - *Subtrees follow each other*, so that links nobody asked for are one jump.
 //! - *Half translations.* ½t is what dual parts are made of: it saves a factor in every product.
 //! - *Axes of the frame's own* take half the operations of others, and placements without a turn
-//!   none ([`Placed`]).
+//!   none ([`HalfPose`]).
 
 use super::joint::JointKind;
 use super::step::{Alignment, NONE, Step};
 use super::tree::Mechanism;
-use super::values::{Group, JointNumbers, JointValues, Numbers, Part, half_turn};
+use super::values::{CachedValues, Group, JointValues, LaneValues, Part, checked_cos_sin};
 use dq8::batch::{Quat, vector};
 use dq8::geometry::Twist;
 use dq8::storage::Layout;
@@ -60,7 +60,7 @@ pub(crate) trait Task<Y: Layout> {
         level: V,
         group: Group,
         step: &Step<Y::Real>,
-        joined: &Joined<Y::Register<V>>,
+        joined: &LinkFrames<Y::Register<V>>,
         parent: &Self::Carried<V>,
         state: &mut Self::State<V>,
     ) -> Self::Carried<V>;
@@ -71,11 +71,11 @@ pub(crate) trait Task<Y: Layout> {
 
 /// A link and its joint, one configuration per lane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Joined<L> {
+pub(crate) struct LinkFrames<L> {
     /// The frame of the joint.
-    pub(crate) before: Placed<L>,
+    pub(crate) joint: HalfPose<L>,
     /// The link.
-    pub(crate) pose: Placed<L>,
+    pub(crate) link: HalfPose<L>,
 }
 
 pub(crate) struct Walk<'r, Y: Layout, T, K> {
@@ -97,14 +97,14 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { mechanism, values, elements, mut task } = self;
-        let mut numbers = Numbers::<Y, T, V>::new(level, values, mechanism.values);
-        let mut poses = [Placed::<Y::Register<V>>::identity(level); SLOTS];
+        let mut numbers = CachedValues::<Y, T, V>::new(level, values, mechanism.values);
+        let mut poses = [HalfPose::<Y::Register<V>>::identity(level); SLOTS];
         let mut carried = [K::base(level); SLOTS];
         let mut state = task.start(level);
         for first in (0..elements).step_by(Y::records::<V>()) {
             for register in 0..Y::registers::<V>() {
                 let group = Group { first, register };
-                numbers.turn_to(group);
+                numbers.seek(group);
                 task.begin(level, group, mechanism.steps, &mut state);
                 let mut position = 0;
                 while let Some(step) = mechanism.steps.get(position) {
@@ -117,7 +117,7 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                     let is_root = step.parent == NONE;
                     let before = frame(level, &poses, step);
                     let pose = moved(level, before, step, &mut numbers);
-                    let joined = Joined { before, pose };
+                    let joined = LinkFrames { joint: before, link: pose };
                     let parent = if is_root { K::base(level) } else { carried[from] };
                     poses[to] = pose;
                     carried[to] = task.link(level, group, step, &joined, &parent, &mut state);
@@ -139,11 +139,11 @@ pub(crate) fn slots<R>(step: &Step<R>) -> (usize, usize) {
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn frame<L: Lanes<Real: Scalar>>(
     level: L::Level,
-    poses: &[Placed<L>; SLOTS],
+    poses: &[HalfPose<L>; SLOTS],
     step: &Step<L::Real>,
-) -> Placed<L> {
+) -> HalfPose<L> {
     if step.parent == NONE {
-        return Placed::root(level, step);
+        return HalfPose::root(level, step);
     }
     let (from, _) = slots(step);
     poses[from].place(step)
@@ -151,25 +151,25 @@ pub(crate) fn frame<L: Lanes<Real: Scalar>>(
 
 /// From the frame of the joint to that of the link.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
+pub(crate) fn moved<L: Lanes<Real: Scalar>, N: LaneValues<L>>(
     level: L::Level,
-    before: Placed<L>,
+    before: HalfPose<L>,
     step: &Step<L::Real>,
     numbers: &mut N,
-) -> Placed<L> {
+) -> HalfPose<L> {
     let value = step.value as usize;
     match step.kind {
         JointKind::Fixed => before,
         // Those that do not mimic share the cosine and sine of the value, which are computed for
         // four joints at a time.
         JointKind::Revolute { .. } if !step.mimics => {
-            let [cos, sin] = numbers.half_turn(level, value);
+            let [cos, sin] = numbers.half_angle(level, value);
             let sin = sin * L::splat(level, step.sign);
-            Placed { rotation: before.turn(step, cos, sin), half: before.half }
+            HalfPose { rotation: before.turn(step, cos, sin), half: before.half }
         }
         JointKind::Prismatic { .. } => {
             let half = affine(level, numbers.get(level, value), step);
-            Placed { rotation: before.rotation, half: before.slide(step, half) }
+            HalfPose { rotation: before.rotation, half: before.slide(step, half) }
         }
         JointKind::Floating => {
             let mut all = [L::splat(level, Default::default()); 7];
@@ -180,12 +180,12 @@ pub(crate) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
             let turn = Quat::from_xyzw(x, y, z, w).normalize();
             let half = vector::scale([tx, ty, tz], x.constant(0.5));
             let rotation = (Quat::from_array(before.rotation) * turn).to_array();
-            Placed { rotation, half: before.moved(half) }
+            HalfPose { rotation, half: before.moved(half) }
         }
         JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
             let angle = if let JointKind::Planar { .. } = step.kind { value + 2 } else { value };
             let turn = affine(level, numbers.get(level, angle), step);
-            let [cos, sin] = half_turn(turn);
+            let [cos, sin] = checked_cos_sin(turn);
             let half = match step.kind {
                 JointKind::Screw { pitch, .. } => before.slide(step, turn * L::splat(level, pitch)),
                 JointKind::Planar { .. } => {
@@ -198,7 +198,7 @@ pub(crate) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
                 }
                 _ => before.half,
             };
-            Placed { rotation: before.turn(step, cos, sin), half }
+            HalfPose { rotation: before.turn(step, cos, sin), half }
         }
     }
 }
@@ -214,13 +214,13 @@ fn affine<L: Lanes>(level: L::Level, value: L, step: &Step<L::Real>) -> L {
 
 /// Poses, one per lane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Placed<L> {
+pub(crate) struct HalfPose<L> {
     pub(crate) rotation: [L; 4],
     /// Half the translation: what the dual part of a motion is made of.
     pub(crate) half: [L; 3],
 }
 
-impl<L: Lanes<Real: Scalar>> Placed<L> {
+impl<L: Lanes<Real: Scalar>> HalfPose<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::default());
@@ -254,9 +254,9 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn place(self, step: &Step<L::Real>) -> Self {
         let level = self.half[0].level();
-        let half = self.shifted(step.shifted, step.half_offset);
+        let half = self.shifted(step.offset_alignment, step.half_offset);
         let [x, y, z, w] = step.rotation;
-        let rotation = match step.turned {
+        let rotation = match step.rotation_alignment {
             Alignment::None => self.rotation,
             Alignment::X => about::<L, 0>(self.rotation, L::splat(level, w), L::splat(level, x)),
             Alignment::Y => about::<L, 1>(self.rotation, L::splat(level, w), L::splat(level, y)),
@@ -315,7 +315,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
         let level = self.half[0].level();
         let at_origin = Self { half: [L::splat(level, L::Real::default()); 3], ..self };
         let one = L::splat(level, step.sign);
-        match step.aligned {
+        match step.axis_alignment {
             Alignment::X => at_origin.along::<0>(one),
             Alignment::Y => at_origin.along::<1>(one),
             Alignment::Z => at_origin.along::<2>(one),
@@ -328,7 +328,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn slide(self, step: &Step<L::Real>, half: L) -> [L; 3] {
         let level = half.level();
-        match step.aligned {
+        match step.axis_alignment {
             Alignment::None => self.half,
             Alignment::X => self.along::<0>(half),
             Alignment::Y => self.along::<1>(half),
@@ -341,7 +341,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn turn(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
         let level = cos.level();
-        match step.aligned {
+        match step.axis_alignment {
             Alignment::None => self.rotation,
             Alignment::X => about::<L, 0>(self.rotation, cos, sin),
             Alignment::Y => about::<L, 1>(self.rotation, cos, sin),
@@ -369,13 +369,13 @@ fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
 
 // How joints move links, on lanes.
 
-impl<L: Lanes<Real: Scalar>> Joined<L> {
+impl<L: Lanes<Real: Scalar>> LinkFrames<L> {
     /// The spatial twist of the link for a rate of one of its joint: column `index` of those that
     /// the joint adds to a Jacobian.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn screw(&self, step: &Step<L::Real>, index: usize) -> Twist<L> {
-        let level = self.pose.half[0].level();
-        let before = self.before;
+        let level = self.link.half[0].level();
+        let before = self.joint;
         let screw = match step.kind {
             JointKind::Planar { .. } if index < 2 => {
                 let direction = step.plane.get(index).copied().unwrap_or_default();
@@ -384,8 +384,8 @@ impl<L: Lanes<Real: Scalar>> Joined<L> {
             JointKind::Floating => {
                 let mut axis = [L::splat(level, L::Real::default()); 3];
                 axis[index % 3] = axis[0].constant(1.0);
-                let axis = self.pose.rotated(axis);
-                if index < 3 { hinge(axis, self.pose) } else { slide(axis) }
+                let axis = self.link.rotated(axis);
+                if index < 3 { hinge(axis, self.link) } else { slide(axis) }
             }
             kind => {
                 let axis = before.direction(step);
@@ -396,7 +396,7 @@ impl<L: Lanes<Real: Scalar>> Joined<L> {
                         let linear = vector::scale_onto(axis, L::splat(level, pitch), hinge.linear);
                         Twist { linear, ..hinge }
                     }
-                    JointKind::Planar { .. } => hinge(axis, self.pose),
+                    JointKind::Planar { .. } => hinge(axis, self.link),
                     _ => hinge(axis, before),
                 }
             }
@@ -408,15 +408,15 @@ impl<L: Lanes<Real: Scalar>> Joined<L> {
     /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although
     /// the screw of its joint may be known.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn told(&self, rate: L) -> L {
-        let [.., w] = self.pose.rotation;
+    pub(crate) fn nan_if_nowhere(&self, rate: L) -> L {
+        let [.., w] = self.link.rotation;
         w.mul_add(w.constant(0.0), rate)
     }
 }
 
 /// Turning about a line through the origin of a frame.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn hinge<L: Lanes>(axis: [L; 3], frame: Placed<L>) -> Twist<L> {
+fn hinge<L: Lanes>(axis: [L; 3], frame: HalfPose<L>) -> Twist<L> {
     let moment = vector::cross(frame.half, axis);
     Twist { angular: axis, linear: vector::add(moment, moment) }
 }
