@@ -7,10 +7,10 @@ use super::freedom::Freedom;
 use super::problem::{Goal, Reach};
 use super::report::Options;
 use super::scratch::{DRAWN, GOAL, POSE, Rows, Scratch, TARGET, TURN};
-use crate::mechanism::step::NONE;
+use crate::mechanism::step::{JointFrame, NONE};
 use crate::mechanism::values::LaneValues;
 use crate::mechanism::walk::HalfPose;
-use crate::mechanism::walk::{LinkFrames, moved};
+use crate::mechanism::walk::LinkFrames;
 use dq8::batch::{DualQuat, half_turns, lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
@@ -153,7 +153,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             } else {
                 get(level, &scratch.slots, step.parent_slot as usize * POSE).place(step)
             };
-            let pose = moved(level, before, step, &mut numbers);
+            let pose = before.link_frame(step, &mut numbers);
             put(&mut scratch.slots, step.slot as usize * POSE, pose);
             if of == Of::Values {
                 let joined = LinkFrames { joint: before, link: pose };

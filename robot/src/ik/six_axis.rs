@@ -510,7 +510,8 @@ impl<R: Scalar> SixAxisArm<'_, R> {
                 && let Some(value) = values.next()
             {
                 let [cos, sin] = checked_cos_sin(value * value.constant(0.5));
-                pose.rotation = pose.turn(step, cos, sin * L::splat(level, step.sign));
+                pose.rotation =
+                    pose.rotation_about_axis(step, cos, sin * L::splat(level, step.sign));
             }
         }
         let goal = reach.goals.first().map_or([R::ZERO; 3], |goal| goal.point);

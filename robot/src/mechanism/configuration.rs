@@ -5,7 +5,7 @@
 use super::jacobians::Frame;
 use super::job::{Point, PointsByLink};
 use super::joint::JointKind;
-use super::step::{Alignment, AxisVector, Factor, Moves, NONE, ORDER, SIGNS, Step};
+use super::step::{Alignment, AxisVector, Factor, JointFrame, Moves, NONE, ORDER, SIGNS, Step};
 use super::tree::Mechanism;
 use super::values::checked_cos_sin;
 use dq8::Real;
@@ -371,52 +371,71 @@ impl<R: Real + Number> BaseFrame<R> {
             Moves::General => Self::new(general_joint(at.to_array(), step, angles.values)),
         }
     }
-
-    /// Moved along the axis of a joint.
-    fn slid(self, step: &Step<R>, length: R) -> Self {
-        let AxisVector { along, vector } = step.plan.axis;
-        self.moved(along, vector::scale(vector, length * R::HALF))
-    }
-
-    /// BaseFrame about it.
-    fn hinged(self, step: &Step<R>, angle: R) -> Self {
-        let AxisVector { along, vector } = step.plan.axis;
-        let [cos, sin] = half_angle_of(angle);
-        self.turned(along, vector::scale(vector, sin), cos)
-    }
 }
 
 /// What most joints of a robot are not. Out of line: its constants would take the registers of what
 /// is in it.
 #[cold]
 #[inline(never)]
-fn general_joint<R: Real + Number>(at: [R; 8], step: &Step<R>, values: &[R]) -> [R; 8] {
-    let (at, own) = (BaseFrame::new(at), step.plan.link_rotation.quaternion());
-    let moved = |[x, y, z]: [R; 3]| {
-        at.moved(Alignment::Any, own.rotate([x * R::HALF, y * R::HALF, z * R::HALF]))
-    };
-    let at = match step.kind {
-        JointKind::Fixed => at,
-        JointKind::Revolute { .. } => at.hinged(step, step.single(values)),
-        JointKind::Prismatic { .. } => at.slid(step, step.single(values)),
-        JointKind::Screw { pitch, .. } => {
-            let angle = step.single(values);
-            at.slid(step, angle * pitch).hinged(step, angle)
-        }
-        JointKind::Planar { .. } => {
-            let [x, y, angle] = Step::numbers(step.value, values);
-            let [first, second] = step.plane;
-            let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
-            moved(slide).hinged(step, angle)
-        }
-        JointKind::Floating => {
-            let [x, y, z, w, tx, ty, tz] = Step::numbers(step.value, values);
-            let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
-            let [x, y, z, w] = turn.to_array();
-            moved([tx, ty, tz]).turned(Alignment::Any, [x, y, z], w)
-        }
-    };
-    at.to_array()
+fn general_joint<R: Real + Number>(frame: [R; 8], step: &Step<R>, mut values: &[R]) -> [R; 8] {
+    BaseFrame::new(frame).link_frame(step, &mut values).to_array()
+}
+
+impl<R: Real + Number> JointFrame<R, &[R]> for BaseFrame<R> {
+    type Number = R;
+
+    #[inline(always)]
+    fn number(self, number: R) -> R {
+        number
+    }
+
+    #[inline(always)]
+    fn numbers<const C: usize>(self, step: &Step<R>, values: &mut &[R]) -> [R; C] {
+        Step::numbers(step.value, values)
+    }
+
+    #[inline(always)]
+    fn value(self, step: &Step<R>, index: usize, values: &mut &[R]) -> R {
+        step.number(index, values)
+    }
+
+    #[inline(always)]
+    fn half_angle(self, angle: R) -> [R; 2] {
+        half_angle_of(angle)
+    }
+
+    #[inline(always)]
+    fn own_half_angle(self, step: &Step<R>, values: &mut &[R]) -> [R; 2] {
+        half_angle_of(step.number(0, values))
+    }
+
+    #[inline(always)]
+    fn turn(self, step: &Step<R>, [cos, sin]: [R; 2]) -> Self {
+        let AxisVector { along, vector } = step.plan.axis;
+        self.turned(along, vector::scale(vector, sin), cos)
+    }
+
+    #[inline(always)]
+    fn slide(self, step: &Step<R>, distance: R) -> Self {
+        let AxisVector { along, vector } = step.plan.axis;
+        self.moved(along, vector::scale(vector, distance * R::HALF))
+    }
+
+    #[inline(always)]
+    fn slide_in_plane(self, step: &Step<R>, distances: [R; 2]) -> Self {
+        let [x, y, z] = step.in_plane(distances);
+        let half = [x * R::HALF, y * R::HALF, z * R::HALF];
+        self.moved(Alignment::Any, step.plan.link_rotation.quaternion().rotate(half))
+    }
+
+    #[inline(always)]
+    fn float(self, step: &Step<R>, [x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
+        let own = step.plan.link_rotation.quaternion();
+        let half = own.rotate([tx * R::HALF, ty * R::HALF, tz * R::HALF]);
+        let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
+        let [x, y, z, w] = turn.to_array();
+        self.moved(Alignment::Any, half).turned(Alignment::Any, [x, y, z], w)
+    }
 }
 
 // Cosines and sines of one configuration: they come first, as many at a time as there are lanes

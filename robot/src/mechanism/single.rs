@@ -5,7 +5,7 @@
 use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
 use super::jacobians::{Frame, JacobianFrame};
 use super::joint::JointKind;
-use super::step::Step;
+use super::step::{JointFrame, Step};
 use super::tree::Mechanism;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, lie_bracket, vector};
@@ -260,39 +260,32 @@ impl<R: Real> Step<R> {
         rest.first_chunk().copied().unwrap_or([R::NAN; C])
     }
 
-    /// The value of a joint that has one.
-    pub(crate) fn single(&self, values: &[R]) -> R {
-        let [value] = Self::numbers(self.value, values);
-        value * self.multiplier + self.offset
+    /// Number `index` of a joint, an angle or a distance; of one that mimics, what it takes.
+    pub(crate) fn number(&self, index: usize, values: &[R]) -> R {
+        let [number] = Self::numbers(self.value + index as u32, values);
+        // Joints of more numbers than one mimic nothing.
+        if index == 0 { number * self.multiplier + self.offset } else { number }
+    }
+
+    /// Moved across the normal of a planar joint, in the frame of the joint.
+    pub(crate) fn in_plane(&self, [x, y]: [R; 2]) -> [R; 3] {
+        let [first, second] = self.plane;
+        vector::add(vector::scale(first, x), vector::scale(second, y))
     }
 
     /// From the joint's frame to that of the link.
-    pub(crate) fn motion(&self, values: &[R]) -> DualQuat<R> {
-        match self.kind {
-            JointKind::Fixed => DualQuat::IDENTITY,
-            JointKind::Revolute { axis } => {
-                DualQuat::from_rotation(Quat::from_axis_angle(axis, self.single(values)))
+    pub(crate) fn motion(&self, mut values: &[R]) -> DualQuat<R> {
+        let rest = Motion { rotation: None, translation: None };
+        match rest.link_frame(self, &mut values) {
+            Motion { rotation: None, translation: None } => DualQuat::IDENTITY,
+            Motion { rotation: Some(rotation), translation: None } => {
+                DualQuat::from_rotation(rotation)
             }
-            JointKind::Prismatic { axis } => {
-                DualQuat::from_translation(vector::scale(axis, self.single(values)))
+            Motion { rotation: None, translation: Some(translation) } => {
+                DualQuat::from_translation(translation)
             }
-            JointKind::Screw { axis, pitch } => {
-                let angle = self.single(values);
-                let turn = Quat::from_axis_angle(axis, angle);
-                let along = vector::scale(axis, pitch * angle);
-                DualQuat::from_rotation_translation(turn, along)
-            }
-            JointKind::Planar { normal } => {
-                let [x, y, angle] = Self::numbers(self.value, values);
-                let [first, second] = self.plane;
-                let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
-                let turn = Quat::from_axis_angle(normal, angle);
-                DualQuat::from_rotation_translation(turn, slide)
-            }
-            JointKind::Floating => {
-                let [x, y, z, w, tx, ty, tz] = Self::numbers(self.value, values);
-                let turn = Quat::from_xyzw(x, y, z, w).normalize();
-                DualQuat::from_rotation_translation(turn, [tx, ty, tz])
+            Motion { rotation: Some(rotation), translation: Some(translation) } => {
+                DualQuat::from_rotation_translation(rotation, translation)
             }
         }
     }
@@ -328,5 +321,54 @@ impl<R: Real> Step<R> {
         let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
         let own = rates.take(self.kind.rates()).enumerate();
         own.map(move |(index, &rate)| self.own_twist(index, values).scale(rate))
+    }
+}
+
+/// The motion of a joint, with what it is made of.
+#[derive(Clone, Copy)]
+struct Motion<R> {
+    rotation: Option<Quat<R>>,
+    translation: Option<[R; 3]>,
+}
+
+impl<R: Real> JointFrame<R, &[R]> for Motion<R> {
+    type Number = R;
+
+    fn number(self, number: R) -> R {
+        number
+    }
+
+    fn numbers<const C: usize>(self, step: &Step<R>, values: &mut &[R]) -> [R; C] {
+        Step::numbers(step.value, values)
+    }
+
+    fn value(self, step: &Step<R>, index: usize, values: &mut &[R]) -> R {
+        step.number(index, values)
+    }
+
+    fn half_angle(self, angle: R) -> [R; 2] {
+        let half = angle * R::HALF;
+        [half.cos(), half.sin()]
+    }
+
+    fn own_half_angle(self, step: &Step<R>, values: &mut &[R]) -> [R; 2] {
+        self.half_angle(step.number(0, values))
+    }
+
+    fn turn(self, step: &Step<R>, [cos, sin]: [R; 2]) -> Self {
+        Self { rotation: Some(Quat::from_parts(vector::scale(step.axis, sin), cos)), ..self }
+    }
+
+    fn slide(self, step: &Step<R>, distance: R) -> Self {
+        Self { translation: Some(vector::scale(step.axis, distance)), ..self }
+    }
+
+    fn slide_in_plane(self, step: &Step<R>, distances: [R; 2]) -> Self {
+        Self { translation: Some(step.in_plane(distances)), ..self }
+    }
+
+    fn float(self, _: &Step<R>, [x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
+        let turn = Quat::from_xyzw(x, y, z, w).normalize();
+        Self { rotation: Some(turn), translation: Some([tx, ty, tz]) }
     }
 }

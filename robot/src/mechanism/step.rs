@@ -1,4 +1,5 @@
 use super::joint::{Joint, JointKind, MechanismError};
+use core::ops::Mul;
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat, vector};
 
@@ -170,6 +171,62 @@ impl<R: Real> Step<R> {
         self.rotation = rotation;
         self.half_offset = vector::scale(translation, R::HALF);
         Ok(())
+    }
+}
+
+/// A frame that a joint moves, from that of the joint to that of its link. What each kind of joint
+/// does is written once, in [`link_frame`](Self::link_frame): for lanes, for one configuration of
+/// floats, and for one of any number. `V` holds the values.
+///
+/// Lanes count angles and distances in halves, which is all that their products need; the others
+/// count them whole.
+pub(crate) trait JointFrame<R: Real, V>: Copy {
+    /// A number, or one per lane.
+    type Number: Copy + Mul<Output = Self::Number>;
+    /// The same number in every lane.
+    fn number(self, number: R) -> Self::Number;
+    /// The first `C` numbers of a joint.
+    fn numbers<const C: usize>(self, step: &Step<R>, values: &mut V) -> [Self::Number; C];
+    /// Number `index` of a joint, an angle about its axis or a distance along it.
+    fn value(self, step: &Step<R>, index: usize, values: &mut V) -> Self::Number;
+    /// Cosine and sine of half an angle.
+    fn half_angle(self, angle: Self::Number) -> [Self::Number; 2];
+    /// The same for a hinge that mimics no other: most joints of a robot.
+    fn own_half_angle(self, step: &Step<R>, values: &mut V) -> [Self::Number; 2];
+    /// Turned about the axis of the joint.
+    fn turn(self, step: &Step<R>, half_angle: [Self::Number; 2]) -> Self;
+    /// Moved along the axis of the joint.
+    fn slide(self, step: &Step<R>, distance: Self::Number) -> Self;
+    /// Moved across the normal of a planar joint.
+    fn slide_in_plane(self, step: &Step<R>, distances: [Self::Number; 2]) -> Self;
+    /// Moved by a translation, then turned by a quaternion of any length.
+    fn float(self, step: &Step<R>, numbers: [Self::Number; 7]) -> Self;
+
+    /// The frame of the link from that of the joint.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link_frame(self, step: &Step<R>, values: &mut V) -> Self {
+        match step.kind {
+            JointKind::Fixed => self,
+            JointKind::Revolute { .. } if !step.mimics => {
+                self.turn(step, self.own_half_angle(step, values))
+            }
+            JointKind::Prismatic { .. } => self.slide(step, self.value(step, 0, values)),
+            JointKind::Floating => self.float(step, self.numbers(step, values)),
+            // One arm for three kinds: cosine and sine are most of the machine code.
+            JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
+                let index = if let JointKind::Planar { .. } = step.kind { 2 } else { 0 };
+                let angle = self.value(step, index, values);
+                let half_angle = self.half_angle(angle);
+                let moved = match step.kind {
+                    JointKind::Screw { pitch, .. } => self.slide(step, angle * self.number(pitch)),
+                    JointKind::Planar { .. } => {
+                        self.slide_in_plane(step, self.numbers(step, values))
+                    }
+                    _ => self,
+                };
+                moved.turn(step, half_angle)
+            }
+        }
     }
 }
 

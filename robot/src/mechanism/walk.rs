@@ -20,7 +20,7 @@
 //!   none ([`HalfPose`]).
 
 use super::joint::JointKind;
-use super::step::{Alignment, NONE, Step};
+use super::step::{Alignment, JointFrame, NONE, Step};
 use super::tree::Mechanism;
 use super::values::{CachedValues, Group, JointValues, LaneValues, Part, checked_cos_sin};
 use dq8::batch::{Quat, vector};
@@ -116,7 +116,7 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                     let (from, to) = slots(step);
                     let is_root = step.parent == NONE;
                     let before = frame(level, &poses, step);
-                    let pose = moved(level, before, step, &mut numbers);
+                    let pose = before.link_frame(step, &mut numbers);
                     let joined = LinkFrames { joint: before, link: pose };
                     let parent = if is_root { K::base(level) } else { carried[from] };
                     poses[to] = pose;
@@ -147,66 +147,6 @@ pub(crate) fn frame<L: Lanes<Real: Scalar>>(
     }
     let (from, _) = slots(step);
     poses[from].place(step)
-}
-
-/// From the frame of the joint to that of the link.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn moved<L: Lanes<Real: Scalar>, N: LaneValues<L>>(
-    level: L::Level,
-    before: HalfPose<L>,
-    step: &Step<L::Real>,
-    numbers: &mut N,
-) -> HalfPose<L> {
-    let value = step.value as usize;
-    match step.kind {
-        JointKind::Fixed => before,
-        // Those that do not mimic share the cosine and sine of the value, which are computed for
-        // four joints at a time.
-        JointKind::Revolute { .. } if !step.mimics => {
-            let [cos, sin] = numbers.half_angle(level, value);
-            let sin = sin * L::splat(level, step.sign);
-            HalfPose { rotation: before.turn(step, cos, sin), half: before.half }
-        }
-        JointKind::Prismatic { .. } => {
-            let half = affine(level, numbers.get(level, value), step);
-            HalfPose { rotation: before.rotation, half: before.slide(step, half) }
-        }
-        JointKind::Floating => {
-            let mut all = [L::splat(level, Default::default()); 7];
-            for (index, number) in all.iter_mut().enumerate() {
-                *number = numbers.get(level, value + index);
-            }
-            let [x, y, z, w, tx, ty, tz] = all;
-            let turn = Quat::from_xyzw(x, y, z, w).normalize();
-            let half = vector::scale([tx, ty, tz], x.constant(0.5));
-            let rotation = (Quat::from_array(before.rotation) * turn).to_array();
-            HalfPose { rotation, half: before.moved(half) }
-        }
-        JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
-            let angle = if let JointKind::Planar { .. } = step.kind { value + 2 } else { value };
-            let turn = affine(level, numbers.get(level, angle), step);
-            let [cos, sin] = checked_cos_sin(turn);
-            let half = match step.kind {
-                JointKind::Screw { pitch, .. } => before.slide(step, turn * L::splat(level, pitch)),
-                JointKind::Planar { .. } => {
-                    let one_half = L::splat(level, dq8::Real::HALF);
-                    let x = numbers.get(level, value) * one_half;
-                    let y = numbers.get(level, value + 1) * one_half;
-                    let [first, second] = step.plane;
-                    let along = vector::scale(vector::splat(level, first), x);
-                    before.moved(vector::scale_onto(vector::splat(level, second), y, along))
-                }
-                _ => before.half,
-            };
-            HalfPose { rotation: before.turn(step, cos, sin), half }
-        }
-    }
-}
-
-/// Half the value of a joint, counted where its axis is positive.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn affine<L: Lanes>(level: L::Level, value: L, step: &Step<L::Real>) -> L {
-    value.mul_add(L::splat(level, step.half_multiplier), L::splat(level, step.half_bias))
 }
 
 // Poses on lanes while they are computed: a rotation and half the translation, which is what
@@ -323,23 +263,9 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         }
     }
 
-    /// Half the translation, moved along the axis of a joint by half a distance; `half` counts
-    /// where that axis is positive.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn slide(self, step: &Step<L::Real>, half: L) -> [L; 3] {
-        let level = half.level();
-        match step.axis_alignment {
-            Alignment::None => self.half,
-            Alignment::X => self.along::<0>(half),
-            Alignment::Y => self.along::<1>(half),
-            Alignment::Z => self.along::<2>(half),
-            Alignment::Any => self.moved(vector::scale(vector::splat(level, step.axis), half)),
-        }
-    }
-
     /// The rotation, turned about the axis of a joint: r (c + n s).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn turn(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
+    pub(crate) fn rotation_about_axis(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
         let level = cos.level();
         match step.axis_alignment {
             Alignment::None => self.rotation,
@@ -352,6 +278,81 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
                 (Quat::from_array(self.rotation) * turn).to_array()
             }
         }
+    }
+}
+
+impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPose<L> {
+    type Number = L;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn number(self, number: L::Real) -> L {
+        L::splat(self.half[0].level(), number)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn numbers<const C: usize>(self, step: &Step<L::Real>, values: &mut N) -> [L; C] {
+        let level = self.half[0].level();
+        let mut numbers = [L::splat(level, Default::default()); C];
+        for (index, number) in numbers.iter_mut().enumerate() {
+            *number = values.get(level, step.value as usize + index);
+        }
+        numbers
+    }
+
+    /// Half of it, counted where the axis is positive.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn value(self, step: &Step<L::Real>, index: usize, values: &mut N) -> L {
+        let level = self.half[0].level();
+        let value = values.get(level, step.value as usize + index);
+        value.mul_add(L::splat(level, step.half_multiplier), L::splat(level, step.half_bias))
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn half_angle(self, half: L) -> [L; 2] {
+        checked_cos_sin(half)
+    }
+
+    /// Cosines and sines of values as they are come four at a time.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn own_half_angle(self, step: &Step<L::Real>, values: &mut N) -> [L; 2] {
+        let level = self.half[0].level();
+        let [cos, sin] = values.half_angle(level, step.value as usize);
+        [cos, sin * L::splat(level, step.sign)]
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn turn(self, step: &Step<L::Real>, [cos, sin]: [L; 2]) -> Self {
+        Self { rotation: self.rotation_about_axis(step, cos, sin), half: self.half }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn slide(self, step: &Step<L::Real>, half: L) -> Self {
+        let half = match step.axis_alignment {
+            Alignment::None => self.half,
+            Alignment::X => self.along::<0>(half),
+            Alignment::Y => self.along::<1>(half),
+            Alignment::Z => self.along::<2>(half),
+            Alignment::Any => {
+                self.moved(vector::scale(vector::splat(half.level(), step.axis), half))
+            }
+        };
+        Self { rotation: self.rotation, half }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn slide_in_plane(self, step: &Step<L::Real>, [x, y]: [L; 2]) -> Self {
+        let [first, second] = step.plane.map(|direction| vector::splat(x.level(), direction));
+        let (x, y) = (x * x.constant(0.5), y * y.constant(0.5));
+        let half = self.moved(vector::scale_onto(second, y, vector::scale(first, x)));
+        Self { rotation: self.rotation, half }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn float(self, _: &Step<L::Real>, [x, y, z, w, tx, ty, tz]: [L; 7]) -> Self {
+        let turn = Quat::from_xyzw(x, y, z, w).normalize();
+        let half = vector::scale([tx, ty, tz], x.constant(0.5));
+        let rotation = (Quat::from_array(self.rotation) * turn).to_array();
+        Self { rotation, half: self.moved(half) }
     }
 }
 
