@@ -5,7 +5,9 @@
 use super::jacobians::Frame;
 use super::job::{Point, PointsByLink};
 use super::joint::JointKind;
-use super::step::{Alignment, AxisVector, Factor, JointFrame, Moves, NONE, ORDER, SIGNS, Step};
+use super::step::{
+    Alignment, AxisVector, Factor, JointFrame, JointScrews, Moves, NONE, ORDER, SIGNS, Step,
+};
 use super::tree::Mechanism;
 use super::values::checked_cos_sin;
 use dq8::Real;
@@ -111,10 +113,11 @@ impl<R: Real + Number> LinkJacobian<'_, R> {
             at = before.joined(step, &mut angles);
             own = &step.plan.link_rotation;
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
-            let frames = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
+            let [joint, link] = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
+            let frames = BaseFrames { joint, link, values: self.values };
             for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
                 // What others mimic is moved by all of them.
-                *column = *column + step.screw(index, frames, self.values);
+                *column = *column + frames.screw(step, index);
             }
         }
         let pose = at.pose(own);
@@ -173,48 +176,68 @@ impl<R: Real + Number> LinkPoints<'_, R> {
     }
 }
 
-impl<R: Real> Step<R> {
-    /// The spatial twist of the link for a rate of one of the joint alone, number `index`, from the
-    /// turned frames of the joint and of the link. Where a hinge is, is known also where its angle
-    /// is too far.
+/// The base frames of a joint and of its link, and the values that have moved one to the other.
+struct BaseFrames<'v, R> {
+    joint: DualQuat<R>,
+    link: DualQuat<R>,
+    values: &'v [R],
+}
+
+impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
+    type Number = R;
+
     #[inline(always)]
-    fn screw(&self, index: usize, [before, after]: [DualQuat<R>; 2], values: &[R]) -> Twist<R> {
-        let (own, zero) = (self.plan.link_rotation.quaternion(), [R::ZERO; 3]);
-        let axis = self.plan.axis.vector;
-        let slide = |along| Twist { angular: zero, linear: along };
-        let hinge = |angular, at| Twist { angular, linear: vector::cross(at, angular) };
-        let screw = match self.kind {
-            JointKind::Planar { .. } => {
-                let directions = self.plane.map(|direction| own.rotate(direction));
-                if let Some(&direction) = directions.get(index) {
-                    slide(before.transform_vector(direction))
-                } else {
-                    let [x, y, _] = Self::numbers(self.value, values);
-                    let [first, second] = directions;
-                    let at = vector::add(vector::scale(first, x), vector::scale(second, y));
-                    hinge(before.transform_vector(axis), before.transform_point(at))
-                }
-            }
-            JointKind::Floating => {
-                let mut unit = zero;
-                unit[index % 3] = R::ONE;
-                let axis = after.transform_vector(own.rotate(unit));
-                if index < 3 { hinge(axis, after.translation()) } else { slide(axis) }
-            }
-            kind => {
-                let axis = before.transform_vector(axis);
-                match kind {
-                    JointKind::Prismatic { .. } => slide(axis),
-                    JointKind::Screw { pitch, .. } => {
-                        let Twist { angular, linear } = hinge(axis, before.translation());
-                        Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
-                    }
-                    _ => hinge(axis, before.translation()),
-                }
-            }
-        };
-        if self.mimics { screw.scale(self.multiplier) } else { screw }
+    fn number(&self, number: R) -> R {
+        number
     }
+
+    #[inline(always)]
+    fn axis(&self, step: &Step<R>) -> [R; 3] {
+        self.joint.transform_vector(step.plan.axis.vector)
+    }
+
+    #[inline(always)]
+    fn plane_axis(&self, step: &Step<R>, index: usize) -> [R; 3] {
+        let direction = step.plane.get(index).copied().unwrap_or([R::ZERO; 3]);
+        self.joint.transform_vector(step.plan.link_rotation.quaternion().rotate(direction))
+    }
+
+    #[inline(always)]
+    fn link_axis(&self, step: &Step<R>, index: usize) -> [R; 3] {
+        let mut unit = [R::ZERO; 3];
+        unit[index % 3] = R::ONE;
+        self.link.transform_vector(step.plan.link_rotation.quaternion().rotate(unit))
+    }
+
+    #[inline(always)]
+    fn hinge(&self, axis: [R; 3]) -> Twist<R> {
+        hinge(axis, self.joint.translation())
+    }
+
+    #[inline(always)]
+    fn thread(&self, axis: [R; 3], pitch: R) -> Twist<R> {
+        let Twist { angular, linear } = hinge(axis, self.joint.translation());
+        Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
+    }
+
+    /// The axis of a planar joint is known also where its angle is too far, and the link is not.
+    #[inline(always)]
+    fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
+        let JointKind::Planar { .. } = step.kind else {
+            return hinge(axis, self.link.translation());
+        };
+        let own = step.plan.link_rotation.quaternion();
+        let [x, y] = Step::numbers(step.value, self.values);
+        let [first, second] = step.plane.map(|direction| own.rotate(direction));
+        let at = vector::add(vector::scale(first, x), vector::scale(second, y));
+        hinge(axis, self.joint.transform_point(at))
+    }
+}
+
+/// Turning about an axis through a point.
+#[inline(always)]
+fn hinge<R: Real>(axis: [R; 3], point: [R; 3]) -> Twist<R> {
+    Twist { angular: axis, linear: vector::cross(point, axis) }
 }
 
 // The frames of one configuration, turned parallel to the base: four lanes hold a quaternion, p or
@@ -402,11 +425,6 @@ impl<R: Real + Number> JointFrame<R, &[R]> for BaseFrame<R> {
     #[inline(always)]
     fn half_angle(self, angle: R) -> [R; 2] {
         half_angle_of(angle)
-    }
-
-    #[inline(always)]
-    fn own_half_angle(self, step: &Step<R>, values: &mut &[R]) -> [R; 2] {
-        half_angle_of(step.number(0, values))
     }
 
     #[inline(always)]

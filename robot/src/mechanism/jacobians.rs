@@ -1,5 +1,5 @@
 use super::job::{Job, carries, first_carried, place_of, repeat, things};
-use super::step::Step;
+use super::step::{JointScrews, Step};
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
 use super::walk::{LinkFrames, Task};

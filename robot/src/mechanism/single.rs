@@ -5,7 +5,7 @@
 use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
 use super::jacobians::{Frame, JacobianFrame};
 use super::joint::JointKind;
-use super::step::{JointFrame, Step};
+use super::step::{JointFrame, JointScrews, Step};
 use super::tree::Mechanism;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, lie_bracket, vector};
@@ -153,7 +153,7 @@ impl<R: Real> Mechanism<'_, R> {
             let own = columns.get_mut(step.rate as usize..).unwrap_or_default();
             for (index, column) in own.iter_mut().take(step.kind.rates()).enumerate() {
                 // What others mimic is moved by all of them.
-                *column = *column + tail.conjugate().adjoint(step.own_twist(index, values));
+                *column = *column + tail.conjugate().adjoint(BodyScrews(values).screw(step, index));
             }
             tail = step.placement() * step.motion(values) * tail;
             joint = step.parent as usize;
@@ -233,7 +233,7 @@ impl<R: Real> Mechanism<'_, R> {
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
             let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
             for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
-                let moving = pose.adjoint(step.own_twist(index, values)).scale(rate);
+                let moving = pose.adjoint(BodyScrews(values).screw(step, index)).scale(rate);
                 acceleration = acceleration + lie_bracket(carrying, moving);
                 if let JointKind::Planar { .. } = step.kind {
                     carrying = carrying + moving;
@@ -290,37 +290,12 @@ impl<R: Real> Step<R> {
         }
     }
 
-    /// The body twist of the link for a rate of one of the joint alone, number `index`, in the
-    /// frame of the link.
-    fn own_twist(&self, index: usize, values: &[R]) -> Twist<R> {
-        let zero = [R::ZERO; 3];
-        let (angular, linear) = match self.kind {
-            JointKind::Fixed => (zero, zero),
-            JointKind::Revolute { axis } => (axis, zero),
-            JointKind::Prismatic { axis } => (zero, axis),
-            JointKind::Screw { axis, pitch } => (axis, vector::scale(axis, pitch)),
-            JointKind::Planar { .. } if index < 2 => {
-                // The slides come before the turn.
-                let back = self.motion(values).rotation().conjugate();
-                (zero, back.rotate(self.plane[index % 2]))
-            }
-            JointKind::Planar { normal } => (normal, zero),
-            JointKind::Floating => {
-                let mut unit = zero;
-                unit[index % 3] = R::ONE;
-                if index < 3 { (unit, zero) } else { (zero, unit) }
-            }
-        };
-        let own = Twist { angular, linear };
-        if self.mimics { own.scale(self.multiplier) } else { own }
-    }
-
     /// The body twists for the joint's rates among all of them, in order.
     fn own_twists(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
         // None of a joint without rates.
         let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
         let own = rates.take(self.kind.rates()).enumerate();
-        own.map(move |(index, &rate)| self.own_twist(index, values).scale(rate))
+        own.map(move |(index, &rate)| BodyScrews(values).screw(self, index).scale(rate))
     }
 }
 
@@ -351,10 +326,6 @@ impl<R: Real> JointFrame<R, &[R]> for Motion<R> {
         [half.cos(), half.sin()]
     }
 
-    fn own_half_angle(self, step: &Step<R>, values: &mut &[R]) -> [R; 2] {
-        self.half_angle(step.number(0, values))
-    }
-
     fn turn(self, step: &Step<R>, [cos, sin]: [R; 2]) -> Self {
         Self { rotation: Some(Quat::from_parts(vector::scale(step.axis, sin), cos)), ..self }
     }
@@ -370,5 +341,42 @@ impl<R: Real> JointFrame<R, &[R]> for Motion<R> {
     fn float(self, _: &Step<R>, [x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
         let turn = Quat::from_xyzw(x, y, z, w).normalize();
         Self { rotation: Some(turn), translation: Some([tx, ty, tz]) }
+    }
+}
+
+/// Body twists, in the frame of the link, from the values of a configuration.
+struct BodyScrews<'v, R>(&'v [R]);
+
+impl<R: Real> JointScrews<R> for BodyScrews<'_, R> {
+    type Number = R;
+
+    fn number(&self, number: R) -> R {
+        number
+    }
+
+    fn axis(&self, step: &Step<R>) -> [R; 3] {
+        step.axis
+    }
+
+    fn plane_axis(&self, step: &Step<R>, index: usize) -> [R; 3] {
+        step.motion(self.0).rotation().conjugate().rotate(step.plane[index % 2])
+    }
+
+    fn link_axis(&self, _: &Step<R>, index: usize) -> [R; 3] {
+        let mut unit = [R::ZERO; 3];
+        unit[index % 3] = R::ONE;
+        unit
+    }
+
+    fn hinge(&self, axis: [R; 3]) -> Twist<R> {
+        Twist { angular: axis, linear: [R::ZERO; 3] }
+    }
+
+    fn thread(&self, axis: [R; 3], pitch: R) -> Twist<R> {
+        Twist { angular: axis, linear: vector::scale(axis, pitch) }
+    }
+
+    fn link_hinge(&self, _: &Step<R>, axis: [R; 3]) -> Twist<R> {
+        self.hinge(axis)
     }
 }

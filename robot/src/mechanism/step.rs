@@ -1,6 +1,7 @@
 use super::joint::{Joint, JointKind, MechanismError};
 use core::ops::Mul;
 use dq8::Real;
+use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, vector};
 
 /// How far axes, placements and targets may be from unit: numbers that people type with four
@@ -192,7 +193,10 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
     /// Cosine and sine of half an angle.
     fn half_angle(self, angle: Self::Number) -> [Self::Number; 2];
     /// The same for a hinge that mimics no other: most joints of a robot.
-    fn own_half_angle(self, step: &Step<R>, values: &mut V) -> [Self::Number; 2];
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn own_half_angle(self, step: &Step<R>, values: &mut V) -> [Self::Number; 2] {
+        self.half_angle(self.value(step, 0, values))
+    }
     /// Turned about the axis of the joint.
     fn turn(self, step: &Step<R>, half_angle: [Self::Number; 2]) -> Self;
     /// Moved along the axis of the joint.
@@ -227,6 +231,55 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
                 moved.turn(step, half_angle)
             }
         }
+    }
+}
+
+/// The twists that a joint gives its link, for a rate of one. What each kind of joint does is
+/// written once, in [`screw`](Self::screw): seen from the base, on lanes and for one configuration
+/// of floats, and seen from the link, for any number.
+pub(crate) trait JointScrews<R: Real> {
+    /// A number, or one per lane.
+    type Number: Copy + Mul<Output = Self::Number>;
+    /// The same number in every lane.
+    fn number(&self, number: R) -> Self::Number;
+    /// The axis of the joint.
+    fn axis(&self, step: &Step<R>) -> [Self::Number; 3];
+    /// Direction x or y of a planar joint.
+    fn plane_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
+    /// Axis x, y or z of the link.
+    fn link_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
+    /// Turning about an axis through the origin of the joint.
+    fn hinge(&self, axis: [Self::Number; 3]) -> Twist<Self::Number>;
+    /// The same, and sliding along the axis, `pitch` for each radian.
+    fn thread(&self, axis: [Self::Number; 3], pitch: R) -> Twist<Self::Number>;
+    /// Turning about an axis through the origin of the link.
+    fn link_hinge(&self, step: &Step<R>, axis: [Self::Number; 3]) -> Twist<Self::Number>;
+
+    /// Sliding along an axis.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn slide(&self, axis: [Self::Number; 3]) -> Twist<Self::Number> {
+        Twist { angular: [self.number(R::ZERO); 3], linear: axis }
+    }
+
+    /// The twist for rate number `index` of the joint: a column of the Jacobian.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn screw(&self, step: &Step<R>, index: usize) -> Twist<Self::Number> {
+        let screw = match step.kind {
+            // The slides of a planar joint come before its turn, those of a floating one after it.
+            JointKind::Planar { .. } if index < 2 => self.slide(self.plane_axis(step, index)),
+            JointKind::Floating if index < 3 => self.link_hinge(step, self.link_axis(step, index)),
+            JointKind::Floating => self.slide(self.link_axis(step, index % 3)),
+            kind => {
+                let axis = self.axis(step);
+                match kind {
+                    JointKind::Prismatic { .. } => self.slide(axis),
+                    JointKind::Screw { pitch, .. } => self.thread(axis, pitch),
+                    JointKind::Planar { .. } => self.link_hinge(step, axis),
+                    _ => self.hinge(axis),
+                }
+            }
+        };
+        if step.mimics { screw.scale(self.number(step.multiplier)) } else { screw }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::job::{Job, things};
 use super::joint::JointKind;
-use super::step::Step;
+use super::step::{JointScrews, Step};
 #[cfg(doc)]
 use super::tree::Mechanism;
 use super::values::{CachedValues, Group, JointValues, LaneValues, Part};

@@ -19,8 +19,7 @@
 //! - *Axes of the frame's own* take half the operations of others, and placements without a turn
 //!   none ([`HalfPose`]).
 
-use super::joint::JointKind;
-use super::step::{Alignment, JointFrame, NONE, Step};
+use super::step::{Alignment, JointFrame, JointScrews, NONE, Step};
 use super::tree::Mechanism;
 use super::values::{CachedValues, Group, JointValues, LaneValues, Part, checked_cos_sin};
 use dq8::batch::{Quat, vector};
@@ -263,6 +262,13 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         }
     }
 
+    /// Turning about an axis through the origin of this frame.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn hinge(self, axis: [L; 3]) -> Twist<L> {
+        let moment = vector::cross(self.half, axis);
+        Twist { angular: axis, linear: vector::add(moment, moment) }
+    }
+
     /// The rotation, turned about the axis of a joint: r (c + n s).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotation_about_axis(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
@@ -370,42 +376,50 @@ fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
 
 // How joints move links, on lanes.
 
-impl<L: Lanes<Real: Scalar>> LinkFrames<L> {
-    /// The spatial twist of the link for a rate of one of its joint: column `index` of those that
-    /// the joint adds to a Jacobian.
+impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
+    type Number = L;
+
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn screw(&self, step: &Step<L::Real>, index: usize) -> Twist<L> {
-        let level = self.link.half[0].level();
-        let before = self.joint;
-        let screw = match step.kind {
-            JointKind::Planar { .. } if index < 2 => {
-                let direction = step.plane.get(index).copied().unwrap_or_default();
-                slide(before.rotated(vector::splat(level, direction)))
-            }
-            JointKind::Floating => {
-                let mut axis = [L::splat(level, L::Real::default()); 3];
-                axis[index % 3] = axis[0].constant(1.0);
-                let axis = self.link.rotated(axis);
-                if index < 3 { hinge(axis, self.link) } else { slide(axis) }
-            }
-            kind => {
-                let axis = before.direction(step);
-                match kind {
-                    JointKind::Prismatic { .. } => slide(axis),
-                    JointKind::Screw { pitch, .. } => {
-                        let hinge = hinge(axis, before);
-                        let linear = vector::scale_onto(axis, L::splat(level, pitch), hinge.linear);
-                        Twist { linear, ..hinge }
-                    }
-                    JointKind::Planar { .. } => hinge(axis, self.link),
-                    _ => hinge(axis, before),
-                }
-            }
-        };
-        // Others go as their values do.
-        if step.mimics { screw.scale(L::splat(level, step.multiplier)) } else { screw }
+    fn number(&self, number: L::Real) -> L {
+        L::splat(self.link.half[0].level(), number)
     }
 
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn axis(&self, step: &Step<L::Real>) -> [L; 3] {
+        self.joint.direction(step)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn plane_axis(&self, step: &Step<L::Real>, index: usize) -> [L; 3] {
+        let direction = step.plane.get(index).copied().unwrap_or_default();
+        self.joint.rotated(vector::splat(self.link.half[0].level(), direction))
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link_axis(&self, _: &Step<L::Real>, index: usize) -> [L; 3] {
+        let mut axis = [L::splat(self.link.half[0].level(), L::Real::default()); 3];
+        axis[index % 3] = axis[0].constant(1.0);
+        self.link.rotated(axis)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn hinge(&self, axis: [L; 3]) -> Twist<L> {
+        self.joint.hinge(axis)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn thread(&self, axis: [L; 3], pitch: L::Real) -> Twist<L> {
+        let hinge = self.joint.hinge(axis);
+        Twist { linear: vector::scale_onto(axis, self.number(pitch), hinge.linear), ..hinge }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link_hinge(&self, _: &Step<L::Real>, axis: [L; 3]) -> Twist<L> {
+        self.link.hinge(axis)
+    }
+}
+
+impl<L: Lanes> LinkFrames<L> {
     /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although
     /// the screw of its joint may be known.
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -413,16 +427,4 @@ impl<L: Lanes<Real: Scalar>> LinkFrames<L> {
         let [.., w] = self.link.rotation;
         w.mul_add(w.constant(0.0), rate)
     }
-}
-
-/// Turning about a line through the origin of a frame.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn hinge<L: Lanes>(axis: [L; 3], frame: HalfPose<L>) -> Twist<L> {
-    let moment = vector::cross(frame.half, axis);
-    Twist { angular: axis, linear: vector::add(moment, moment) }
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn slide<L: Lanes>(direction: [L; 3]) -> Twist<L> {
-    Twist { angular: [direction[0].constant(0.0); 3], linear: direction }
 }
