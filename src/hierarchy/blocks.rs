@@ -1,12 +1,10 @@
 //! model(j) = model(parent(j)) · local(j), for blocks: lanes are instances in memory already.
 
-use super::ahead::Ahead;
-use super::locals::{InPlace, Locals, Motions, Numbers, motions};
-use super::palette::Epilogue;
-use super::rows::GROUP;
-use super::run::Run;
+use super::locals::{Ahead, GROUP, InPlace, Locals, Numbers};
+use super::run::{Epilogue, Run};
 use super::slot::JointSlot;
 use crate::backend::Kernel;
+use crate::palette_entry::{Motions, motions};
 use crate::storage::{Element, Layout, Register, Tile};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
