@@ -383,7 +383,7 @@ impl Float for f64 {
 ///
 /// Such vectors serve kernels that have only one motion to compute at a time, as where a child
 /// waits for its parent. A product of two of them needs only two rearrangements that [`Lanes`] does
-/// not have: [`columns`](Self::columns) and [`raised`](Self::raised).
+/// not have: [`columns`](Self::columns) and [`times_epsilon`](Self::times_epsilon).
 pub trait PackedDualQuat: Lanes {
     /// Reads the same four numbers into both halves.
     #[inline(always)]
@@ -427,7 +427,7 @@ pub trait PackedDualQuat: Lanes {
     /// x for every x, but −0 + (+0) is +0.
     #[inline(always)]
     #[must_use]
-    fn raised(self) -> Self {
+    fn times_epsilon(self) -> Self {
         let mut shifted = self.constant(-0.0).to_array();
         let half = self.to_array();
         for (slot, &value) in shifted.as_mut().iter_mut().skip(4).zip(half.as_ref()) {

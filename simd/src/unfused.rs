@@ -158,8 +158,8 @@ impl<L: PackedDualQuat> PackedDualQuat for Unfused<L> {
         [Self(x), Self(y), Self(z), Self(w)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn raised(self) -> Self {
-        Self(self.0.raised())
+    fn times_epsilon(self) -> Self {
+        Self(self.0.times_epsilon())
     }
 }
 

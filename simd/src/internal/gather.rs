@@ -56,11 +56,11 @@ impl<'f> Gather<'f> {
     #[must_use]
     #[inline(always)]
     pub fn rows<L: Lanes, const C: usize>(self, first: usize) -> Option<GatheredRows<C>> {
-        let padded;
+        let copied;
         let mut frames = self.frames.get(first..).unwrap_or_default();
         if frames.len() < L::LANES {
-            padded = repeat(frames, *self.frames.last()?);
-            frames = &padded;
+            copied = padded(frames, *self.frames.last()?);
+            frames = &copied;
         }
         let mut starts = [0; MAX_LANES];
         // The slice has `LANES` frames, which is a constant. For a number that it does not know,
@@ -90,13 +90,13 @@ pub struct GatheredRows<const C: usize> {
     pub(crate) greatest: usize,
 }
 
-/// These frames, followed by `last`.
+/// The values for each lane where fewer values than lanes are left: these, and `last` for the rest.
 #[cold]
 #[inline(never)]
-fn repeat(frames: &[u32], last: u32) -> [u32; MAX_LANES] {
+pub(super) fn padded<T: Copy>(values: &[T], last: T) -> [T; MAX_LANES] {
     let mut padded = [last; MAX_LANES];
-    for (slot, &frame) in padded.iter_mut().zip(frames) {
-        *slot = frame;
+    for (slot, &value) in padded.iter_mut().zip(values) {
+        *slot = value;
     }
     padded
 }

@@ -12,7 +12,7 @@
 //! | `checked_schedule.rs` | [`CheckedSchedule`]: results that need earlier results |
 //! | `gather.rs` | [`Gather`]: records of a table, each lane from a row of its own |
 //! | `picks.rs` | [`CheckedIndices`] and [`Picks`]: records of a table by indices |
-//! | `tracks.rs` | [`Tracks`]: keys of many clips |
+//! | `tracks.rs` | [`Tracks`]: the keys of packed clips |
 //! | `pod.rs` | [`pod!`](crate::pod!): structs of numbers that are `bytemuck::Pod` |
 //! | `square_root.rs` | the square root of one number, which `core` does not have |
 
@@ -28,4 +28,4 @@ pub use gather::{Gather, GatheredRows};
 pub use picks::{CheckedIndices, Index, PickRows, Picked, PickedInPlace, Picks, RECORDS_PER_LANE};
 #[cfg(feature = "alloc")]
 pub use tracks::OwnedTracks;
-pub use tracks::{PlacedTracks, TrackPlace, Tracks};
+pub use tracks::{PlacedTracks, TrackError, TrackPlace, Tracks};

@@ -72,7 +72,7 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
 
 /// Implements [`PackedDualQuat`] for lanes that hold all eight numbers in one register.
 macro_rules! packed {
-    ($($name:ty, |$v:ident| $columns:expr, $raised:expr, |$from:ident| $twice:expr;)*) => {$(
+    ($($name:ty, |$v:ident| $columns:expr, $times_epsilon:expr, |$from:ident| $twice:expr;)*) => {$(
         impl PackedDualQuat for $name {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
@@ -88,10 +88,10 @@ macro_rules! packed {
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
-            fn raised(self) -> Self {
+            fn times_epsilon(self) -> Self {
                 let $v = self.0;
                 // SAFETY: `self` proves the instructions.
-                Self(unsafe { $raised }, self.level())
+                Self(unsafe { $times_epsilon }, self.level())
             }
         }
     )*};
@@ -138,7 +138,7 @@ impl PackedDualQuat for Pair<avx2::F64x4> {
         ]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn raised(self) -> Self {
+    fn times_epsilon(self) -> Self {
         Self(self.0.constant(-0.0), self.0)
     }
 }
