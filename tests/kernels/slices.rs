@@ -214,16 +214,34 @@ macro_rules! of_each {
 
 /// The input of that name and kind.
 macro_rules! given {
-    ($x:ident motions any) => { &$x.long };
-    ($x:ident b $kind:ident) => { &$x.b };
-    ($x:ident $name:ident any) => { &$x.a };
-    ($x:ident $name:ident unit) => { &$x.a };
-    ($x:ident $name:ident number) => { &$x.t };
-    ($x:ident $name:ident point) => { &$x.vectors };
-    ($x:ident $name:ident vector) => { &$x.vectors };
-    ($x:ident $name:ident plane) => { &$x.planes };
+    ($x:ident motions any) => {
+        &$x.long
+    };
+    ($x:ident b $kind:ident) => {
+        &$x.b
+    };
+    ($x:ident $name:ident any) => {
+        &$x.a
+    };
+    ($x:ident $name:ident unit) => {
+        &$x.a
+    };
+    ($x:ident $name:ident number) => {
+        &$x.t
+    };
+    ($x:ident $name:ident point) => {
+        &$x.vectors
+    };
+    ($x:ident $name:ident vector) => {
+        &$x.vectors
+    };
+    ($x:ident $name:ident plane) => {
+        &$x.planes
+    };
     // Lines, twists and logarithms.
-    ($x:ident $name:ident $six:ident) => { &$x.twists };
+    ($x:ident $name:ident $six:ident) => {
+        &$x.twists
+    };
 }
 
 /// The call in place, if there is one; without other slices it cannot fail.

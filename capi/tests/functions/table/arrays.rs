@@ -41,17 +41,27 @@ macro_rules! of_each {
 
 /// The name in C, without `dq8_` and the number type.
 macro_rules! name {
-    ($name:ident) => { stringify!($name) };
-    ($name:ident $c:literal) => { $c };
+    ($name:ident) => {
+        stringify!($name)
+    };
+    ($name:ident $c:literal) => {
+        $c
+    };
 }
 
 macro_rules! input {
-    (any $n:ident) => { scaled($n) };
-    ($kind:ident $n:ident) => { of::<{ record!($kind) }>($n) };
+    (any $n:ident) => {
+        scaled($n)
+    };
+    ($kind:ident $n:ident) => {
+        of::<{ record!($kind) }>($n)
+    };
 }
 
 macro_rules! over {
-    ($in_place:ident $input:ident) => { stringify!($input) };
+    ($in_place:ident $input:ident) => {
+        stringify!($input)
+    };
 }
 
 macro_rules! layout {
