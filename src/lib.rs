@@ -93,10 +93,7 @@ compile_error!("dq8 needs square roots and trigonometry: enable the feature `std
 
 mod backend;
 pub mod batch;
-mod brief;
 mod contract;
-mod conversions;
-mod errors;
 #[cfg(not(dq8_record))]
 mod everyday;
 #[cfg(dq8_record)]
@@ -111,10 +108,9 @@ pub mod ik;
 pub mod incidence;
 pub mod interop;
 pub mod law;
+mod macros;
 mod number;
 mod operators;
-mod palette_entry;
-mod plain;
 pub mod representation;
 pub mod scalar;
 #[doc(hidden)]
@@ -135,6 +131,10 @@ struct Readme;
 
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
+
+pub(crate) use macros as brief;
+pub(crate) use macros as errors;
+pub(crate) use storage::palette_entry;
 
 pub use backend::{Backend, Kernel, UnavailableBackend};
 pub use contract::{DualNumber, Motion, Quaternion};

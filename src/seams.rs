@@ -3,9 +3,9 @@
 
 pub use crate::backend::{Choice, Outputs, Rows, options};
 pub use crate::batch::even::{exponential_integrals, half_cotangent};
-pub use crate::brief::brief;
-pub use crate::errors::errors;
 pub use crate::everyday::{Number, Quick};
+pub use crate::macros::brief;
+pub use crate::macros::errors;
+pub use crate::scalar::blend::dib;
 pub use crate::scalar::blend::weighted_sum;
-pub use crate::scalar::mean::dib;
 pub use crate::{__for_each_kernel as for_each_kernel, __record as record};

@@ -15,7 +15,8 @@
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
  *           except an index such as `bad_joint`, and the steps that were to be a mechanism.
- * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
+ * Memory.   All of it is yours: the library allocates nothing but what dq8_resample needs while it runs,
+ *           which a library without the feature `trajectory`, as firmware has it, has not; it keeps no pointer
  *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
  *           weights, dq8_clips one to their bytes. What their functions do is undefined if that memory
  *           has changed or gone. A pointer may be null where the length of its array is 0.

@@ -17,13 +17,14 @@
 //! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints, plain, or vertices of several fields |
 //! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | between plain arrays and blocks |
+//! | [`trajectory`] | poses at times, sampled at other times |
 //!
 //! Each but the first two, `joint`, `skin` and `mesh` has its functions twice: in `single` for
 //! `f32`, in `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
 //! Nothing here computes: pointers are checked and become slices, and errors become numbers. No
-//! function allocates, and none panics; a panic could not leave an `extern "C"` function anyway, it
-//! would abort.
+//! function allocates but those of [`trajectory`], which the feature of that name adds, and none
+//! panics; a panic could not leave an `extern "C"` function anyway, it would abort.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[macro_use]
@@ -53,6 +54,7 @@ pub mod slices;
 mod span;
 pub mod status;
 pub mod targets;
+#[cfg(feature = "trajectory")]
 pub mod trajectory;
 
 pub use backend::InstructionSet;

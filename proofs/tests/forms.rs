@@ -15,26 +15,28 @@ const SAMPLED: &str = "not proved: the pose is interpolated first; the product i
 const FORMS: &[Row] = &[
     // Instances in blocks: by the product of `batch::DualQuat`.
     (
-        "src/hierarchy/concatenate.rs Forward",
+        "src/hierarchy/blocks.rs Forward",
         &["local_to_model_blocks", "local_to_model_roots_blocks", "bones_blocks"],
         "",
     ),
     // Plain instances as many as there are lanes; and what is left over, or alone.
-    ("src/hierarchy/transposed.rs Instances", &["local_to_model_lanes", "bones_lanes"], ""),
+    ("src/hierarchy/plain.rs Instances", &["local_to_model_lanes", "bones_lanes"], ""),
     (
-        "src/hierarchy/transposed.rs product_in_lanes x 3",
+        "src/hierarchy/plain.rs product_in_lanes x 4",
         &["local_to_model_lanes", "local_to_model_roots_lanes"],
         "",
     ),
-    ("src/hierarchy/transposed.rs Walk", &["local_to_model", "bones"], ""),
-    ("src/hierarchy/transposed.rs product x 1", &["local_to_model", "local_to_model_roots"], ""),
-    ("src/hierarchy/unkept.rs Unkept", &["palette_lanes"], ""),
-    ("src/hierarchy/unkept.rs product_in_lanes x 1", &["local_to_model_lanes"], ""),
+    ("src/hierarchy/plain.rs Walk", &["local_to_model", "bones"], ""),
+    ("src/hierarchy/plain.rs product x 1", &["local_to_model", "local_to_model_roots"], ""),
+    ("src/hierarchy/plain.rs Unkept", &["palette_lanes"], ""),
     ("src/hierarchy/plan.rs Walk", &["local_to_model_planned"], ""),
-    ("src/hierarchy/plan.rs product x 2", &["local_to_model_planned"], ""),
-    ("src/hierarchy/planned.rs Begin", &["local_to_model_planned_root"], ""),
-    ("src/hierarchy/planned.rs product x 1", &["local_to_model_planned_root"], ""),
-    ("src/hierarchy/planned.rs End", &["palette"], ""),
+    ("src/hierarchy/plan.rs Begin", &["local_to_model_planned_root"], ""),
+    (
+        "src/hierarchy/plan.rs product x 3",
+        &["local_to_model_planned", "local_to_model_planned_root"],
+        "",
+    ),
+    ("src/hierarchy/plan.rs End", &["palette"], ""),
     // A step of each pass; a chain of segments as a whole is not proved.
     (
         "src/hierarchy/chain.rs Scan",
@@ -42,15 +44,15 @@ const FORMS: &[Row] = &[
         "",
     ),
     (
-        "src/hierarchy/chain.rs packed_product x 2",
-        &["chain_products_scan", "chain_products_rest"],
-        "",
+        "src/hierarchy/chain.rs packed_product x 3",
+        &["chain_products_scan", "chain_products_rest", "local_to_model"],
+        "the third is that of `product`, which other loops call",
     ),
-    ("src/hierarchy/palette.rs Palette", &["palette", "palette_lanes", "palette_blocks"], ""),
-    ("src/hierarchy/palette.rs NoEpilogue", &[], "not proved: computes nothing"),
+    ("src/hierarchy/run.rs Palette", &["palette", "palette_lanes", "palette_blocks"], ""),
+    ("src/hierarchy/run.rs NoEpilogue", &[], "not proved: computes nothing"),
     ("src/hierarchy/backward.rs Backward", &["model_to_local"], ""),
     (
-        "src/hierarchy/write.rs Write",
+        "src/hierarchy/backward.rs Write",
         &[],
         "not proved: only makes motions of locals, as `from_rotation_translation` does",
     ),
@@ -71,10 +73,10 @@ const FORMS: &[Row] = &[
     ("src/hierarchy/layers.rs RotationsTranslations", &["bones", "bones_blocks"], "the same law"),
     ("src/hierarchy/layers.rs Tracks", &["bones", "bones_blocks"], "the same law"),
     ("src/hierarchy/layers.rs Layered", &[], SAMPLED),
-    ("src/hierarchy/sampled.rs Sampled", &[], SAMPLED),
-    ("src/hierarchy/either.rs Either", &[], "not proved: one of two others"),
+    ("src/hierarchy/clip.rs Sampled", &[], SAMPLED),
+    ("src/hierarchy/layers.rs Either", &[], "not proved: one of two others"),
     (
-        "src/skinning/run.rs Run",
+        "src/skinning/job.rs Run",
         &[
             "linear_skin",
             "scaled_point",
@@ -103,7 +105,7 @@ const FORMS: &[Row] = &[
     ("JointKind::Planar", &[], "not proved: the sums of a hinge and of a point, and a sine"),
     ("robot/src/ik/job.rs Targets", &[], "not proved: a search"),
     ("robot/src/ik/rates.rs Velocities", &[], "not proved: solves a system"),
-    ("robot/src/ik/solutions_job.rs Targets", &[], "not proved: angles by arcs"),
+    ("robot/src/ik/six_axis.rs Targets", &[], "not proved: angles by arcs"),
 ];
 
 /// The text of a file of dq8 without its tests.
@@ -141,9 +143,6 @@ fn forms() -> BTreeSet<String> {
                 found.insert(format!("{folder}/{file} {name}"));
             }
             // The products that loops over single instances call: how many times each.
-            if file == "product.rs" {
-                continue;
-            }
             for product in ["packed_product(", "product_in_lanes(", " product("] {
                 let lines =
                     text.lines().filter(|line| !line.contains("fn ") && !line.contains("//"));

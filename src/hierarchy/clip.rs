@@ -1,18 +1,24 @@
-//! [`Clip`]: key frames of plain numbers, and [`Frames`] of it.
+//! [`Clip`]: key frames of plain numbers. [`Sampled`] plays it, or any other [`Keys`], for many
+//! instances; `pose` and `between` for a single joint, such as the root motion of a character.
 
-use super::keys::{Keys, PlacedKeys};
+use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
-use super::rows::{Rows, each};
+use super::locals::{GROUPS, Locals, Numbers, Rows, each, part_of, resized};
 use super::slot::JointSlot;
 use crate::brief::brief;
 use crate::law::Law;
 use crate::number::{Real, Scalar};
+use crate::palette_entry::Motions;
 use crate::scalar::DualQuat;
-use crate::storage::shape::{ShapeError, whole_instances};
-use crate::storage::{Aos, Element, identity};
+use crate::storage::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::{Aos, Element, Layout, Number, Register, aos, identity};
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::ops::Range;
-use dq8_simd::{Gather, Lanes, Records};
+use dq8_simd::internal::Gather;
+use dq8_simd::{Lanes, Level, Portable, Records, Unfused};
 
 /// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
 /// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
@@ -291,5 +297,371 @@ where
     }
     fn part(self, instances: Range<usize>) -> Self {
         Self { frames: self.frames.part(instances), ..self }
+    }
+}
+
+/// Key frames of a skeleton, in numbers of `R`, `C` for each joint: a [`Clip`](super::Clip) or
+/// [`PackedClips`](super::PackedClips). Sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` are no keys of {C} numbers of `{R}` for each joint",
+    note = "packed clips have 7 numbers of `f32` for each joint, a rotation and a translation: the law `NlerpLerp` plays them, in \
+            `f32`",
+    note = "a `Clip` has 7 for `NlerpLerp`, or 8, a motion, for `Nlerp` and `Sclerp`"
+)]
+pub trait Keys<'s, R, const C: usize>: Copy + Sealed {
+    /// Where an instance is: the number of a frame, or a clip and a frame.
+    type Place;
+    /// The keys, and places that have been checked.
+    #[doc(hidden)]
+    type Placed: PlacedKeys<R, C>;
+    /// Many places.
+    ///
+    /// # Errors
+    /// If one of them is none of these keys.
+    #[doc(hidden)]
+    fn placed(self, places: &'s [Self::Place]) -> Result<Self::Placed, ShapeError>;
+}
+
+/// Keys with a place for each instance.
+#[doc(hidden)]
+pub trait PlacedKeys<R, const C: usize>: Copy + Send + Sync {
+    /// How many joints there are.
+    fn joints(self) -> usize;
+    /// The poses of a slot.
+    fn pose<L: Lanes<Real = R>, W: Law<C>>(
+        self,
+        level: L::Level,
+        law: W,
+        slot: JointSlot,
+        t: L,
+    ) -> Option<[L; C]>;
+    /// The poses of a slot and of those after it, in the first `C` of each rows.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn poses<L: Lanes<Real = R>, W: Law<C>>(
+        self,
+        level: L::Level,
+        law: W,
+        slot: JointSlot,
+        t: L,
+        to: &mut [Rows<L>],
+    ) -> Option<()> {
+        each(
+            slot,
+            to,
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |slot| self.pose(level, law, slot, t),
+        )
+    }
+    /// Those of some instances.
+    #[must_use]
+    fn part(self, instances: Range<usize>) -> Self;
+}
+
+/// Many instances, each at its own place in the same clip: instance i lies `t[i]` of the way from
+/// frame `frames[i]` to the next one, with all of its joints. [Locals](super::Locals) like any
+/// other, in one pass: keys are loaded and interpolated for sixteen joints of as many instances as
+/// there are lanes, then multiplied on.
+///
+/// Instances that play different clips share one call if they are
+/// [`PackedClips`](super::PackedClips), or if the keys of all clips lie in one array, one clip
+/// after the other: add the number of frames before a clip to the frame that
+/// [`Clip::place`](super::Clip::place) of that clip gives.
+///
+/// ```
+/// use dq8::hierarchy::{Clip, Sampled};
+/// use dq8::{DualQuat, Hierarchy, law::Nlerp};
+/// let parents = [Hierarchy::ROOT, 0];
+/// let arm = Hierarchy::new(&parents)?;
+/// // Three frames of two joints.
+/// let keys = [1.0_f32, 1.0, 2.0, 2.0, 4.0, 4.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+/// let clip = Clip::new(2, &keys)?;
+/// // Two instances: a quarter after frame 0, and half way between the last two frames.
+/// let locals = Sampled::new(Nlerp, clip, &[0, 1], &[0.25, 0.5])?;
+/// let mut models = [DualQuat::IDENTITY; 2 * 2];
+/// arm.job().locals_to_model(locals, &mut models)?;
+/// assert_eq!(models[1].translation(), [2.5, 0.0, 0.0]);
+/// assert_eq!(models[3].translation(), [6.0, 0.0, 0.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy)]
+#[doc(alias("SamplingJob"))]
+pub struct Sampled<'s, W, P, R, const C: usize> {
+    law: W,
+    keys: P,
+    t: &'s [R],
+}
+
+brief!([W: Debug, P: Debug, R, const C: usize] Sampled<'_, W, P, R, C>: Sampled |it| {
+    law: it.law, keys: it.keys, instances: it.t.len(),
+});
+
+impl<'s, W: Law<C>, P: PlacedKeys<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
+    /// One place and one `t` for each instance. A place is the number of a frame in a
+    /// [`Clip`](super::Clip), and what [`PackedClips::place`](super::PackedClips::place) gives in
+    /// those. Values of `t` outside [0, 1] go on beyond the two frames of a `Clip`; in packed clips
+    /// they are cut to that. NaN makes poses of NaN.
+    ///
+    /// # Errors
+    /// If `places` and `t` differ in length, or a frame is not one of the clip, or the last one,
+    /// which no frame follows, or a place is one of other packed clips.
+    pub fn new<K: Keys<'s, R, C, Placed = P>>(
+        law: W,
+        clip: K,
+        places: &'s [K::Place],
+        t: &'s [R],
+    ) -> Result<Self, ShapeError> {
+        same_length("t", t.len(), places.len())?;
+        Ok(Self { law, keys: clip.placed(places)?, t })
+    }
+}
+
+impl<M, W, P, const C: usize> PoseSource<M, C> for Sampled<'_, W, P, M::Real, C>
+where
+    M: Layout,
+    W: Law<C>,
+    P: PlacedKeys<M::Real, C>,
+{
+    const MADE: bool = true;
+
+    fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
+        same_length("each frame of the clip", self.keys.joints(), joints)?;
+        Ok(("frames", joints.saturating_mul(self.t.len().div_ceil(M::THINGS))))
+    }
+    fn instances(&self) -> Option<usize> {
+        Some(self.t.len())
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
+        let t = slot.of_instance(level, self.t)?;
+        self.keys.pose(level, self.law, slot, t)
+    }
+    #[inline(never)]
+    fn poses<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<M::Register<V>>],
+    ) -> Option<()> {
+        level.run(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || {
+                let t: M::Register<V> = slot.of_instance(level, self.t)?;
+                self.keys.poses(level, self.law, slot, t, to)
+            },
+        )
+    }
+    fn some(self, _: usize, instances: Range<usize>) -> Self {
+        let t = part_of(self.t, M::THINGS, instances.clone());
+        let first = instances.start.saturating_mul(M::THINGS);
+        Self { keys: self.keys.part(first..first.saturating_add(t.len())), t, ..self }
+    }
+}
+
+locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |poses| poses.law;
+    W: Law<C>, P: PlacedKeys<Number<E, 8>, C>);
+
+impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}
+
+impl<K> Clip<'_, K> {
+    /// The local pose of a joint at the time `at`, as [`place`](Self::place) has it; `None` if
+    /// there is no such joint. For whole skeletons take [`Sampled`](super::Sampled) and
+    /// [`Job::locals`](super::Job::locals).
+    #[must_use]
+    pub fn pose<W, R: Scalar, const C: usize>(
+        &self,
+        law: W,
+        joint: usize,
+        at: R,
+    ) -> Option<DualQuat<R>>
+    where
+        W: Law<C>,
+        K: Element<C, Layout = Aos<R>>,
+    {
+        self.pose_at(law, joint, self.place(at))
+    }
+
+    /// The motion of a joint from one time to another, in its frame at the first: pose(from)* ·
+    /// pose(to). Of the root this is the root motion of a character, which goes on where a
+    /// [looping](Self::looping) clip begins again: with r rounds between the times, and the round
+    /// c = pose(first)* · pose(last), it is pose(from)* · pose(first) · cʳ · pose(first)* ·
+    /// pose(to). `None` if there is no such joint.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, hierarchy::Clip, law::Nlerp};
+    /// // A step of one length in two frames, at 30 frames a second.
+    /// let keys = [0.0_f32, 0.25, 1.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let walk = Clip::new(1, &keys)?.with_rate(30.0).looping();
+    /// let step = walk.between(Nlerp, 0, 0.0, walk.duration() as f32 / 2.0).unwrap();
+    /// assert!((step.translation()[0] - 0.25).abs() < 1e-6);
+    /// // In a second it takes 15 steps.
+    /// let second = walk.between(Nlerp, 0, 0.25_f32, 1.25).unwrap();
+    /// assert!((second.translation()[0] - 15.0).abs() < 1e-4);
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    #[must_use]
+    pub fn between<W, R: Scalar, const C: usize>(
+        &self,
+        law: W,
+        joint: usize,
+        from: R,
+        to: R,
+    ) -> Option<DualQuat<R>>
+    where
+        W: Law<C>,
+        K: Element<C, Layout = Aos<R>>,
+    {
+        self.timing.between(from, to, |place| self.pose_at(law, joint, place))
+    }
+
+    /// The pose of a joint at a place.
+    fn pose_at<W, R: Scalar, const C: usize>(
+        &self,
+        law: W,
+        joint: usize,
+        (frame, t): (u32, R),
+    ) -> Option<DualQuat<R>>
+    where
+        W: Law<C>,
+        K: Element<C, Layout = Aos<R>>,
+    {
+        // A single frame is its own next one.
+        let last = self.timing.frames.saturating_sub(1);
+        let key = |frame: usize| {
+            let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
+            Some(aos::splat(ALONE, *keys.get(..self.joints)?.get(joint)?))
+        };
+        let [a, b]: [[<Aos<R> as Layout>::Register<Alone>; C]; 2] =
+            [key(frame as usize)?, key(frame as usize + 1)?];
+        Some(first(law, law.between(a, b, Lanes::splat(ALONE, t))))
+    }
+}
+
+/// Lanes of a single pose, which has the same bits on every target.
+pub(super) type Alone = Unfused<Portable>;
+pub(super) const ALONE: Alone = Unfused(Portable);
+
+/// The motion in the first lane.
+pub(super) fn first<L: Lanes<Real: Scalar>, W: Law<C>, const C: usize>(
+    law: W,
+    pose: [L; C],
+) -> DualQuat<L::Real> {
+    let mut first = [[L::Real::default(); 8]];
+    Records::store_records(law.motion(pose).to_array(), &mut first);
+    let [motion] = first;
+    DualQuat::from_array(motion)
+}
+
+/// A [`Clip`] with memory of its own: what a loader gives.
+///
+/// ```
+/// use dq8::hierarchy::OwnedClip;
+/// use dq8::{DualQuat, law::Sclerp};
+/// let keys = [0.0_f64, 1.0, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+/// let walk = OwnedClip::new(1, keys)?.with_rate(10.0);
+/// assert_eq!(walk.place(0.125), (1, 0.25));
+/// let hip = walk.pose(Sclerp, 0, 0.15).unwrap();
+/// assert!((hip.translation()[0] - 2.0).abs() < 1e-12);
+/// # Ok::<(), dq8::ShapeError>(())
+/// ```
+#[cfg(feature = "alloc")]
+#[derive(Clone)]
+#[must_use]
+pub struct OwnedClip<K> {
+    keys: Vec<K>,
+    joints: usize,
+    timing: Timing<f64>,
+}
+
+#[cfg(feature = "alloc")]
+brief!([K] OwnedClip<K>: OwnedClip |it| {
+    joints: it.joints, frames: it.timing.frames, rate: it.timing.rate, loops: it.timing.loops,
+});
+
+#[cfg(feature = "alloc")]
+impl<K> OwnedClip<K> {
+    /// See [`Clip::new`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn new(joints: usize, keys: impl Into<Vec<K>>) -> Result<Self, ShapeError> {
+        let keys = keys.into();
+        let timing = Clip::new(joints, &keys)?.timing;
+        Ok(Self { keys, joints, timing })
+    }
+
+    /// See [`Clip::with_rate`].
+    pub fn with_rate(self, frames_per_second: f64) -> Self {
+        Self { timing: self.timing.with_rate(frames_per_second), ..self }
+    }
+
+    /// See [`Clip::looping`].
+    pub fn looping(self) -> Self {
+        Self { timing: self.timing.looping(), ..self }
+    }
+
+    /// See [`Clip::duration`].
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.timing.duration()
+    }
+
+    /// See [`Clip::frames`].
+    #[must_use]
+    pub fn frames(&self) -> usize {
+        self.timing.frames
+    }
+
+    /// See [`Clip::rate`].
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        self.timing.rate
+    }
+
+    /// See [`Clip::loops`].
+    #[must_use]
+    pub fn loops(&self) -> bool {
+        self.timing.loops
+    }
+
+    /// See [`Clip::place`].
+    #[must_use]
+    pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
+        self.timing.place(at)
+    }
+
+    /// See [`Clip::pose`].
+    #[must_use]
+    pub fn pose<W, R: Scalar, const C: usize>(
+        &self,
+        law: W,
+        joint: usize,
+        at: R,
+    ) -> Option<DualQuat<R>>
+    where
+        W: Law<C>,
+        K: Element<C, Layout = Aos<R>>,
+    {
+        self.view().pose(law, joint, at)
+    }
+
+    /// See [`Clip::between`].
+    #[must_use]
+    pub fn between<W, R: Scalar, const C: usize>(
+        &self,
+        law: W,
+        joint: usize,
+        from: R,
+        to: R,
+    ) -> Option<DualQuat<R>>
+    where
+        W: Law<C>,
+        K: Element<C, Layout = Aos<R>>,
+    {
+        self.view().between(law, joint, from, to)
+    }
+
+    /// The same, borrowed: what [`Sampled`](super::Sampled) takes.
+    pub fn view(&self) -> Clip<'_, K> {
+        Clip { keys: &self.keys, joints: self.joints, timing: self.timing }
     }
 }

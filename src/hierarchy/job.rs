@@ -1,17 +1,19 @@
-use super::forward::forward;
+//! [`Job`]: the options of a run over a hierarchy, and its entries: models, palettes, locals from
+//! models, and locals of any form as motions.
+
+use super::backward::{Backward, Write};
+#[cfg(feature = "rayon")]
+use super::forward::parallel;
 use super::locals::{InPlace, Locals, Poses};
-use super::palette::{Epilogue, NoEpilogue};
 use super::plan::{NoPlan, Plan, Plans};
-use super::planned;
-use super::root::{NoRoot, Roots};
-use super::run::{Root, Run};
-use super::{Hierarchy, Renormalize};
+use super::run::{Epilogue, NoEpilogue, NoRoot, Palette, Renormalize, Root, Roots, Run};
+use super::{Hierarchy, forward, plan};
 use crate::backend::Choice;
 use crate::brief::brief;
-use crate::palette_entry::MatrixOrder;
+use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::DualQuat;
-use crate::storage::Element;
 use crate::storage::shape::{ShapeError, joints_within, same_length, whole_instances};
+use crate::storage::{Element, Number, Source};
 use core::ops::{Bound, Range, RangeBounds};
 
 /// A run over a hierarchy: with a root transform, or on some of the joints.
@@ -279,16 +281,16 @@ impl<S, P: Plans> Job<'_, S, P> {
     {
         let (run, backend) = (self.run::<E>(), self.choice.instructions());
         if let Some(plan) = self.plan.plan()
-            && planned::applies(&run, models.len())
+            && plan::applies(&run, models.len())
         {
             let mut epilogue = epilogue;
-            return planned::forward(backend, plan, &run, locals, models, &mut epilogue);
+            return plan::forward(backend, plan, &run, locals, models, &mut epilogue);
         }
         #[cfg(feature = "rayon")]
         if backend.many() && !run.parents.is_empty() {
-            return super::parallel::forward(backend, &run, locals, models, epilogue);
+            return parallel::forward(backend, &run, locals, models, epilogue);
         }
-        forward(backend, &run, locals, models, epilogue);
+        forward::forward(backend, &run, locals, models, epilogue);
     }
 
     pub(super) fn check_locals<E: Element<8>, L: Locals<E>>(
@@ -327,5 +329,227 @@ impl<S, P: Plans> Job<'_, S, P> {
             Some(roots) => same_length("roots", roots, instances),
             None => Ok(()),
         }
+    }
+}
+
+impl<S, P: Plans> Job<'_, S, P> {
+    /// Models and the skinning palette of them in one pass, for callers who need both
+    /// ([`palette`](Self::palette) keeps no models): `models` as of
+    /// [`locals_to_model`](Self::locals_to_model), and `palette[j]` = model(j) ·
+    /// `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose to where joint j has
+    /// moved it. `inverse_binds` holds one per joint, the same for all instances; the palette is of
+    /// motions, 3×4 or 4×4 matrices: [`PaletteEntry`].
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `models` and `palette` are untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let leg = Hierarchy::new(&parents)?;
+    /// let rest = [0.0_f32, -1.0].map(|y| DualQuat::from_translation([0.0, y, 0.0]));
+    /// let mut models = rest;
+    /// leg.job().local_to_model_in_place(&mut models)?;
+    /// let inverse_binds = models.map(|model| model.conjugate());
+    /// // In the rest pose no vertex moves.
+    /// let mut palette = [[[0.0; 4]; 3]; 2];
+    /// leg.job().palette_and_models(Poses(&rest), &mut models, &inverse_binds, &mut palette)?;
+    /// assert_eq!(palette[1], DualQuat::<f32>::IDENTITY.to_matrix3x4());
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn palette_and_models<E, L, M, const C: usize>(
+        &self,
+        locals: L,
+        models: &mut [E],
+        inverse_binds: &[DualQuat<Number<E, 8>>],
+        palette: &mut [M],
+    ) -> Result<(), ShapeError>
+    where
+        S: Roots<E>,
+        E: Element<8>,
+        L: Locals<E>,
+        M: PaletteEntry<C, Layout = E::Layout>,
+    {
+        self.check_locals::<E, L>(&locals, models.len())?;
+        same_length("inverse_binds", inverse_binds.len(), self.run::<E>().parents.len())?;
+        same_length("palette", palette.len(), models.len())?;
+        self.forward(
+            locals,
+            models,
+            Palette { inverse_binds, order: self.order, entries: palette },
+        );
+        Ok(())
+    }
+
+    /// The skinning palette alone: models are not kept
+    /// ([`palette_and_models`](Self::palette_and_models) keeps them). They go through `scratch`,
+    /// which holds some whole instances, again and again. 16 instances serve plain motions and two
+    /// blocks serve blocks best, for each thread: as few as fill the lanes, so that they stay in
+    /// the first cache. What is in it afterwards has no meaning: with plain motions, models stay
+    /// there in the order of registers.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of
+    /// the range is not in it, so that nothing holds its model; `palette` is untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let leg = Hierarchy::new(&parents)?;
+    /// let down = DualQuat::from_translation([0.0_f32, -1.0, 0.0]);
+    /// // 100 instances; 16 at a time go through the scratch.
+    /// let (locals, inverse_binds) = (vec![down; 2 * 100], [DualQuat::IDENTITY; 2]);
+    /// let mut scratch = [DualQuat::IDENTITY; 2 * 16];
+    /// let mut palette = vec![[[0.0; 4]; 3]; 2 * 100];
+    /// leg.job().palette(Poses(&locals), &mut scratch, &inverse_binds, &mut palette)?;
+    /// assert_eq!(palette[199][1][3], -2.0);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn palette<E, L, M, const C: usize>(
+        &self,
+        locals: L,
+        scratch: &mut [E],
+        inverse_binds: &[DualQuat<Number<E, 8>>],
+        palette: &mut [M],
+    ) -> Result<(), ShapeError>
+    where
+        S: Roots<E>,
+        E: Element<8>,
+        L: Locals<E>,
+        M: PaletteEntry<C, Layout = E::Layout>,
+    {
+        // Before the job is lent to checks: a compiler that has seen the order written keeps the
+        // stores of that one alone.
+        let order = self.order;
+        self.check_locals::<E, L>(&locals, palette.len())?;
+        let run = self.run::<E>();
+        let joints = run.parents.len();
+        same_length("inverse_binds", inverse_binds.len(), joints)?;
+        if whole_instances("scratch", joints, scratch.len())? == 0 && !palette.is_empty() {
+            same_length("scratch", scratch.len(), joints)?;
+        }
+        for joint in run.joints.clone() {
+            let parent = run.parents.get(joint).map_or(joint, |&parent| parent as usize);
+            if parent < run.joints.start {
+                return Err(ShapeError::NoParent { joint, parent });
+            }
+        }
+        let epilogue = Palette { inverse_binds, order, entries: palette };
+        let one = epilogue.entries.len() == joints;
+        if let Some(models) = scratch.get_mut(..joints).filter(|_| one) {
+            self.forward(locals, models, epilogue);
+            return Ok(());
+        }
+        let backend = self.choice.instructions();
+        #[cfg(feature = "rayon")]
+        if backend.many() && joints > 0 {
+            parallel::palette(backend, &run, locals, scratch, epilogue);
+            return Ok(());
+        }
+        forward::palette(backend, &run, locals, scratch, epilogue);
+        Ok(())
+    }
+}
+
+impl<S, P: Plans> Job<'_, S, P> {
+    /// Local poses of all joints from model ones: local(j) = model(parent(j))* · model(j). The
+    /// models must be unit. With [`joints`](Self::joints), only those locals are written.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `locals` is untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let pair = Hierarchy::new(&parents)?;
+    /// let models = [1.0_f32, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let mut locals = models;
+    /// pair.job().model_to_local(&models, &mut locals)?;
+    /// assert_eq!(locals[1].translation(), [2.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn model_to_local<E: Element<8>>(
+        &self,
+        models: &[E],
+        locals: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        S: Roots<E>,
+    {
+        self.check::<E>("models", models.len())?;
+        same_length("locals", locals.len(), models.len())?;
+        self.backward(Source::Slice(models), locals);
+        Ok(())
+    }
+
+    /// [`model_to_local`](Self::model_to_local) over the models themselves.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `poses` is untouched.
+    #[inline]
+    pub fn model_to_local_in_place<E: Element<8>>(&self, poses: &mut [E]) -> Result<(), ShapeError>
+    where
+        S: Roots<E>,
+    {
+        self.check::<E>("poses", poses.len())?;
+        self.backward(Source::Output, poses);
+        Ok(())
+    }
+
+    #[inline]
+    fn backward<E: Element<8>>(&self, models: Source<'_, E>, locals: &mut [E])
+    where
+        S: Roots<E>,
+    {
+        let (run, backend) = (self.run::<E>(), self.choice.instructions());
+        #[cfg(feature = "rayon")]
+        if backend.many() && !run.parents.is_empty() {
+            return parallel::backward(backend, &run, models, locals);
+        }
+        backend.run(Backward { run: &run, models, locals });
+    }
+}
+
+impl<P: Plans> Job<'_, NoRoot, P> {
+    /// Local poses as motions, of locals in any form: what a clip or layers are at a time, for
+    /// inverse kinematics after animation, root motion, and export.
+    /// [`locals_to_model`](Self::locals_to_model) computes models without them. With
+    /// [`joints`](Self::joints), only those are written.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `poses` is untouched.
+    ///
+    /// ```
+    /// use dq8::hierarchy::{Clip, Sampled};
+    /// use dq8::{DualQuat, Skeleton, law::Nlerp};
+    /// let leg = Skeleton::new(&[-1, 0])?;
+    /// // Two frames of two joints, of which the second bends.
+    /// let bent = DualQuat::from_rotation(dq8::Quat::from_rotation_x(1.0));
+    /// let keys = [DualQuat::<f32>::IDENTITY, DualQuat::IDENTITY, DualQuat::IDENTITY, bent];
+    /// let pose = Sampled::new(Nlerp, Clip::new(2, &keys)?, &[0], &[0.5])?;
+    /// let mut locals = [DualQuat::IDENTITY; 2];
+    /// leg.job().locals(pose, &mut locals)?;
+    /// // Here `Job::two_bone` puts the foot on the ground, and then:
+    /// leg.job().local_to_model_in_place(&mut locals)?;
+    /// assert!((locals[1].rotation().angle_to(dq8::Quat::IDENTITY) - 0.5).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn locals<E: Element<8>, L: Locals<E>>(
+        &self,
+        locals: L,
+        poses: &mut [E],
+    ) -> Result<(), ShapeError> {
+        self.check_locals::<E, L>(&locals, poses.len())?;
+        let (run, backend) = (self.run::<E>(), self.choice.instructions());
+        #[cfg(feature = "rayon")]
+        if backend.many() && !run.parents.is_empty() {
+            parallel::write(backend, &run, locals, poses);
+            return Ok(());
+        }
+        backend.run(Write { run: &run, locals, poses });
+        Ok(())
     }
 }

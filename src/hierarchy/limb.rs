@@ -1,8 +1,7 @@
 //! Limbs of skeletons that are bent: from models and targets back to locals.
 
 use super::plan::Plans;
-use super::root::Roots;
-use super::run::{Run, grain};
+use super::run::{Roots, Run, grain};
 use super::{Hierarchy, Job};
 use crate::backend::Kernel;
 use crate::batch;

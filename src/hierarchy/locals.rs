@@ -1,15 +1,17 @@
-//! [`Locals`]: what a joint adds to its parent, and how it lies in memory.
+//! [`Locals`]: the pose of a joint in its parent, and its form in memory. Locals that are computed
+//! are computed for a group of joints at a time, into [`Rows`], which [`Ahead`] holds.
 
-use super::rows::{self, Rows};
+use super::run::Run;
 use super::slot::JointSlot;
 use crate::batch;
 use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
-pub(super) use crate::palette_entry::{Motions, motions};
+use crate::palette_entry::Motions;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source};
+use bytemuck::Zeroable;
 use core::ops::Range;
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level};
 
 /// The numbers of one register of locals: those of motions, or of poses, and then nothing that is
 /// read.
@@ -53,7 +55,7 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
         slot: JointSlot,
         to: &mut [Rows<Register<E, V, 8>>],
     ) -> Option<()> {
-        rows::each(
+        each(
             slot,
             to,
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -195,15 +197,15 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
         let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let [a, b, c] = slot.of_joint(level, self.offsets)?;
-        Some(rows::resized([x, y, z, w, a, b, c]))
+        Some(resized([x, y, z, w, a, b, c]))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
-        NlerpLerp.motion(rows::resized(local))
+        NlerpLerp.motion(resized(local))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
-        NlerpLerp.onto(parent, rows::resized(local))
+        NlerpLerp.onto(parent, resized(local))
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self { rotations: part_of(self.rotations, joints, instances), ..self }
@@ -225,4 +227,111 @@ pub(super) mod sealed {
     impl<T> Sealed for RotationsTranslations<'_, T> {}
     impl<Q, T> Sealed for Tracks<'_, Q, T> {}
     impl<Q: Element<4>> Sealed for Bones<'_, Q> {}
+}
+
+/// The numbers of a pose or a motion, as registers hold them. A pose leaves those behind its own as
+/// they are.
+pub(super) type Rows<L> = [<L as Lanes>::Array; 8];
+
+/// As many slots as are made at once: enough that a call for each source is little, few enough that
+/// all of them stay in the first cache.
+pub(super) const GROUP: usize = 16;
+
+/// Whether what is computed is made a group at a time. Firmware counts the bytes of its code and
+/// stack.
+pub(super) const GROUPS: bool = cfg!(not(target_os = "none"));
+
+/// What is made of a slot and of those after it, into rows one after the other.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn each<L: Lanes, const C: usize>(
+    slot: JointSlot,
+    to: &mut [Rows<L>],
+    mut pose: impl FnMut(JointSlot) -> Option<[L; C]>,
+) -> Option<()> {
+    for (number, rows) in to.iter_mut().enumerate() {
+        store(pose(slot.after(number, L::LANES))?, rows);
+    }
+    Some(())
+}
+
+/// The first rows.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Rows<L>) -> [L; C] {
+    let mut registers = [L::splat(level, L::Real::default()); C];
+    for (register, row) in registers.iter_mut().zip(from) {
+        *register = L::load(level, row);
+    }
+    registers
+}
+
+/// To the first rows.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Rows<L>) {
+    for (register, row) in registers.iter().zip(to) {
+        register.store(row);
+    }
+}
+
+/// The first numbers of an array as one of another length; where there are more, they are the first
+/// one, and nobody reads them.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) -> [L; B] {
+    // No closure: in an inlined kernel it would be compiled without its instructions.
+    let mut to = [from[0]; B];
+    for (to, &from) in to.iter_mut().zip(&from) {
+        *to = from;
+    }
+    to
+}
+
+/// A group of locals, if they are made.
+pub(super) struct Ahead<E: Element<8>, V: Level>(Option<[Rows<Register<E, V, 8>>; GROUP]>);
+
+impl<E: Element<8>, V: Level> Ahead<E, V> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn of<L: Locals<E>>(_: &L) -> Self {
+        Self(if const { L::MADE } { Some([Zeroable::zeroed(); GROUP]) } else { None })
+    }
+
+    /// The local of a slot; the slots of all joints of `run` are asked for one after the other.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn local<L: Locals<E>>(
+        &mut self,
+        level: V,
+        run: &Run<'_, E>,
+        locals: &L,
+        models: &[E],
+        slot: JointSlot,
+    ) -> Option<Numbers<E, V>> {
+        if const { !L::MADE } {
+            return locals.load(level, models, slot);
+        }
+        let rows = self.0.as_mut()?;
+        let step = if slot.is_of_joints() { Register::<E, V, 8>::LANES } else { 1 };
+        let at = (slot.joint() - run.joints.start) / step;
+        if at.is_multiple_of(GROUP) {
+            let all = run.joints.len().div_ceil(step);
+            locals.ahead(level, slot, rows.get_mut(..GROUP.min(all - at))?)?;
+        }
+        Some(load(level, rows.get(at % GROUP)?))
+    }
+
+    /// The locals of a slot of a block and of so many joints from it on go where their models will
+    /// be.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn place<L: Locals<E>>(
+        &mut self,
+        level: V,
+        locals: &L,
+        models: &mut [E],
+        slot: JointSlot,
+        joints: usize,
+    ) -> Option<()> {
+        let rows = self.0.as_mut()?.get_mut(..joints)?;
+        locals.ahead(level, slot, rows)?;
+        for (number, rows) in rows.iter().enumerate() {
+            E::copy(level, rows, models, slot.after(number, 1).own_tile());
+        }
+        Some(())
+    }
 }

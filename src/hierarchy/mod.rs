@@ -22,83 +22,47 @@
 //! `[instance block][joint][component][lane]`, so that a child finds its parent in the same lane of
 //! another block, without any shuffling: the fastest way. See [`storage`](crate::storage).
 
-mod ahead;
+// From the parents to the entries of a run, its data, its loops, and what is owned.
 mod backward;
+mod blocks;
 mod chain;
 mod clip;
-mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
-mod either;
-mod error;
-mod family;
 mod forward;
 mod job;
-mod keys;
 mod layers;
 mod limb;
-mod local_poses;
 mod locals;
-mod model_to_local;
-#[cfg(feature = "alloc")]
-mod owned_clip;
-#[cfg(feature = "alloc")]
-mod owned_plan;
 #[cfg(feature = "alloc")]
 mod packed_clip;
 mod packed_clips;
-mod packed_error;
-mod palette;
-mod palettes;
-#[cfg(feature = "rayon")]
-mod parallel;
-#[cfg(feature = "alloc")]
-mod parent_index;
 mod parents;
+mod plain;
 mod plan;
-mod planned;
-mod product;
-mod renormalize;
-mod root;
-mod root_motion;
-mod rows;
 mod run;
-mod sampled;
-mod schedule;
 #[cfg(feature = "alloc")]
 mod skeleton;
 mod slot;
-mod transposed;
-mod unkept;
-mod write;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
-pub use clip::{Clip, Frames};
+#[cfg(feature = "alloc")]
+pub use clip::OwnedClip;
+pub use clip::{Clip, Frames, Keys, PlacedKeys, Sampled};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
-pub use either::Either;
-pub use error::HierarchyError;
 pub use job::Job;
-pub use keys::{Keys, PlacedKeys};
-pub use layers::{Layered, PoseSource};
+pub use layers::{Either, Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
 #[cfg(feature = "alloc")]
-pub use owned_clip::OwnedClip;
-#[cfg(feature = "alloc")]
 pub use packed_clip::{Deviation, PackedClip, Tolerance};
-pub use packed_clips::{PackedClips, Playback};
-pub use packed_error::PackedError;
+pub use packed_clips::{PackedClips, PackedError, Playback};
+pub use parents::{Hierarchy, HierarchyError};
+pub use plan::{NoPlan, Plan, PlanScratch, Plans};
+pub use run::{NoRoot, Renormalize, Root, Roots};
 #[cfg(feature = "alloc")]
-pub use parent_index::ParentIndex;
-pub use parents::Hierarchy;
-pub use plan::{NoPlan, Plan, Plans};
-pub use renormalize::Renormalize;
-pub use root::{NoRoot, Roots};
-pub use run::Root;
-pub use sampled::Sampled;
-pub use schedule::PlanScratch;
-#[cfg(feature = "alloc")]
-pub use skeleton::{JointOrder, Skeleton};
+pub use skeleton::{JointOrder, ParentIndex, Skeleton};
 pub use slot::JointSlot;
 
-pub use dq8_simd::TrackPlace;
+#[doc(inline)]
+pub use dq8_simd::internal::TrackPlace;

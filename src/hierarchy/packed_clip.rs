@@ -17,7 +17,7 @@ use alloc::collections::BTreeMap;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
-use dq8_simd::OwnedTracks;
+use dq8_simd::internal::OwnedTracks;
 
 /// `[x, y, z, w, tx, ty, tz]`
 type Key = [f32; 7];

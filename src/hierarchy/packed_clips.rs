@@ -1,18 +1,19 @@
 //! [`PackedClips`]: clips of a skeleton in 8 bytes for each track that moves, and frame, decoded in
 //! registers.
 
-use super::clip::Timing;
-use super::keys::{Keys, PlacedKeys};
+use super::clip::{ALONE, Alone, Keys, PlacedKeys, Timing, first};
 use super::locals::sealed::Sealed;
-use super::packed_error::PackedError;
 use super::slot::JointSlot;
 use crate::brief::brief;
-use crate::law::Law;
+use crate::errors::errors;
+use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
-use crate::storage::aos;
+use crate::scalar::DualQuat;
 use crate::storage::shape::ShapeError;
+use crate::storage::{Aos, Layout, aos};
 use core::ops::Range;
-use dq8_simd::{Lanes, MAX_LANES, Mask, PlacedTracks, Records, TrackPlace, Tracks};
+use dq8_simd::internal::{PlacedTracks, TrackPlace, Tracks};
+use dq8_simd::{Lanes, MAX_LANES, Mask, Records};
 
 /// What 1 is in a key of a rotation.
 pub(super) const ONE: f64 = 32767.0;
@@ -281,6 +282,56 @@ impl<'a> PackedClips<'a> {
     }
 }
 
+impl PackedClips<'_> {
+    /// The local pose of a joint of a clip at the time `at`, as [`place`](Self::place) has it;
+    /// `None` if there is no such clip or joint. As [`Clip::pose`](super::Clip::pose).
+    #[must_use]
+    pub fn pose<R: Scalar>(&self, clip: usize, joint: usize, at: R) -> Option<DualQuat<R>> {
+        self.pose_at(clip, joint, self.timing::<R>(clip)?.place(at))
+    }
+
+    /// The motion of a joint of a clip from one time to another, in its frame at the first: as
+    /// [`Clip::between`](super::Clip::between), of a character's root the root motion. `None` if
+    /// there is no such clip or joint.
+    ///
+    /// ```
+    /// use dq8::hierarchy::{Clip, PackedClip, Tolerance};
+    /// // A step of one length in two frames, at 30 frames a second.
+    /// let keys = [0.0_f32, 0.25, 1.0].map(|z| [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, z]);
+    /// let walk = Clip::new(1, &keys)?.with_rate(30.0).looping();
+    /// let packed = PackedClip::new(walk, Tolerance::default())?;
+    /// let second = packed.clips().between(0, 0, 0.25_f32, 1.25).unwrap();
+    /// assert!((second.translation()[2] - 15.0).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn between<R: Scalar>(
+        &self,
+        clip: usize,
+        joint: usize,
+        from: R,
+        to: R,
+    ) -> Option<DualQuat<R>> {
+        self.timing::<R>(clip)?.between(from, to, |place| self.pose_at(clip, joint, place))
+    }
+
+    /// The pose of a joint at a place of a clip.
+    fn pose_at<R: Scalar>(
+        &self,
+        clip: usize,
+        joint: usize,
+        (frame, t): (u32, R),
+    ) -> Option<DualQuat<R>> {
+        let joints = self.joints();
+        (joint < joints).then_some(())?;
+        let places = [self.tracks.place(clip, frame)?];
+        let playback = Keys::<R, 7>::placed(*self, &places).ok()?;
+        let slot = JointSlot::of_joints(joint, 0, joints, joint + 1);
+        let t: <Aos<R> as Layout>::Register<Alone> = Lanes::splat(ALONE, t);
+        Some(first(NlerpLerp, PlacedKeys::pose(playback, ALONE, NlerpLerp, slot, t)?))
+    }
+}
+
 fn rate(timing: &PackedTiming) -> [f32; 2] {
     [0, 1].map(|i| word(timing, i).map_or(0.0, f32::from_bits))
 }
@@ -448,4 +499,39 @@ fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     let s = e.mul_add(s, x.constant(0.999_999_958_052_565_9 * SCALE));
     let s = L::select(t.eq(t), s, t);
     [x * s, y * s, z * s, w * s]
+}
+
+errors! {
+    /// Frames that packed clips cannot hold, or bytes that are no packed clips.
+    #[derive(Clone, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    PackedError {
+        /// Frames that do not fit the joints.
+        Shape(error: ShapeError) => "{error}";
+        /// A rotation that is not unit, or not finite.
+        NotUnit {
+            clip: usize = "The clip.",
+            frame: usize = "The frame.",
+            joint: usize = "The joint.",
+            length: f64 = "The length of its quaternion."
+        }
+            => "joint {joint} in frame {frame} of clip {clip} has a rotation of length {length}, not 1";
+        /// A clip whose frames a second are no positive number.
+        Rate { clip: usize = "The clip.", rate: f64 = "Its frames a second." }
+            => "clip {clip} has {rate} frames a second, which must be a positive number that `f32` holds";
+        /// A translation whose numbers are not finite, or differ from those of other frames by more
+        /// than `f32` holds.
+        Beyond {
+            clip: usize = "The clip.",
+            frame: usize = "The frame.",
+            joint: usize = "The joint.",
+            value: f32 = "The number."
+        }
+            => "joint {joint} in frame {frame} of clip {clip} is at {value}, which no range of translations holds";
+        /// More keys than 32 bits count, or more tracks than 15 bits.
+        TooLarge => "the clips have more keys than 32 bits count, or more tracks than 15 bits";
+        /// Bytes that are no packed clips of this version.
+        Bytes { offset: usize = "Where the first of them is that is wrong.", what: &'static str = "What is wrong." }
+            => "these are no packed clips: {what}, at byte {offset}";
+    }
 }

@@ -1,10 +1,12 @@
-//! What every loop over a hierarchy is told. Lengths have been checked.
+//! [`Run`]: the data that every loop over a hierarchy reads, after lengths have been checked: the
+//! [`Root`], when to [`Renormalize`], and the [`Epilogue`] of each model, such as a palette.
 
-use super::locals::Motions;
-use super::renormalize::Renormalize;
+use super::slot::JointSlot;
 use crate::batch;
+use crate::palette_entry::{MatrixOrder, Motions, PaletteEntry};
 use crate::scalar::DualQuat;
-use crate::storage::{self, Element, Number, Tile};
+use crate::storage::{self, Element, Layout, Number, Tile};
+use core::num::NonZeroU32;
 use core::ops::Range;
 use dq8_simd::Level;
 
@@ -81,5 +83,155 @@ impl<E: Element<8>> Run<'_, E> {
             Root::Same(root) => Some(root.to_array()),
             Root::Each(roots) => E::plain(roots)?.get(instance).copied(),
         }
+    }
+}
+
+/// A [`Job`](super::Job) whose roots stand on nothing: their local pose is their model pose.
+#[derive(Clone, Copy, Debug)]
+pub struct NoRoot;
+
+/// The base that root joints stand on, for models of `E`: nothing, one motion for all, or one each.
+/// Sealed.
+pub trait Roots<E: Element<8>>: sealed::Sealed {
+    #[doc(hidden)]
+    fn root(&self) -> Root<'_, E>;
+    /// Their number, where each instance has its own.
+    #[doc(hidden)]
+    fn count(&self) -> Option<usize> {
+        None
+    }
+}
+
+impl<E: Element<8>> Roots<E> for NoRoot {
+    fn root(&self) -> Root<'_, E> {
+        Root::None
+    }
+}
+
+impl<R, E: Element<8, Layout: Layout<Real = R>>> Roots<E> for DualQuat<R>
+where
+    DualQuat<R>: Copy,
+{
+    fn root(&self) -> Root<'_, E> {
+        Root::Same(*self)
+    }
+}
+
+impl<E: Element<8>> Roots<E> for &[E] {
+    fn root(&self) -> Root<'_, E> {
+        Root::Each(self)
+    }
+    fn count(&self) -> Option<usize> {
+        Some(self.len())
+    }
+}
+
+impl<E: Element<8>> Roots<E> for Root<'_, E> {
+    fn root(&self) -> Root<'_, E> {
+        self.clone()
+    }
+    fn count(&self) -> Option<usize> {
+        if let Self::Each(roots) = self { Some(roots.len()) } else { None }
+    }
+}
+
+mod sealed {
+    use super::{DualQuat, Element, NoRoot, Root};
+    pub trait Sealed {}
+    impl Sealed for NoRoot {}
+    impl<R> Sealed for DualQuat<R> {}
+    impl<E> Sealed for &[E] {}
+    impl<E: Element<8>> Sealed for Root<'_, E> {}
+}
+
+/// The joints at which a run over a hierarchy normalizes model poses exactly.
+///
+/// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n
+/// (`f32`) in the norm after n products, less than a skeleton can show. `lab/src/products.rs`
+/// measures it; in short:
+///
+/// - normalizing does **not** make rotations more accurate, it only keeps the norm;
+/// - chains of up to thousands of joints do not need it: [`Never`](Self::Never) is the default;
+/// - where a product goes on for long (odometry, physics), normalize exactly and rarely:
+///   [`Every`](Self::Every) 64 joints is as good as every one;
+/// - dividing by the norm of the real part alone does not normalize: it leaves the dual part with a
+///   component that is not a translation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Renormalize {
+    /// Products only.
+    #[default]
+    Never,
+    /// The model of every n-th joint, counted along the parent array: joints n − 1, 2n − 1, …
+    Every(NonZeroU32),
+}
+
+impl Renormalize {
+    /// `true` if the model of this joint is normalized.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn applies_to(self, joint: usize) -> bool {
+        match self {
+            Self::Never => false,
+            Self::Every(n) => (joint + 1).is_multiple_of(n.get() as usize),
+        }
+    }
+}
+
+/// A computation from a model once it is known, as in the epilogue of a matrix product.
+pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
+    /// `true` if there is anything to do.
+    const ACTIVE: bool;
+    fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
+    /// That of the models before number `at`, and that of the others.
+    #[cfg_attr(not(feature = "rayon"), expect(dead_code, reason = "threads take parts"))]
+    fn split(self, at: usize) -> (Self, Self);
+}
+
+/// Nothing.
+pub(super) struct NoEpilogue;
+
+impl<E: Element<8>> Epilogue<E> for NoEpilogue {
+    const ACTIVE: bool = false;
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(&mut self, _: V, _: JointSlot, _: Motions<E, V>) {}
+    fn split(self, _: usize) -> (Self, Self) {
+        (Self, Self)
+    }
+}
+
+/// model(j) · inverse bind(j), from the mesh in its rest pose to the posed mesh.
+pub(super) struct Palette<'s, R, M, const C: usize> {
+    pub(super) inverse_binds: &'s [DualQuat<R>],
+    pub(super) order: MatrixOrder,
+    pub(super) entries: &'s mut [M],
+}
+
+impl<E, M, const C: usize> Epilogue<E> for Palette<'_, Number<E, 8>, M, C>
+where
+    E: Element<8>,
+    M: PaletteEntry<C, Layout = E::Layout>,
+{
+    const ACTIVE: bool = true;
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>) {
+        let Some(bind) = slot.of_joint(level, bytemuck::must_cast_slice(self.inverse_binds)) else {
+            return;
+        };
+        slot.prefetch(level, self.entries, E::Layout::records::<V>());
+        let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
+        // Not one store of either order: where the two ways join, the compiler would move twelve
+        // registers.
+        match self.order {
+            MatrixOrder::Rows => {
+                M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());
+            }
+            MatrixOrder::Columns => {
+                M::store(M::of(entry, MatrixOrder::Columns), slot.within(entries), slot.tile());
+            }
+        }
+    }
+    fn split(self, at: usize) -> (Self, Self) {
+        let (begin, end) = self.entries.split_at_mut(at.min(self.entries.len()));
+        let of = |entries| Self { entries, ..self };
+        (of(begin), of(end))
     }
 }

@@ -1,8 +1,10 @@
-use super::error::HierarchyError;
-use super::owned_plan::OwnedPlan;
-use super::parent_index::{ParentIndex, as_written, index};
-use super::root::NoRoot;
-use super::{Hierarchy, Job, Plan};
+//! [`Skeleton`]: a hierarchy that owns its parents, its plan and its names. Parents come as numbers
+//! of any type ([`ParentIndex`]) and in any order ([`JointOrder`]).
+
+use super::parents::HierarchyError;
+use super::plan::{Order, Plan, PlanScratch, is_long_chain, schedule, split_roots};
+use super::run::NoRoot;
+use super::{Hierarchy, Job};
 use crate::brief::brief;
 use crate::storage::Element;
 use crate::storage::shape::{ShapeError, same_length};
@@ -12,6 +14,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 use core::ops::{Deref, Range};
+use dq8_simd::internal::CheckedSchedule;
 
 /// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
 ///
@@ -365,3 +368,87 @@ impl From<Hierarchy<'_>> for Skeleton {
         Self { parents: hierarchy.parents().into(), plan, names: Box::default() }
     }
 }
+
+/// The order of a [`Plan`], checked.
+#[derive(Clone, Debug)]
+pub(super) struct OwnedPlan {
+    roots: Box<[[u32; 2]]>,
+    /// `None` for a chain in segments.
+    others: Option<CheckedSchedule<Box<[[u32; 2]]>>>,
+}
+
+impl OwnedPlan {
+    pub(super) fn new(hierarchy: &Hierarchy<'_>) -> Self {
+        let joints = hierarchy.joints();
+        let mut order = vec![[0; 2]; joints];
+        schedule(hierarchy, &mut order, &mut vec![PlanScratch::default(); joints]);
+        if is_long_chain(&order) {
+            return Self { roots: Box::default(), others: None };
+        }
+        let (roots, others) = split_roots(&order);
+        let others = CheckedSchedule::new(others.into(), joints);
+        let others = others.expect("a hierarchy's parents are among its joints");
+        Self { roots: roots.into(), others: Some(others) }
+    }
+
+    /// Of the same parents.
+    #[inline]
+    pub(super) fn borrowed<'a>(&'a self, parents: &'a [u32]) -> Plan<'a> {
+        let others = self.others.as_ref();
+        let order = others.map(|others| Order { roots: &self.roots, others: others.borrowed() });
+        Plan { parents, order }
+    }
+}
+
+/// A number that names a parent, or says that there is none: −1, the largest number of its type,
+/// or `None`. Sealed.
+pub trait ParentIndex: Copy + sealed::Sealed {
+    /// The parent as it is written; `None` where there is none.
+    fn number(self) -> Option<i128>;
+}
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// Not the number of a joint, and not the mark of a root.
+const BEYOND: u32 = u32::MAX - 1;
+
+/// The number by which a hierarchy knows a parent; [`BEYOND`] if that is no joint.
+pub(super) fn index<P: ParentIndex>(parent: P) -> u32 {
+    match parent.number() {
+        None => Hierarchy::ROOT,
+        Some(number) => u32::try_from(number).unwrap_or(BEYOND).min(BEYOND),
+    }
+}
+
+/// The error for a parent that is no joint, which names it as it was written.
+pub(super) fn as_written<P: ParentIndex>(error: HierarchyError, parents: &[P]) -> HierarchyError {
+    match error {
+        HierarchyError::ParentOutOfRange { joint, parent, joints } => {
+            let written = parents.get(joint).and_then(|parent| parent.number());
+            let parent = written.unwrap_or(parent);
+            HierarchyError::ParentOutOfRange { joint, parent, joints }
+        }
+        _ => error,
+    }
+}
+
+macro_rules! parent_indices {
+    ($($number:ty)*) => {$(
+        impl sealed::Sealed for $number {}
+        impl ParentIndex for $number {
+            fn number(self) -> Option<i128> {
+                let number = self as i128;
+                (number != -1 && self != Self::MAX).then_some(number)
+            }
+        }
+        impl sealed::Sealed for Option<$number> {}
+        impl ParentIndex for Option<$number> {
+            fn number(self) -> Option<i128> {
+                self.map(|parent| parent as i128)
+            }
+        }
+    )*};
+}
+parent_indices! { u8 u16 u32 u64 usize i8 i16 i32 i64 isize }

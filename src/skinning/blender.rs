@@ -1,9 +1,9 @@
-use super::influences::Scratch;
+use super::skin::Scratch;
 use super::skin::Skin;
-use super::weight::Weight;
+use super::skin::Weight;
 use crate::number::Scalar;
 use crate::storage::shape::ShapeError;
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
 /// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of

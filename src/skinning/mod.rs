@@ -37,35 +37,25 @@
 //! ```
 
 mod blender;
+mod composite;
 mod dual_blend;
 mod error;
-mod influence_field;
-mod influences;
-mod interleaved;
 mod job;
 mod linear;
-mod linear_map;
 mod mesh;
-mod mixed;
 mod palette;
-mod run;
+mod reference;
 mod skin;
-mod stretched;
-mod surface;
-mod vertex;
-mod weight;
 
 pub use blender::Blender;
+pub use composite::{Mixed, StretchedDualBlend};
+#[doc(inline)]
+pub use dq8_simd::internal::Index;
 pub use dual_blend::DualBlend;
 pub use error::SkinningError;
-pub use influence_field::InfluenceField;
-pub use interleaved::VertexFields;
 pub use job::Job;
 pub use linear::Linear;
-pub use mixed::Mixed;
+pub use mesh::{Surface, SurfaceMut, VertexFields, Vertices};
 pub use palette::{Split, matrix_palette, split_palette};
-pub use skin::Skin;
-pub use stretched::StretchedDualBlend;
-pub use surface::{Surface, SurfaceMut, Vertices};
-pub use vertex::{dual_blend, linear_blend};
-pub use weight::Weight;
+pub use reference::{dual_blend, linear_blend};
+pub use skin::{InfluenceField, Skin, Weight};

@@ -1,8 +1,8 @@
 use super::SkinningError;
 use crate::number::Real;
-use crate::palette_entry::MatrixOrder;
 use crate::representation::Affine;
 use crate::scalar::DualQuat;
+use crate::storage::MatrixOrder;
 use crate::storage::shape::same_length;
 
 /// The findings of [`split_palette`].

@@ -13,7 +13,7 @@
 //! | [`mul_left_in_place`](Backend::mul_left_in_place) | products with one motion: a bᵢ |
 //! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | points and vectors, moved by one motion |
 //! | [`dlb`](Backend::dlb) | linear blends of several motions, by a weight each |
-//! | [`resample`](Backend::resample), [`resample_with_twists`](Backend::resample_with_twists), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
+//! | [`dib_windows`](Backend::dib_windows) | means of windows of poses that follow each other |
 //! | [`matrices`](Backend::matrices), [`from_matrices`](Backend::from_matrices), [`try_from_matrices`](Backend::try_from_matrices) | to and from 3×4 and 4×4 matrices, by rows or by columns |
 //! | [`two_bone`](Backend::two_bone) | limbs of two bones with their ends at targets |
 //!
@@ -37,13 +37,12 @@ mod kernels;
 mod matrix;
 mod rigid_matrix;
 mod sweep;
-mod trajectory;
 mod transform;
 mod two_bone;
+mod windows;
 
 pub use matrix::MatricesError;
 pub use rigid_matrix::RigidMatrix;
-pub use trajectory::TrajectoryError;
 
 #[cfg(doc)]
 use crate::Backend;

@@ -14,7 +14,7 @@ use dq8::law::{Nlerp, NlerpLerp, Sclerp};
 use dq8::seams::{for_each_kernel, record};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
-use dq8::{Backend, DualQuat, Hierarchy, Twist};
+use dq8::{Backend, DualQuat, Hierarchy};
 
 pub(super) type M = DualQuat<R>;
 type Motions = Block<R, 8>;
@@ -61,7 +61,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
     let logs: [[R; 6]; N] = [(); N].map(|()| random.numbers());
     slices(k, say, [&a, &b, &c, &any], &t, &points, &logs);
     packed(k, say, &t);
-    trajectories(k, say, &a, &t);
+    series(k, say, &a);
     hierarchies(k, say, [&a, &b, &c], &t);
     robots(k, say, [&a, &b], &mut random);
     solutions(k, say, &mut random.clone());
@@ -180,15 +180,8 @@ fn slices(
         k.transform_vectors(a[0], &bp, &mut to));
 }
 
-fn trajectories(k: Backend, say: &mut dyn FnMut(&str, u64), a: &[M; N], t: &[R; N]) {
+fn series(k: Backend, say: &mut dyn FnMut(&str, u64), a: &[M; N]) {
     let mut to = [M::IDENTITY; N];
-    let times: [R; N] = core::array::from_fn(|i| i as R);
-    k.resample(&times, a, &t.map(|t| t * N as R), &mut to).expect("times rise");
-    say("resample", hash(&to));
-    let mut twists = [Twist::ZERO; N];
-    let at = t.map(|t| t * N as R);
-    k.resample_with_twists(&times, a, &at, &mut to, &mut twists).expect("times rise");
-    say("resample_with_twists", hash(&twists));
     let mut matrices = [[[0.0; 4]; 3]; N];
     k.matrices(a, MatrixOrder::Rows, &mut matrices).expect("lengths fit");
     k.from_matrices(&matrices, MatrixOrder::Rows, &mut to).expect("lengths fit");

@@ -1,7 +1,7 @@
 //! What is known of an arm of six hinges before a target is: found once, where it is made.
 
-use super::error::SolutionsError;
 use super::problem::Reach;
+use super::six_axis::SolutionsError;
 use crate::mechanism::joint::JointKind;
 use dq8::Real;
 use dq8::scalar::vector::{add, cross, dot, norm, scale, sub};

@@ -1,18 +1,16 @@
 //! The velocity controller: which rates give links the velocities that they should have.
 
-use super::compare::weigh;
-use super::error::RatesError;
-use super::forward::Of;
 use super::freedom::{Freedom, Kind};
 use super::job::ReachJob;
-use super::model::Model;
+use super::model::{Model, Of, weigh};
 use super::problem::Reach;
 use super::report::Options;
 use super::scratch::{GOAL, POSE, TARGET, enough};
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
+use dq8::seams::errors;
 use dq8::storage::same_length;
-use dq8::{Kernel, Real, Scalar};
+use dq8::{Kernel, Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level, Mask, Portable};
 
 impl<R> Reach<'_, R>
@@ -259,5 +257,21 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
                 break;
             }
         }
+    }
+}
+
+errors! {
+    /// What rates cannot be asked for.
+    #[derive(Clone, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    RatesError {
+        /// Lengths that do not fit.
+        Shape(error: ShapeError) => "{error}";
+        /// A damping that is negative or not finite.
+        Damping { value: f64 = "What it is." } => "the damping is negative or not finite: {value}";
+        /// A joint value that is not finite.
+        Value { index: usize = "Which one.", value: f64 = "What it is." } => "value {index} is not finite: {value}";
+        /// A velocity that is not finite.
+        Twist { index: usize = "Which one.", value: f64 = "The number in it." } => "twist {index} is not finite: {value}";
     }
 }

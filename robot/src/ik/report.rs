@@ -1,3 +1,5 @@
+//! What a search is told, and what it reports.
+
 use dq8::Real;
 
 /// When a search ends, and how it weighs.

@@ -1,13 +1,11 @@
 //! Velocities and accelerations of links for many configurations.
 
-use super::Job;
-#[cfg(doc)]
-use super::Mechanism;
-use super::group::Group;
-use super::job::things;
+use super::job::{Job, things};
 use super::joint::JointKind;
 use super::step::Step;
-use super::values::{JointNumbers, JointValues, Numbers, Part};
+#[cfg(doc)]
+use super::tree::Mechanism;
+use super::values::{Group, JointNumbers, JointValues, Numbers, Part};
 use super::walk::{Joined, Task};
 use dq8::batch::{lie_bracket, vector};
 use dq8::geometry::Twist;

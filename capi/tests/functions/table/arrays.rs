@@ -5,8 +5,9 @@ use crate::element::{Element, SCALED};
 use dq8::hierarchy::MatrixOrder;
 use dq8::seams::{for_each_kernel, record};
 use dq8::storage::{self, Block, Layout};
-use dq8::{Backend, DualQuat};
+use dq8::{Backend, DualQuat, Scalar};
 use dq8_capi::{Status, chain, packing, slices, trajectory};
+use dq8_trajectory::{Time, Trajectory, TrajectoryError};
 
 fn order(order: i32) -> MatrixOrder {
     if order == 0 { MatrixOrder::Rows } else { MatrixOrder::Columns }
@@ -64,6 +65,19 @@ macro_rules! over {
     };
 }
 
+/// Poses on the trajectory, which is of doubles whatever the numbers are.
+fn resampled<R: Scalar + Time>(
+    times: &[R],
+    poses: &[DualQuat<R>],
+    at: &[R],
+    out: &mut [DualQuat<R>],
+) -> Result<(), TrajectoryError> {
+    let stamps: Vec<f64> = times.iter().map(|&time| time.into()).collect();
+    let double = |pose: &DualQuat<R>| DualQuat::from_array(pose.to_array().map(Into::into));
+    let poses: Vec<_> = poses.iter().map(double).collect();
+    Trajectory::new(&stamps, &poses)?.job().sample(at, out)
+}
+
 macro_rules! layout {
     ($shape:ident $list:ident $R:ident $of:ident $L:ty [$($lanes:literal)?]) => {{
         fn of<const C: usize>(count: usize) -> Of<<$L as Layout>::Record<C>, Read> {
@@ -114,7 +128,7 @@ macro_rules! layout {
                 out: writes::<DualQuat<$R>>(at),
                 count: count(at),
                 bad_time: crate::argument::names(),
-            ) => Backend::best().resample(times, poses, at, out).map_err(|_| Status::Length);
+            ) => resampled(times, poses, at, out).map_err(|_| Status::Length);
         }
     };
     (@rest $shape:ident $list:ident $R:ident $of:ident [$lanes:literal]) => {
