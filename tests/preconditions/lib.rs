@@ -74,8 +74,8 @@ macro_rules! call {
     };
 }
 
-/// An argument of that kind. A `motion`, a `turn`, and the `first` or `second` of two influences may
-/// not be unit.
+/// An argument of that kind. A `motion`, a `turn`, and the `first` or `second` of two influences
+/// may not be unit.
 macro_rules! given {
     ($g:ident motion) => {
         $g.motion
