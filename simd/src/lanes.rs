@@ -67,6 +67,7 @@ pub trait Lanes:
     ///
     /// # Safety
     /// Before anything else reads or writes `to`, [`Level::fence`] must have been called.
+    #[doc(hidden)]
     #[inline(always)]
     unsafe fn stream(self, to: &mut Self::Array) {
         self.store(to);
@@ -102,6 +103,7 @@ pub trait Lanes:
     ///
     /// # Safety
     /// All those numbers may be read.
+    #[doc(hidden)]
     #[inline(always)]
     unsafe fn load_quads(
         level: Self::Level,
@@ -123,6 +125,7 @@ pub trait Lanes:
     ///
     /// # Safety
     /// All those numbers may be written, and nothing else reads or writes them.
+    #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_quads(components: [Self; 4], to: *mut Self::Real, stride: usize) {
         // SAFETY: promised.
@@ -132,6 +135,7 @@ pub trait Lanes:
     ///
     /// # Safety
     /// As for [`store_quads`](Self::store_quads).
+    #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_triples(components: [Self; 3], to: *mut Self::Real) {
         // SAFETY: promised.
@@ -145,6 +149,7 @@ pub trait Lanes:
     ///
     /// # Safety
     /// All those records may be read.
+    #[doc(hidden)]
     unsafe fn between_shorts(
         level: Self::Level,
         from: *const [u8; 8],

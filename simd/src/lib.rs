@@ -4,15 +4,8 @@
 //! |---|---|
 //! | [`lanes`] | [`Lanes`] and [`Mask`], what a kernel may ask of a vector of numbers; [`Float`], the number in a lane; [`Level`], the proof that the CPU can compute with it |
 //! | [`records`] | [`Records`]: transposes between vectors and records of numbers |
-//! | [`gather`] | [`Gather`]: records of a table, each lane from a row of its own |
-//! | [`picks`] | `CheckedIndices` and `Picks`: records of a table by indices that are checked once |
-//! | [`shorts`] | records of four numbers of 16 bits, and what lies between two |
-//! | [`tracks`] | [`Tracks`]: clips of such records, checked once |
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
-//! | [`square_root`] | the square root of one number, which `core` does not have |
-//! | [`checked_schedule`] | [`CheckedSchedule`]: results that need earlier results |
-//! | [`mod@plain`] | [`plain!`]: structs that are numbers and nothing else are `bytemuck::Pod` |
 //! | [`unfused`] | [`Unfused`]: the lanes of another level, whose `mul_add` rounds twice |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, a row of numbers for each component |
 //!
@@ -36,40 +29,30 @@
 extern crate alloc;
 
 pub mod block;
-pub mod checked_schedule;
 #[cfg(target_arch = "x86_64")]
 mod detect;
-pub mod gather;
 mod index;
+#[doc(hidden)]
+pub mod internal;
 pub mod lanes;
 pub mod one;
 #[cfg(target_arch = "x86_64")]
-pub mod pair;
-pub mod picks;
-pub mod plain;
+mod pair;
 pub mod portable;
 pub mod records;
 #[cfg(not(dq8_record))]
 mod sealed;
 #[cfg(dq8_record)]
 pub mod sealed;
-pub mod shorts;
-pub mod square_root;
-pub mod tracks;
+mod shorts;
 pub mod unfused;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
 
 pub use block::{Block, Native, Row};
-pub use checked_schedule::CheckedSchedule;
-pub use gather::{Gather, GatheredRows};
 pub use lanes::{Float, Lanes, Level, MAX_LANES, Mask, PackedDualQuat};
 pub use portable::Portable;
 pub use records::Records;
-pub use shorts::Shorts;
-#[cfg(feature = "alloc")]
-pub use tracks::OwnedTracks;
-pub use tracks::{PlacedTracks, TrackPlace, Tracks};
 pub use unfused::Unfused;
 
 /// The portable lane types themselves.

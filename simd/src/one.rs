@@ -1,10 +1,10 @@
 //! Plain `f32` and `f64` as vectors of one lane: the same kernels on targets without SIMD, and the
 //! smallest width that tests can compare.
 
+use crate::internal::square_root;
 use crate::lanes::{Lanes, Mask};
 use crate::portable::Portable;
 use crate::shorts::{self, Shorts};
-use crate::square_root;
 
 impl Mask for bool {
     const LANES: u32 = 1;

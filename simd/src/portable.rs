@@ -1,8 +1,8 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
 
+use crate::internal::square_root::VECTORS;
 use crate::lanes::{Lanes, Level, Mask, PackedDualQuat};
 use crate::shorts::{Shorts, four_at_once, one_by_one};
-use crate::square_root::VECTORS;
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 

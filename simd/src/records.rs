@@ -1,6 +1,6 @@
 //! [`Records`]: between vectors of components and records of numbers in memory.
 
-use crate::gather::GatheredRows;
+use crate::internal::GatheredRows;
 use crate::lanes::Lanes;
 use bytemuck::Zeroable;
 
@@ -114,7 +114,8 @@ pub trait Records: Lanes {
         }
     }
     /// Lane `i` of `C` vectors is the record `column` of its row. `None` if a row of the
-    /// [`Gather`](crate::Gather) or the column does not exist. `C` must be at least four.
+    /// `Gather` or the column does not exist. `C` must be at least four.
+    #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_gathered<const C: usize>(
         level: Self::Level,

@@ -5,12 +5,11 @@ use crate::lanes::{Float, Lanes};
 use bytemuck::Zeroable;
 
 /// Four numbers of 16 bits, the lower byte first on every target: as they lie in files.
-pub type Shorts = [u8; 8];
+pub(crate) type Shorts = [u8; 8];
 
 /// The four numbers.
 #[inline(always)]
-#[must_use]
-pub fn numbers(record: Shorts) -> [i16; 4] {
+pub(crate) fn numbers(record: Shorts) -> [i16; 4] {
     let word = u64::from_le_bytes(record);
     [word as i16, (word >> 16) as i16, (word >> 32) as i16, (word >> 48) as i16]
 }

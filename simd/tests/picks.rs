@@ -1,6 +1,6 @@
 //! Records of a table by indices that are checked once.
 
-use dq8_simd::picks::{CheckedIndices, Index, Picks};
+use dq8_simd::internal::{CheckedIndices, Index, Picks};
 use dq8_simd::{Portable, f32x4};
 
 #[test]

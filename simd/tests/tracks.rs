@@ -2,7 +2,8 @@
 //! say.
 #![forbid(unsafe_code)]
 
-use dq8_simd::{Float, Lanes, Level, OwnedTracks, Portable, TrackPlace, Tracks};
+use dq8_simd::internal::{OwnedTracks, TrackPlace, Tracks};
+use dq8_simd::{Float, Lanes, Level, Portable};
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
 fn random(state: &mut u64) -> u64 {

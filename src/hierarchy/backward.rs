@@ -10,8 +10,7 @@ use crate::backend::Kernel;
 #[cfg(feature = "rayon")]
 use crate::backend::Rows;
 use crate::batch;
-use crate::palette_entry::motions;
-use crate::storage::{Element, Layout, Register, Source, Tile, identity};
+use crate::storage::{Element, Layout, Register, Source, Tile, identity, motions};
 use dq8_simd::{Lanes, Level, MAX_LANES, Records};
 
 pub(super) struct Backward<'r, 's, E: Element<8>> {

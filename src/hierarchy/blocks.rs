@@ -4,8 +4,7 @@ use super::locals::{GROUP, InPlace, LocalBatch, Locals, Numbers, Pass};
 use super::run::{Epilogue, Forward};
 use super::slot::JointSlot;
 use crate::backend::Kernel;
-use crate::palette_entry::motions;
-use crate::storage::{Element, Layout, Register, Tile};
+use crate::storage::{Element, Layout, Register, Tile, motions};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
 

@@ -5,19 +5,20 @@ use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{GROUPS, Locals, Numbers, Rows, each, part_of, resized};
 use super::slot::JointSlot;
-use crate::brief::brief;
+use crate::batch::vector;
 use crate::law::Law;
+use crate::macros::brief;
 use crate::number::{Real, Scalar};
-use crate::palette_entry::Motions;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
-use crate::storage::{Aos, Element, Layout, Number, Register, aos, identity};
+use crate::storage::{Aos, Element, Layout, Motions, Number, Register, identity};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::ops::Range;
-use dq8_simd::{Gather, Lanes, Level, Portable, Records, Unfused};
+use dq8_simd::internal::Gather;
+use dq8_simd::{Lanes, Level, Portable, Records, Unfused};
 
 /// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
 /// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
@@ -527,7 +528,7 @@ impl<K> Clip<'_, K> {
         let last = self.timing.frames.saturating_sub(1);
         let key = |frame: usize| {
             let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
-            Some(aos::splat(ALONE, *keys.get(..self.joints)?.get(joint)?))
+            Some(vector::splat(ALONE, *keys.get(..self.joints)?.get(joint)?))
         };
         let [a, b]: [[<Aos<R> as Layout>::Register<Alone>; C]; 2] =
             [key(frame as usize)?, key(frame as usize + 1)?];

@@ -45,7 +45,7 @@ mod run;
 mod skeleton;
 mod slot;
 
-pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
+pub use crate::storage::palette_entry::{MatrixOrder, PaletteEntry};
 #[cfg(feature = "alloc")]
 pub use clip::OwnedClip;
 pub use clip::{Clip, Frames, Keys, PlacedKeys, Sampled};
@@ -64,4 +64,5 @@ pub use run::{NoRoot, Renormalize, Root, Roots};
 pub use skeleton::{JointOrder, ParentIndex, Skeleton};
 pub use slot::JointSlot;
 
-pub use dq8_simd::TrackPlace;
+#[doc(inline)]
+pub use dq8_simd::internal::TrackPlace;

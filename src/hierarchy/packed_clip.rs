@@ -5,8 +5,8 @@ use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
 use super::packed_clips::{self as form, ONE, PackedClips, PackedTiming};
 use super::{Hierarchy, PackedError, Sampled};
-use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
+use crate::macros::brief;
 use crate::number::Real;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
@@ -17,7 +17,7 @@ use alloc::collections::BTreeMap;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
-use dq8_simd::OwnedTracks;
+use dq8_simd::internal::OwnedTracks;
 
 /// `[x, y, z, w, tx, ty, tz]`
 type Key = [f32; 7];

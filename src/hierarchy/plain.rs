@@ -27,8 +27,7 @@ use super::slot::JointSlot;
 use crate::backend::Kernel;
 use crate::batch;
 use crate::number::Scalar;
-use crate::palette_entry::{Motions, motions};
-use crate::storage::{Element, Layout, Register, Source, Tile, identity};
+use crate::storage::{Element, Layout, Motions, Register, Source, Tile, identity, motions};
 use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 

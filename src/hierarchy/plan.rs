@@ -7,14 +7,14 @@ use super::locals::{Locals, Pass};
 use super::run::{Epilogue, Forward, Renormalize, Run};
 use super::slot::JointSlot;
 use crate::backend::{Backend, Kernel};
-use crate::brief::brief;
+use crate::macros::brief;
 use crate::number::Scalar;
-use crate::palette_entry::motions;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Number, Source};
+use crate::storage::{Element, Layout, Number, Source, motions};
 use core::cmp::Reverse;
-use dq8_simd::{CheckedSchedule, Level};
+use dq8_simd::Level;
+use dq8_simd::internal::CheckedSchedule;
 
 /// From this many joints on, a chain is cut into segments: on every target, because that decides
 /// the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by one 4.9,

@@ -5,7 +5,7 @@ use super::parents::HierarchyError;
 use super::plan::{Order, Plan, PlanScratch, is_long_chain, schedule, split_roots};
 use super::run::NoRoot;
 use super::{Hierarchy, Job};
-use crate::brief::brief;
+use crate::macros::brief;
 use crate::storage::Element;
 use crate::storage::shape::{ShapeError, same_length};
 use alloc::boxed::Box;
@@ -14,7 +14,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 use core::ops::{Deref, Range};
-use dq8_simd::CheckedSchedule;
+use dq8_simd::internal::CheckedSchedule;
 
 /// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
 ///

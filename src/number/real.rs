@@ -146,7 +146,7 @@ macro_rules! real {
             #[cfg(not(feature = "std"))]
             #[inline]
             fn sqrt(self) -> Self {
-                dq8_simd::square_root::$real(self)
+                dq8_simd::internal::square_root::$real(self)
             }
             #[inline(always)]
             fn quick<Q: Quick<Self>>(operation: Q) -> Option<Q::Output> {

@@ -1,11 +1,11 @@
 use super::blender::{Blender, SurfaceMap};
-use super::influences::{GROUP, Scratch};
+use super::skin::{GROUP, Scratch};
 use crate::batch::{self, vector};
-use crate::brief::brief;
+use crate::macros::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use dq8_simd::picks::Index;
+use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Mask, Records};
 
 /// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, σ = Σ ±wᵢσᵢ

@@ -1,6 +1,7 @@
-use super::sweep::{SliceKernel, Things, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::Backend;
 use crate::batch;
+use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Register, Tile};
 use core::ops::Range;

@@ -1,13 +1,14 @@
 //! Matrices, out and in.
 
 use super::rigid_matrix::RigidMatrix;
-use super::sweep::{SliceKernel, Things, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::{Backend, Kernel};
-use crate::errors::errors;
-use crate::palette_entry::{MatrixOrder, PaletteEntry};
+use crate::macros::errors;
 use crate::scalar::MatrixError;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Layout, Number, Register, Tile};
+use crate::storage::{
+    self, Element, Layout, MatrixOrder, Number, PaletteEntry, Register, Tile, motions,
+};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level, Mask};
 
@@ -29,7 +30,9 @@ errors! {
 
 impl Backend {
     /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4
-    /// matrices, with the row 0 0 0 1, for sixteen.
+    /// matrices, with the row 0 0 0 1, for sixteen; see
+    /// [`DualQuat::to_matrix3x4`](crate::DualQuat::to_matrix3x4) and
+    /// [`DualQuat::to_matrix4`](crate::DualQuat::to_matrix4).
     ///
     /// # Errors
     /// If the slices differ in length; `matrices` is untouched.
@@ -95,7 +98,7 @@ impl Backend {
 
     /// `motions[i]` = the motion of a matrix, p_w ≥ 0, as
     /// [`DualQuat::try_from_matrix3x4`](crate::DualQuat::try_from_matrix3x4) and
-    /// [`try_from_matrix4`](crate::DualQuat::try_from_matrix4) have it.
+    /// [`DualQuat::try_from_matrix4`](crate::DualQuat::try_from_matrix4) have it.
     ///
     /// # Errors
     /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one:

@@ -1,8 +1,7 @@
 use crate::batch;
 use crate::number::Real;
-use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::{DualQuat, MatrixError};
-use crate::storage::Element;
+use crate::storage::{Element, MatrixOrder, PaletteEntry};
 use dq8_simd::Lanes;
 
 /// A rigid matrix that is read: 3×4 (`C` = 12) or 4×4 (16), in the forms of a [`PaletteEntry`].

@@ -1,4 +1,4 @@
-//! Attributes by the names that `dq8_simd::plain!` lets through, and that are looked up where it is
+//! Attributes by the names that `dq8_simd::pod!` lets through, and that are looked up where it is
 //! called. They give what they are put on an alignment of its own, and so padding: the programs
 //! below read memory that is not theirs if it compiles.
 #![forbid(unsafe_code)]
@@ -23,7 +23,7 @@ fn with(attributes: &str, item: TokenStream) -> TokenStream {
 ///
 /// ```compile_fail,E0080
 /// use dq8_attributes::derive;
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[derive(Clone, Copy)]
 ///     struct Point<T> { position: [T; 3] }
 /// }
@@ -32,7 +32,7 @@ fn with(attributes: &str, item: TokenStream) -> TokenStream {
 ///
 /// ```compile_fail,E0692
 /// use dq8_attributes::derive;
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[derive(Clone, Copy)]
 ///     struct Number<T>(T);
 /// }
@@ -55,7 +55,7 @@ pub fn derive(_: TokenStream, item: TokenStream) -> TokenStream {
 ///
 /// ```compile_fail,E0080
 /// use dq8_attributes::serde;
-/// dq8_simd::plain! {
+/// dq8_simd::pod! {
 ///     #[derive(Clone, Copy)]
 ///     #[cfg_attr(feature = "serde", serde(transparent))]
 ///     struct Point<T> { position: [T; 3] }

@@ -4,8 +4,9 @@
 //! what indexing finds. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default),
 //! `DQ8_FUZZ_SEED` from where; a failure names the seed of its round.
 
-use dq8_simd::picks::{CheckedIndices, GROUP, Index, Picks};
-use dq8_simd::{CheckedSchedule, Float, Gather, Lanes, Level, Portable, Records};
+use dq8_simd::internal::{CheckedIndices, Index, Picks, RECORDS_PER_LANE};
+use dq8_simd::internal::{CheckedSchedule, Gather};
+use dq8_simd::{Float, Lanes, Level, Portable, Records};
 use std::time::{Duration, Instant};
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
@@ -162,7 +163,7 @@ fn picks<L: Lanes, J: Index + TryFrom<u32>, const C: usize>(fuzz: &mut Fuzz, lev
         }
         assert!(picked.records(size).is_none());
     }
-    let which = fuzz.below(GROUP);
+    let which = fuzz.below(RECORDS_PER_LANE);
     let from = fuzz.below(C - 3);
     let four = |record: [L::Real; C]| std::array::from_fn(|c| record[from + c]);
     if let Some(picked) = checked.in_place(first).and_then(|rows| rows.of(&table)) {

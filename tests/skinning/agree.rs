@@ -1,10 +1,9 @@
 //! Every backend, layout and type against the reference, one vertex at a time.
 
 use super::scene::{JOINTS, Scene, distance, posed};
-use dq8::simd::picks::Index;
 use dq8::skinning::{
-    DualBlend, Linear, Mixed, Skin, StretchedDualBlend, Surface, SurfaceMut, Weight, dual_blend,
-    linear_blend,
+    DualBlend, Index, Linear, Mixed, Skin, StretchedDualBlend, Surface, SurfaceMut, Weight,
+    dual_blend, linear_blend,
 };
 use dq8::{Backend, DualQuat, Element, Scalar, representation::Affine, storage::Block};
 

@@ -13,7 +13,8 @@ use crate::clock::{Clock, Time};
 use crate::screw::Screw;
 use crate::segments::{CHUNK, Found, Segments};
 use dq8::batch::{self, vector};
-use dq8::simd::{Gather, Records};
+use dq8::simd::Records;
+use dq8::simd::internal::Gather;
 use dq8::storage::{self, Element, Layout, Register, Tile};
 use dq8::{Kernel, Lanes, Level, Scalar, Twist};
 

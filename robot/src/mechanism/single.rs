@@ -2,8 +2,8 @@
 //! controller calls. Floats take the short cut of `configuration` first, which the tests hold to
 //! the book.
 
-use super::configuration::{LinkJacobian, LinkPose, LinkPoses};
-use super::frame::{Frame, JacobianFrame};
+use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
+use super::jacobians::{Frame, JacobianFrame};
 use super::joint::JointKind;
 use super::step::Step;
 use super::tree::Mechanism;
@@ -56,6 +56,50 @@ impl<R: Real> Mechanism<'_, R> {
             link = step.parent as usize;
         }
         Ok(pose)
+    }
+
+    /// Where points on links are, in the frame of the base. `points` name the link and the place in
+    /// its frame, in any order; in the order of the links they are found sooner.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// use dq8_robot::{Joint, OwnedMechanism};
+    /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
+    /// let arm = OwnedMechanism::new(&[
+    ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
+    ///     Joint::prismatic(Some(0), out, [1.0, 0.0, 0.0]),
+    /// ])?;
+    /// let (elbow, tip) = ((0, [1.0, 0.0, 0.0]), (1, [0.5, 0.0, 0.25]));
+    /// let mut places = [[0.0; 3]; 2];
+    /// arm.view().link_points(&[0.0, 2.0], &[elbow, tip], &mut places)?;
+    /// assert_eq!(places, [[1.0, 0.0, 0.0], [3.5, 0.0, 0.25]]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there are not as many values as the mechanism has or as many places as points, or there
+    /// is no such link; `places` is untouched.
+    pub fn link_points(
+        &self,
+        values: &[R],
+        points: &[(usize, [R; 3])],
+        places: &mut [[R; 3]],
+    ) -> Result<(), ShapeError> {
+        same_length("values", values.len(), self.values)?;
+        same_length("places", places.len(), points.len())?;
+        self.check_points(points)?;
+        let quick = LinkPoints { mechanism: self, values, points, places: &mut *places };
+        if R::quick(quick).is_some() {
+            return Ok(());
+        }
+        for (&(mut link, mut place), slot) in points.iter().zip(places) {
+            while let Some(step) = self.step(link) {
+                place = (step.placement() * step.motion(values)).transform_point(place);
+                link = step.parent as usize;
+            }
+            *slot = place;
+        }
+        Ok(())
     }
 
     /// The geometric Jacobian of a link, a column for each rate of the mechanism, and its pose. The

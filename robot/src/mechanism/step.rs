@@ -1,6 +1,4 @@
-use super::error::MechanismError;
-use super::factor::{Alignment, Planned};
-use super::joint::{Joint, JointKind};
+use super::joint::{Joint, JointKind, MechanismError};
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat, vector};
 
@@ -217,4 +215,232 @@ pub(crate) fn finite<R: Real>(
         return Ok(());
     }
     Err(MechanismError::NotFinite { joint: index, what, value: value.into() })
+}
+
+// What a joint multiplies the frame of its parent with.
+
+/// Whether something is about, or along, an axis of the frame: most of what robots have is, and
+/// then most of a product is multiplication by zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Alignment {
+    /// Zero: no rotation, or no translation.
+    None,
+    X,
+    Y,
+    Z,
+    /// No axis.
+    Any,
+}
+
+impl Alignment {
+    pub(crate) fn of<R: Real>([x, y, z]: [R; 3]) -> Self {
+        match [x, y, z].map(|number| number == R::ZERO) {
+            [true, true, true] => Self::None,
+            [false, true, true] => Self::X,
+            [true, false, true] => Self::Y,
+            [true, true, false] => Self::Z,
+            _ => Self::Any,
+        }
+    }
+}
+
+/// x ↦ x e_K for the axes of the base: where each of the numbers x, y, z, w comes from, and its
+/// sign.
+pub(crate) const ORDER: [[usize; 4]; 3] = [[3, 2, 1, 0], [2, 3, 0, 1], [1, 0, 3, 2]];
+pub(crate) const SIGNS: [[f32; 4]; 3] =
+    [[1.0, 1.0, -1.0, -1.0], [-1.0, 1.0, 1.0, -1.0], [1.0, -1.0, 1.0, -1.0]];
+
+/// A vector, and how it lies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way<R> {
+    pub(crate) along: Alignment,
+    pub(crate) vector: [R; 3],
+}
+
+impl<R: Real> Way<R> {
+    const ZERO: Self = Self { along: Alignment::None, vector: [R::ZERO; 3] };
+
+    pub(crate) fn new(vector: [R; 3]) -> Self {
+        Self { along: Alignment::of(vector), vector }
+    }
+}
+
+/// The quaternion v + w as a right factor.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Factor<R> {
+    pub(crate) v: Way<R>,
+    pub(crate) w: R,
+}
+
+impl<R: Real> Factor<R> {
+    pub(crate) const ONE: Self = Self { v: Way::ZERO, w: R::ONE };
+
+    pub(crate) fn new([x, y, z, w]: [R; 4]) -> Self {
+        Self { v: Way::new([x, y, z]), w }
+    }
+
+    pub(crate) fn quaternion(&self) -> Quat<R> {
+        let [x, y, z] = self.v.vector;
+        Quat::from_xyzw(x, y, z, self.w)
+    }
+}
+
+/// What a joint does to such a frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Moves {
+    Not,
+    /// A hinge with a value of its own, about an axis of the base or another.
+    AboutX,
+    AboutY,
+    AboutZ,
+    AboutAny,
+    /// What most robots have none of.
+    Otherwise,
+}
+
+/// A joint between such frames.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Planned<R> {
+    pub(crate) moves: Moves,
+    /// The link's own frame where all values are zero.
+    pub(crate) own: Factor<R>,
+    /// Half the way from the parent.
+    pub(crate) half_offset: Way<R>,
+    /// The axis or normal of the joint.
+    pub(crate) axis: Way<R>,
+}
+
+impl<R: Real> Planned<R> {
+    pub(crate) const NONE: Self =
+        Self { moves: Moves::Not, own: Factor::ONE, half_offset: Way::ZERO, axis: Way::ZERO };
+}
+
+// What is found when a mechanism is made, for one configuration at a time: joints between frames
+// that are all parallel to the base where every value is zero.
+//
+// Turn the frame of every link so. Then no placement has a rotation, and the axes of nearly all
+// robots are those of the base: a hinge is r ← c r + s r n with a product r n that is a
+// permutation and three signs. A link's own frame is turned back when its pose is written, which
+// no other link waits for.
+
+/// Plans all steps, which are in the order of the joints.
+// Once in machine code, not for each way to make a mechanism.
+#[inline(never)]
+pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
+    for index in 0..steps.len() {
+        let Some(step) = steps.get(index) else { return };
+        let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.planned.own);
+        let on = on.quaternion();
+        let own = on * Quat::from_array(step.rotation);
+        // Unit but for rounding: a step of Newton's makes it so.
+        let mut own = own.scale(R::from(1.5) - R::HALF * own.dot(own)).to_array();
+        clean(&mut own, R::ONE);
+        let largest = step.half_offset.into_iter().map(R::abs).fold(R::ZERO, R::max_or_nan);
+        let mut half_offset = on.rotate(step.half_offset);
+        clean(&mut half_offset, largest);
+        let mut axis = Quat::from_array(own).rotate(step.axis);
+        clean(&mut axis, R::ONE);
+        if let Some(step) = steps.get_mut(index) {
+            let axis = Way::new(axis);
+            let moves = match (step.kind, axis.along) {
+                (JointKind::Fixed, _) => Moves::Not,
+                (JointKind::Revolute { .. }, _) if step.mimics => Moves::Otherwise,
+                (JointKind::Revolute { .. }, Alignment::X) => Moves::AboutX,
+                (JointKind::Revolute { .. }, Alignment::Y) => Moves::AboutY,
+                (JointKind::Revolute { .. }, Alignment::Z) => Moves::AboutZ,
+                (JointKind::Revolute { .. }, _) => Moves::AboutAny,
+                _ => Moves::Otherwise,
+            };
+            let (own, half_offset) = (Factor::new(own), Way::new(half_offset));
+            step.planned = Planned { moves, own, half_offset, axis };
+        }
+    }
+}
+
+/// With the zeros, halves, roots of a half and ones that rounding has missed, of numbers of this
+/// size: frames of machines are turned by quarters.
+#[inline(never)]
+fn clean<R: Real>(numbers: &mut [R], size: R) {
+    let (root, near) = (R::HALF.sqrt(), R::TWO * R::EPSILON * size);
+    for number in numbers {
+        for nice in [R::ZERO, R::HALF * size, root * size, size] {
+            if (number.abs() - nice).abs() <= near {
+                *number = if *number < R::ZERO { -nice } else { nice };
+            }
+        }
+    }
+}
+
+// The limits of values: of a joint, and of what mimics it.
+//
+// A joint that mimics another has limits of its own in many files, copied from its leader without
+// the sign or the factor between them. They bind the leader where they leave a part of its range.
+// Where they would leave nothing, or one value alone, the file cannot mean them, and the joint has
+// none.
+
+/// The part of the `leader`'s range in which a follower, at `multiplier` times its value and
+/// `offset`, is within its own limits. `None` if that is not more than one value.
+pub(crate) fn shared<R: Real>(
+    [low, high]: [R; 2],
+    limits: [R; 2],
+    multiplier: R,
+    offset: R,
+) -> Option<[R; 2]> {
+    // NaN and infinities of a multiplier of zero share nothing.
+    let [a, b] = limits.map(|limit| (limit - offset) / multiplier);
+    let [least, most] = if a <= b { [a, b] } else { [b, a] };
+    let low = if least > low { least } else { low };
+    let high = if most < high { most } else { high };
+    (multiplier != R::ZERO && low < high).then_some([low, high])
+}
+
+impl<R: Real> Step<R> {
+    /// [`shared`] with the limits of this joint, which mimics another; all of the range if it has
+    /// none.
+    pub(crate) fn narrows(&self, range: [R; 2]) -> Option<[R; 2]> {
+        match self.limits {
+            Some(limits) => shared(range, limits, self.multiplier, self.offset),
+            None => Some(range),
+        }
+    }
+}
+
+/// From −∞ to ∞.
+pub(crate) fn endless<R: Real>() -> [R; 2] {
+    [-R::ONE / R::ZERO, R::ONE / R::ZERO]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Alignment, Moves, plan};
+    use crate::mechanism::joint::Joint;
+    use crate::mechanism::step::Step;
+    use dq8::{DualQuat, Quat, Real};
+
+    /// Frames that are turned by a quarter or a half each, as files and floats have it, stay on the
+    /// axes of the base.
+    fn stays_aligned<R: Real>() {
+        let mut steps = [Step::default(); 60];
+        for (index, step) in steps.iter_mut().enumerate() {
+            let axis =
+                |which: usize| [0, 1, 2].map(|i| if i == which % 3 { R::ONE } else { R::ZERO });
+            let angle = R::PI * R::HALF * R::from((1 + index % 2) as f32);
+            let turn = Quat::from_axis_angle(axis(index * index), angle);
+            let at = DualQuat::from_rotation_translation(turn, axis(index / 2));
+            let on = index.checked_sub(1);
+            *step = Step::of(&Joint::revolute(on, at, axis(index / 5)), index).unwrap();
+            step.parent = on.map_or(u32::MAX, |on| on as u32);
+        }
+        plan(&mut steps);
+        for step in steps {
+            assert!(!matches!(step.planned.moves, Moves::AboutAny | Moves::Otherwise), "{step:?}");
+            assert_ne!(step.planned.half_offset.along, Alignment::Any, "{step:?}");
+        }
+    }
+
+    #[test]
+    fn quarter_turns_leave_hinges_and_ways_along_axes_of_the_base() {
+        stays_aligned::<f32>();
+        stays_aligned::<f64>();
+    }
 }

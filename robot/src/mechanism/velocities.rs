@@ -1,17 +1,15 @@
 //! Velocities and accelerations of links for many configurations.
 
-use super::Job;
-#[cfg(doc)]
-use super::Mechanism;
-use super::group::Group;
-use super::job::things;
+use super::job::{Job, things};
 use super::joint::JointKind;
 use super::step::Step;
-use super::values::{JointNumbers, JointValues, Numbers, Part};
+#[cfg(doc)]
+use super::tree::Mechanism;
+use super::values::{Group, JointNumbers, JointValues, Numbers, Part};
 use super::walk::{Joined, Task};
 use dq8::batch::{lie_bracket, vector};
 use dq8::geometry::Twist;
-use dq8::seams::Rows;
+use dq8::internal::Rows;
 use dq8::storage::{Element, Layout, Number, same_length};
 use dq8::{Scalar, ShapeError};
 use dq8_simd::Level;
