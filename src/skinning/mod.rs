@@ -11,6 +11,8 @@
 //! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
+#![doc = include_str!("twist.svg")]
+//!
 //! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several
 //! fields; [`Skin::interleaved`] reads joints and weights there too.
 //!

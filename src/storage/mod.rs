@@ -6,6 +6,8 @@
 //! with a register for each component, a thing in each lane. So a block is read as it is, the
 //! fastest way, and plain records are transposed in registers.
 //!
+#![doc = include_str!("blocks.svg")]
+//!
 //! | `C` | what | one record |
 //! |---|---|---|
 //! | 1 | a number | `R` |
