@@ -11,7 +11,7 @@
 use super::freedom::Freedom;
 use super::goal::Goal;
 use super::problem::Reach;
-use super::report::Tracking;
+use super::report::Settings;
 use super::scratch::{EXCESS, GOAL, POSE, Registers, Scratch, TARGET, TURN};
 use crate::mechanism::step::NONE;
 use crate::mechanism::values::JointNumbers;
@@ -93,10 +93,10 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     pub(super) fn new(
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,
-        tracking: &Tracking<L::Real>,
+        settings: Settings<'_, L::Real>,
         memory: &'s mut [L::Real],
     ) -> Option<Self> {
-        let (scratch, options) = (Scratch::new(reach, memory)?, &tracking.options);
+        let (scratch, options) = (Scratch::new(reach, memory)?, settings.options);
         // Set for each lane with its configuration.
         let one = L::splat(level, dq8::Real::ONE);
         let damping = L::splat(level, options.damping);
@@ -107,12 +107,12 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
             least_damping: damping * damping,
         };
         let square = |weight: L::Real| L::splat(level, weight * weight);
-        let posture = reach.posture.map_or(L::Real::default(), |_| tracking.posture_weight);
+        let posture = reach.posture.map_or(L::Real::default(), |_| settings.posture_weight);
         let weights = PostureWeights {
-            uses_tree: TRACK && reach.uses_tree(tracking),
-            has_weights: TRACK && reach.has_weights(tracking),
+            uses_tree: TRACK && reach.uses_tree(settings),
+            has_weights: TRACK && reach.has_weights(settings),
             posture: square(posture),
-            start: square(tracking.start_weight),
+            start: square(settings.start_weight),
         };
         Some(Self { level, reach, scales, scratch, weights })
     }

@@ -31,7 +31,7 @@
 
 use super::freedom::Kind;
 use super::model::{Configurations, Decisions, Model, PoseErrors, StepResult};
-use super::report::{Options, Outcome, Report, Tracking};
+use super::report::{Options, Outcome, Report, Settings};
 use super::scratch::GOAL;
 use dq8::batch::Quat;
 use dq8::scalar::DualQuat;
@@ -43,8 +43,7 @@ pub(super) struct Work<'s, R> {
     pub(super) targets: &'s [DualQuat<R>],
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
-    /// Without weights if the search does not track.
-    pub(super) tracking: &'s Tracking<R>,
+    pub(super) settings: Settings<'s, R>,
     /// The number of frames of each clip, of which each starts from the one before; `None` if every
     /// configuration starts from its own values.
     pub(super) clips: Option<&'s [usize]>,
@@ -72,13 +71,13 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
 
     /// Searches until every configuration has its report; with restarts if `RESTARTS`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn run<const RESTARTS: bool>(mut self) {
+    pub(super) fn run<const RESTARTS: bool>(&mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         self.model.scratch.values.fill(zero);
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
         let mut last = StepResult { residual: zero, change: zero };
-        let may_restart = RESTARTS && self.work.tracking.options.restarts;
+        let may_restart = RESTARTS && self.work.settings.options.restarts;
         loop {
             self.exchange();
             if !self.is_working() {
@@ -233,7 +232,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             if lane.configuration.is_none() {
                 continue;
             }
-            let options = &self.work.tracking.options;
+            let options = self.work.settings.options;
             let (is_best, next) =
                 lane.decide::<RESTARTS, TRACK>(measured, options, has_posture, has_weights);
             lane.next = next;
@@ -388,6 +387,7 @@ impl<R: Real> Lane<R> {
     /// Returns whether these values are the best so far, and the next action. With `has_posture` the
     /// search goes on to a posture once the targets are reached; with `has_weights` the posture or
     /// the start has a weight in every step.
+    #[cfg_attr(target_os = "none", inline(never))]
     fn decide<const RESTARTS: bool, const TRACK: bool>(
         &mut self,
         measured: Measured<R>,
@@ -561,7 +561,21 @@ impl<R: Real> Lane<R> {
         measured.residual > self.square * R::from(HOPELESS) && self.square > R::from(NEAR_TARGET)
     }
 
-    pub(super) fn outcome(&self, is_at_limits: bool) -> Outcome {
+    /// The report of a search that ends.
+    fn report(&self, is_at_limits: bool) -> Report<R> {
+        match self.outcome(is_at_limits) {
+            Outcome::Invalid => Report::INVALID,
+            outcome => Report {
+                outcome,
+                iterations: self.iterations,
+                restarts: self.restarts,
+                angular_error: self.best.angular,
+                linear_error: self.best.linear,
+            },
+        }
+    }
+
+    fn outcome(&self, is_at_limits: bool) -> Outcome {
         // If the last step was the best of all, more iterations would go on.
         let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
         // From the most to the least specific: a search for a target out of reach also stalls, and
@@ -583,21 +597,18 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
         // Invalid configurations are reported on the way, and take no lane.
-        let mut next = Lane::IDLE;
-        let last = self.lanes.get(lane).copied().unwrap_or(Lane::IDLE);
-        let (mut before, mut rest) = (last.configuration, last.rest);
-        while next.configuration.is_none()
-            && let Some(configuration) = self.next_configuration(before, &mut rest)
-        {
-            match self.load(lane, configuration) {
-                Some(out_of_reach) => {
-                    next = Lane::new(configuration, out_of_reach);
-                    next.rest = rest;
-                }
-                None => self.report(configuration, &Lane::IDLE, Outcome::Invalid),
+        let last = self.lanes.get(lane).map(|lane| (lane.configuration, lane.rest));
+        let (mut before, mut rest) = last.unwrap_or_default();
+        let next = loop {
+            let Some(configuration) = self.next_configuration(before, &mut rest) else {
+                break Lane::IDLE;
+            };
+            if let Some(out_of_reach) = self.load(lane, configuration) {
+                break Lane { rest, ..Lane::new(configuration, out_of_reach) };
             }
+            self.report(configuration, Report::INVALID);
             before = Some(configuration);
-        }
+        };
         if let Some(slot) = self.lanes.get_mut(lane) {
             *slot = next;
         }
@@ -637,8 +648,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// is out of reach. `None` if an input is invalid.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
-        let options = &self.work.tracking.options;
-        if !options.is_valid() || (TRACK && !self.work.tracking.has_valid_weights()) {
+        let options = self.work.settings.options;
+        if !options.is_valid() || (TRACK && !self.work.settings.has_valid_weights()) {
             return None;
         }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
@@ -687,32 +698,23 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// Writes the result of a lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish(&mut self, index: usize) {
-        let Some(&lane) = self.lanes.get(index) else { return };
+        let is_at_limits = self.is_at_limits(index);
+        let Some(lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
-        let outcome = lane.outcome(self.is_at_limits(index));
+        let report = lane.report(is_at_limits);
         // The caller's values are written only now: until a search ends, they are its start.
-        if outcome != Outcome::Invalid {
+        if report.outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;
             let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();
             for (row, value) in values.iter_mut().enumerate().take(count) {
                 *value = self.model.scratch.best.number(row, index);
             }
         }
-        self.report(configuration, &lane, outcome);
+        self.report(configuration, report);
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
-        let mut report = Report {
-            iterations: lane.iterations,
-            restarts: lane.restarts,
-            angular_error: lane.best.angular,
-            linear_error: lane.best.linear,
-            outcome,
-        };
-        if outcome == Outcome::Invalid {
-            (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
-        }
+    fn report(&mut self, configuration: usize, report: Report<L::Real>) {
         if let Some(slot) = self.work.reports.get_mut(configuration) {
             *slot = report;
         }

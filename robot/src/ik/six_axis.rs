@@ -239,7 +239,7 @@ where
         work.by_searches(scratch, |work, scratch| {
             let starts = work.values.chunks_exact_mut(size).zip(work.targets);
             for ((values, &target), report) in starts.zip(work.reports) {
-                let options = &work.tracking.options;
+                let options = work.settings.options;
                 // Lengths fit; a search that cannot be made has not converged.
                 let report_of = self.reach.follow(&[target], values, scratch, options);
                 *report = report_of.unwrap_or_default();
@@ -589,7 +589,7 @@ impl<R: Scalar> Starts<'_, R> {
             targets,
             values,
             reports: &mut *reports,
-            tracking: &options.into(),
+            settings: (&options).into(),
             clips: None,
         });
         found.clear(false);

@@ -34,7 +34,7 @@
 use super::goal::Goal;
 use super::model::Model;
 use super::problem::Reach;
-use super::report::Tracking;
+use super::report::Settings;
 use super::scratch::{BODY, Scratch};
 use super::step::FLOOR;
 use crate::mechanism::step::NONE;
@@ -241,14 +241,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 
 impl<R: Real> Reach<'_, R> {
     /// `true` if the posture or the start has a weight in every step.
-    pub(super) fn has_weights(&self, options: &Tracking<R>) -> bool {
-        let posture = self.posture.is_some() && options.posture_weight > R::ZERO;
-        posture || options.start_weight > R::ZERO
+    pub(super) fn has_weights(&self, settings: Settings<'_, R>) -> bool {
+        let posture = self.posture.is_some() && settings.posture_weight > R::ZERO;
+        posture || settings.start_weight > R::ZERO
     }
 
-    /// `true` if searches with these options solve the system in the shape of the tree.
-    pub(super) fn uses_tree(&self, options: &Tracking<R>) -> bool {
-        let is_weighed = self.posture.is_none() || options.posture_weight > R::ZERO;
+    /// `true` if searches with these settings solve the system in the shape of the tree.
+    pub(super) fn uses_tree(&self, settings: Settings<'_, R>) -> bool {
+        let is_weighed = self.posture.is_none() || settings.posture_weight > R::ZERO;
         self.facts.tree > 0 && is_weighed
     }
 }
