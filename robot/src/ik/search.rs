@@ -32,7 +32,7 @@
 use super::freedom::Kind;
 use super::model::{Configurations, Decisions, Model, PoseErrors, StepResult};
 use super::report::{Options, Outcome, Report, Settings};
-use super::scratch::GOAL;
+use super::scratch::{EXCESS, GOAL};
 use dq8::batch::Quat;
 use dq8::scalar::DualQuat;
 use dq8::{Real, Scalar};
@@ -670,9 +670,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
             let tolerance = options.linear_tolerance;
             let (target, excess) = reach.clamped(index, target, tolerance)?;
             beyond |= excess.is_some();
-            let numbers = target.to_array().into_iter().chain(excess.unwrap_or_default());
-            for (row, number) in numbers.enumerate() {
+            for (row, &number) in target.to_array().iter().enumerate() {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
+            }
+            for (row, &number) in excess.unwrap_or_default().iter().enumerate() {
+                scratch.goals.set_number(index * GOAL + EXCESS + row, lane, number);
             }
         }
         // The default length per radian is an eighth of the longest way to a goal. While tracking
