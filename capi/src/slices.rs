@@ -1,9 +1,9 @@
-//! Kernels over arrays, plain or in blocks: those of the list in `src/slices/kernels.rs` of dq8, and
-//! those of one motion and of matrices.
+//! Kernels over arrays, plain or in blocks: those of dq8's list (`src/slices/kernels.rs`), those of
+//! one motion for all elements, and matrices.
 
 use crate::status::{Done, Status};
 use dq8::hierarchy::MatrixOrder;
-use dq8::seams::{for_each_kernel, record};
+use dq8::internal::{for_each_kernel, record};
 use dq8::storage::{AoSoA, Aos, Layout};
 
 /// In which order the numbers of a matrix lie in memory.

@@ -1,12 +1,12 @@
-//! Jacobians of the exponential of SE(3), on dual numbers.
+//! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers.
 //!
 //! With twists as dual vectors, the Lie bracket of se(3) is the dual cross product x × y =
 //! ω×η + ε(ω×w + v×η), so by the transfer principle the Jacobians are those of SO(3) over
 //! dual numbers. With u = x·x = ω·ω + 2ε ω·v:
 //!
 //! ```text
-//! J_l(x) y   = y +   A x×y + B x×(x×y)     A = (1 − cos √u)/u,  B = (√u − sin √u)/√u³
-//! J_l⁻¹(x) y = y − ½ x×y   + C x×(x×y)     C = (1 − (√u/2) cot(√u/2))/u
+//! J_l(x) y   = y +   A x×y + B x×(x×y),  A = (1 − cos √u)/u, B = (√u − sin √u)/√u³
+//! J_l⁻¹(x) y = y − ½ x×y   + C x×(x×y),  C = (1 − (√u/2) cot(√u/2))/u
 //! ```
 
 use super::{Dual, DualQuat, vector};

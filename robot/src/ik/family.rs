@@ -32,9 +32,9 @@
 
 use super::problem::Reach;
 use crate::mechanism::joint::JointKind;
+use dq8::internal::errors;
 use dq8::scalar::vector::{add, cross, dot, norm, scale, sub};
 use dq8::scalar::{DualQuat, vector};
-use dq8::seams::errors;
 use dq8::{Real, ShapeError};
 
 /// The family of an arm, by the positions of its six axes.

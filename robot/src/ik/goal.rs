@@ -1,7 +1,7 @@
 //! Goals of links, and the errors of goals and limits that cannot be searched for.
 
 use dq8::Real;
-use dq8::seams::errors;
+use dq8::internal::errors;
 
 /// A goal: the components of the error of a link that are to vanish, and the weight of each, which
 /// decides where not all can.

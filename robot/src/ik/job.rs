@@ -7,12 +7,12 @@ use super::problem::Reach;
 use super::report::{Options, Report, Settings, Tracking};
 use super::scratch::check_scratch;
 use super::search::{Lane, Search, Work};
-use dq8::scalar::DualQuat;
-use dq8::seams::Choice;
+use dq8::internal::Choice;
 #[cfg(feature = "rayon")]
-use dq8::seams::Outputs;
+use dq8::internal::Outputs;
 #[cfg(feature = "alloc")]
-use dq8::seams::Rows;
+use dq8::internal::Rows;
+use dq8::scalar::DualQuat;
 use dq8::storage::same_length;
 use dq8::{Backend, Kernel, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
@@ -162,7 +162,7 @@ impl<'a, R: Copy> Reach<'a, R> {
 }
 
 impl<R> ReachJob<'_, R> {
-    dq8::seams::options!();
+    dq8::internal::options!();
 }
 
 impl<R: Scalar> ReachJob<'_, R> {

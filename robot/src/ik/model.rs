@@ -13,9 +13,9 @@ use super::goal::Goal;
 use super::problem::Reach;
 use super::report::Settings;
 use super::scratch::{EXCESS, GOAL, POSE, Registers, Scratch, TARGET, TURN};
-use crate::mechanism::step::NONE;
-use crate::mechanism::values::JointNumbers;
-use crate::mechanism::walk::{Joined, Placed, moved};
+use crate::mechanism::step::{JointFrame, JointScrews, NONE};
+use crate::mechanism::values::LaneValues;
+use crate::mechanism::walk::{HalfPose, LinkFrames};
 use dq8::batch::{DualQuat, half_turns, lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
@@ -142,7 +142,7 @@ pub(super) enum Configurations {
 /// The values of all lanes, as the walk reads them.
 struct ValueRegisters<'r, 's, L: Lanes>(&'r Registers<'s, L>);
 
-impl<L: Lanes> JointNumbers<L> for ValueRegisters<'_, '_, L> {
+impl<L: Lanes> LaneValues<L> for ValueRegisters<'_, '_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(&mut self, level: L::Level, index: usize) -> L {
         self.0.get(level, index)
@@ -170,14 +170,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             position += 1;
             let before = if step.parent == NONE {
-                Placed::root(level, step)
+                HalfPose::root(level, step)
             } else {
                 get(level, &scratch.slots, step.parent_slot as usize * POSE).place(step)
             };
-            let pose = moved(level, before, step, &mut numbers);
+            let pose = before.link_frame(step, &mut numbers);
             put(&mut scratch.slots, step.slot as usize * POSE, pose);
             if of == Configurations::Current {
-                let joined = Joined { before, pose };
+                let joined = LinkFrames { joint: before, link: pose };
                 for index in 0..step.kind.rates() {
                     scratch.twists.set_record(twist, joined.screw(step, index).to_array());
                     twist += 6;
@@ -213,7 +213,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn put<L: Lanes<Real: Scalar>>(rows: &mut Registers<'_, L>, at: usize, pose: Placed<L>) {
+pub(super) fn put<L: Lanes<Real: Scalar>>(
+    rows: &mut Registers<'_, L>,
+    at: usize,
+    pose: HalfPose<L>,
+) {
     rows.set_record(at, pose.rotation);
     rows.set_record(at + 4, pose.half);
 }
@@ -223,8 +227,8 @@ pub(super) fn get<L: Lanes<Real: Scalar>>(
     level: L::Level,
     rows: &Registers<'_, L>,
     at: usize,
-) -> Placed<L> {
-    Placed { rotation: rows.record(level, at), half: rows.record(level, at + 4) }
+) -> HalfPose<L> {
+    HalfPose { rotation: rows.record(level, at), half: rows.record(level, at + 4) }
 }
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
@@ -320,7 +324,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn pose(&self, goal: usize) -> Placed<L> {
+    pub(super) fn pose(&self, goal: usize) -> HalfPose<L> {
         get(self.level, &self.scratch.goals, goal * GOAL + TARGET)
     }
 }

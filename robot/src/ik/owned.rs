@@ -12,7 +12,7 @@ use crate::mechanism::job::OwnedMechanism;
 use crate::mechanism::tree::Mechanism;
 use alloc::vec;
 use alloc::vec::Vec;
-use dq8::seams::brief;
+use dq8::internal::brief;
 use dq8::{DualQuat, Real, Scalar, ShapeError, Twist};
 use dq8_simd::{Lanes, Portable};
 

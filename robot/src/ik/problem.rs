@@ -8,8 +8,8 @@ use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{Step, UNIT};
 use crate::mechanism::tree::Mechanism;
 use dq8::Real;
+use dq8::internal::brief;
 use dq8::scalar::{DualQuat, vector};
-use dq8::seams::brief;
 
 /// An inverse kinematics problem: a mechanism and goals for its links, checked once. Targets and
 /// starts come with each call: [`solve`](Self::solve) for one configuration, [`job`](Self::job) for

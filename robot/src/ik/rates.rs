@@ -8,7 +8,7 @@ use super::report::Options;
 use super::scratch::{GOAL, POSE, TARGET, check_scratch};
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
-use dq8::seams::errors;
+use dq8::internal::errors;
 use dq8::storage::same_length;
 use dq8::{Kernel, Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level, Mask, Portable};
