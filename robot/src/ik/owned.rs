@@ -116,7 +116,7 @@ where
         self.with_scratch(|reach, scratch| reach.solve(targets, values, scratch, options))
     }
 
-    /// See [`Reach::follow`], likewise.
+    /// See [`Reach::follow`]. The scratch is its own.
     ///
     /// # Errors
     /// As there.
@@ -129,7 +129,7 @@ where
         self.with_scratch(|reach, scratch| reach.follow(targets, values, scratch, options))
     }
 
-    /// See [`Reach::track`], likewise.
+    /// See [`Reach::track`]. The scratch is its own.
     ///
     /// # Errors
     /// As there.
@@ -142,7 +142,7 @@ where
         self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
     }
 
-    /// See [`Reach::rates`], likewise.
+    /// See [`Reach::rates`]. The scratch is its own.
     ///
     /// # Errors
     /// As there.

@@ -121,6 +121,13 @@ impl<R: Real> Options<R> {
 
 /// The options of a search that [tracks](super::Reach::track): those of any search, and what weighs
 /// beside the goals in every step.
+///
+/// ```
+/// use dq8_robot::ik::{Options, Tracking};
+/// let options = Options { max_iterations: 5, ..Options::track() };
+/// let tracking: Tracking<f64> = Tracking { start_weight: 0.2, ..options.into() };
+/// assert_eq!((tracking.options.max_iterations, tracking.posture_weight), (5, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracking<R> {
     /// The options of any search, [`Options::track`] by default; `restarts` has no effect.
@@ -160,7 +167,8 @@ impl<R: Real> Tracking<R> {
     }
 }
 
-/// Options by reference, and the weights of [`Tracking`], which are zero in searches that do not track.
+/// Options by reference, and the weights of [`Tracking`], which are zero in searches that do not
+/// track.
 #[derive(Clone, Copy)]
 pub(super) struct Settings<'s, R> {
     pub(super) options: &'s Options<R>,
@@ -201,7 +209,7 @@ pub struct Report<R> {
     pub outcome: Outcome,
     /// The number of steps and restarts together; zero if the start was good enough.
     pub iterations: u32,
-    /// The number of restarts among them.
+    /// The number of restarts among the iterations.
     pub restarts: u32,
     /// The largest remaining angle to a target, radians.
     pub angular_error: R,

@@ -267,15 +267,16 @@ pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     L::load(lanes.level(), &array)
 }
 
-/// The part to which the squared error must fall to count as progress, if the lane may restart ...
+/// The part to which the squared error must fall within [`PATIENCE`] steps to count as progress, if
+/// the lane may restart.
 const PROGRESS: f32 = 0.4;
-/// ... and the same if it may not.
+/// The same part if the lane may not restart, within [`LAST_PATIENCE`] steps.
 const LAST_PROGRESS: f32 = 0.999;
-/// The number of steps in which it must. Patience costs iterations that a restart could use: with
-/// 3, fewer of the random targets in the tests are reached. Without restarts patience costs
-/// nothing.
+/// The number of steps in which progress is expected, if the lane may restart. Patience costs
+/// iterations that a restart could use: with 3, fewer of the random targets in the tests are
+/// reached.
 const PATIENCE: u32 = 2;
-/// The same if it may not restart.
+/// The same number if the lane may not restart: then patience costs nothing.
 const LAST_PATIENCE: u32 = 6;
 /// A lane that may restart gives up after a step that limits cut so short that even its own linear
 /// model leaves more than this part of the squared error. Of 10,000 random targets of an arm of
@@ -384,9 +385,9 @@ impl<R: Real> Lane<R> {
         Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Returns whether these values are the best so far, and the next action. With `has_posture` the
-    /// search goes on to a posture once the targets are reached; with `has_weights` the posture or
-    /// the start has a weight in every step.
+    /// Returns whether these values are the best so far, and the next action. With `has_posture`
+    /// the search goes on to a posture once the targets are reached; with `has_weights` the posture
+    /// or the start has a weight in every step.
     #[cfg_attr(target_os = "none", inline(never))]
     fn decide<const RESTARTS: bool, const TRACK: bool>(
         &mut self,

@@ -115,8 +115,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         add(body, [mass, mx, my, mz, ixx, iyy, izz, ixy, ixz, iyz, tx, ty, tz, fx, fy, fz]);
     }
 
-    /// Computes the entries of a freedom with itself and with those that carry it, and its
-    /// right-hand side.
+    /// Computes a row of the system: the entries of a freedom with itself and with those that carry
+    /// it, and its right-hand side.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn set_row(&mut self, body: &[L; BODY], column: usize) {
         let (level, reach, scratch) = (self.level, self.reach, &mut self.scratch);
@@ -198,8 +198,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let least = trace
             .mul_add(damping.constant(0.25 * epsilon::<L>()), damping + damping.constant(FLOOR));
-        // From the leaves: JᵀJ = LᵀDL. The joints that carry a freedom are the first ones of
-        // its row.
+        // From the leaves: JᵀJ = LᵀDL. A row begins with the entries of the joints that carry
+        // its freedom.
         for (index, freedom) in freedoms.iter().enumerate().rev() {
             let (first, depth) = (freedom.first_entry as usize, freedom.depth as usize);
             let Some((above, own)) = factor.0.split_at_mut_checked(first) else { return };
