@@ -181,7 +181,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// Puts the wrist into place by a shoulder, and two links in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn parallel_elbow(&self, places: &mut [Branch<L>; 4]) {
-        let to_wrist = self.from_base(self.vector(self.geometry.wrist));
+        let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
         let shoulder = self.shoulder(to_wrist);
         let mut rest = places.iter_mut();
         for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
@@ -202,7 +202,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// The same if the first two axes cross: the distance from the crossing, then the direction.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn crossing_shoulder(&self, places: &mut [Branch<L>; 4]) {
-        let to_wrist = self.from_base(self.vector(self.geometry.wrist));
+        let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
         let [upper, lower] =
             [self.vector(self.geometry.upper_arm), self.vector(self.geometry.lower_arm)];
         let distance = vector::dot(to_wrist, to_wrist).sqrt();
@@ -240,7 +240,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
-        let to_wrist = self.from_base(self.vector(self.geometry.wrist));
+        let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
         let shoulder = self.shoulder(to_wrist);
         let last = self.product.transform_vector(self.axis(5));
         let rotation = self.product.rotation();
@@ -353,7 +353,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
 
     /// The vector from the base to a point of the tool.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn from_base(&self, point: [L; 3]) -> [L; 3] {
+    fn relative_to_base(&self, point: [L; 3]) -> [L; 3] {
         vector::sub(self.product.transform_point(point), self.vector(self.geometry.base))
     }
 

@@ -85,7 +85,7 @@ impl<R: Real> OwnedReach<R> {
         self.view().job()
     }
 
-    /// The same, borrowed: everything else is asked of it.
+    /// The borrowed form, which has all other methods.
     #[must_use]
     pub fn view(&self) -> Reach<'_, R> {
         Reach {
@@ -240,7 +240,7 @@ impl<R: Real> OwnedSixAxisArm<R> {
         self.view().job()
     }
 
-    /// The same, borrowed: everything else is asked of it.
+    /// The borrowed form, which has all other methods.
     #[must_use]
     pub fn view(&self) -> SixAxisArm<'_, R> {
         let reach = Reach { posture: None, ..self.reach.view() };
