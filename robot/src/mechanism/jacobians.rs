@@ -1,8 +1,8 @@
-use super::job::{Job, carries, first_carried, place_of, repeat, things};
+use super::job::{Job, carries, first_carried, place_of, repeat};
 use super::step::{JointScrews, Step};
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
-use super::walk::{LinkFrames, Task};
+use super::walk::{Task, Visit};
 use core::fmt::Debug;
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
@@ -103,18 +103,14 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
         T: JointValues<E::Layout>,
         C: Element<6, Layout = E::Layout>,
     {
-        self.check_links()?;
-        let (mechanism, links) = (self.mechanism, self.links);
-        let (steps, rates) = (mechanism.steps, mechanism.rates);
-        let elements =
-            mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
+        let (links, count) = (self.links, self.links.len());
+        let run = self.check::<E::Layout, T>(values, ("poses", poses.len()), count)?;
+        let (steps, rates) = (run.mechanism.steps, run.mechanism.rates);
         same_length("columns", columns.len(), poses.len() * rates)?;
-        let sums = steps.iter().any(|step| step.mimics);
-        let (frame, count) = (F::FRAME, links.len());
+        let (sums, frame) = (steps.iter().any(|step| step.mimics), F::FRAME);
         let outputs = ((&mut *poses, count), (columns, count * rates));
-        self.walk(values, outputs, |_, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
-            let elements = things(poses, count, elements);
-            (elements, Jacobians { poses, columns, steps, links, rates, sums, frame })
+        run.walk(outputs, |_, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
+            (run.within(poses), Jacobians { poses, columns, steps, links, rates, sums, frame })
         });
         repeat(links, poses);
         Ok(())
@@ -189,21 +185,14 @@ where
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn link<V: Level>(
-        &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
-        (): &(),
-        (): &mut (),
-    ) {
+    fn link<V: Level>(&mut self, visit: &Visit<'_, E::Layout, V>, (): &(), (): &mut ()) {
+        let Visit { level, group, step, ref frames } = *visit;
         let link = step.link as usize;
         let Some(position) = self.steps.get(link).map(|step| step.position as usize) else {
             return;
         };
         for rate in 0..step.kind.rates() {
-            let column = joined.screw(step, rate);
+            let column = frames.screw(step, rate);
             let rate = step.rate as usize + rate;
             if !self.sums {
                 // Not a loop over all links that it carries, around the registers of a column.
@@ -225,7 +214,7 @@ where
         }
         if let Some(index) = place_of(self.links, link) {
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
-            E::store(joined.link.to_motion(), self.poses, tile);
+            E::store(frames.link.to_motion(), self.poses, tile);
         }
     }
 

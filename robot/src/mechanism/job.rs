@@ -1,23 +1,20 @@
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
-use super::walk::{LinkFrames, Task, Walk};
-#[cfg(feature = "alloc")]
-use super::{Dh, DhConvention, Joint, MechanismError};
-#[cfg(feature = "alloc")]
-use alloc::{vec, vec::Vec};
+use super::walk::{Task, Visit, Walk};
+use core::marker::PhantomData;
 use core::ops::Range;
 use dq8::batch::{Quat, vector};
-#[cfg(feature = "alloc")]
-use dq8::geometry::Screw;
-#[cfg(feature = "alloc")]
-use dq8::scalar::DualQuat;
-#[cfg(feature = "alloc")]
-use dq8::seams::brief;
 use dq8::seams::{Choice, Outputs};
 use dq8::storage::{Element, Layout, Number, whole_instances};
-use dq8::{Real, Scalar, ShapeError};
+use dq8::{Backend, Scalar, ShapeError};
 use dq8_simd::{Level, Records};
+#[cfg(feature = "alloc")]
+use {
+    super::{Dh, DhConvention, Joint, MechanismError},
+    alloc::{vec, vec::Vec},
+    dq8::{Real, geometry::Screw, scalar::DualQuat, seams::brief},
+};
 
 /// A run over many configurations of a mechanism, as many at a time as there are lanes, with
 /// options that all have a default.
@@ -64,67 +61,106 @@ impl<'a, R: Copy> Job<'a, R> {
     }
 }
 
-impl<R: Copy> Job<'_, R, &[usize]> {
-    /// Whether there are these links.
-    pub(crate) fn check_links(&self) -> Result<(), ShapeError> {
-        let links = self.mechanism.links();
-        match self.links.iter().find(|&&link| link >= links) {
-            Some(&link) => Err(ShapeError::NoLink { link, links }),
-            None => Ok(()),
-        }
-    }
-}
-
 impl<R, S> Job<'_, R, S> {
     dq8::seams::options!();
 }
 
-impl<R: Scalar, S: Sync> Job<'_, R, S> {
-    /// The walk over all configurations, on as many threads as are asked for. `task` takes a part
-    /// of the outputs, from some configuration or block of them on, and says how many it holds.
-    pub(crate) fn walk<Y, T, O, K>(
-        &self,
-        values: &[T],
-        outputs: O,
-        task: impl Fn(usize, O) -> (usize, K) + Sync,
-    ) where
+/// The links of a [`Job`]: [`AllLinks`], or some by their numbers.
+pub trait Links: Copy + Sync {
+    /// `true` for all links.
+    const ALL: bool;
+    /// Some links; none where it is all.
+    fn some(&self) -> &[usize];
+}
+
+impl Links for AllLinks {
+    const ALL: bool = true;
+
+    fn some(&self) -> &[usize] {
+        &[]
+    }
+}
+
+impl Links for &[usize] {
+    const ALL: bool = false;
+
+    #[inline]
+    fn some(&self) -> &[usize] {
+        self
+    }
+}
+
+impl<R: Scalar, S: Links> Job<'_, R, S> {
+    /// Checks the links, the output called `what`, which has `width` elements for each
+    /// configuration, and the values.
+    pub(crate) fn check<'r, Y: Layout, T: JointValues<Y>>(
+        &'r self,
+        values: &'r [T],
+        (what, length): (&'static str, usize),
+        width: usize,
+    ) -> Result<Run<'r, R, T>, ShapeError> {
+        let mechanism = self.mechanism;
+        self.links.some().iter().try_for_each(|&link| mechanism.check_link(link))?;
+        let elements = whole_instances(what, width, length)?;
+        T::check("values", values, mechanism.values, elements)?;
+        Ok(Run { mechanism, backend: self.choice.instructions(), values, elements, width })
+    }
+}
+
+/// Configurations that have been checked: what the loop runs on.
+#[derive(Clone, Copy)]
+pub(crate) struct Run<'r, R, T> {
+    pub(crate) mechanism: Mechanism<'r, R>,
+    backend: Backend,
+    values: &'r [T],
+    /// How many configurations, or blocks of them, there are.
+    pub(crate) elements: usize,
+    /// How many elements of the output a configuration has.
+    pub(crate) width: usize,
+}
+
+impl<R: Scalar, T> Run<'_, R, T> {
+    /// Walks over all configurations, on as many threads as are asked for. `task` takes a part of
+    /// the outputs, from some configuration or block of them on, and says how many it holds.
+    pub(crate) fn walk<Y, O, K>(self, outputs: O, task: impl Fn(usize, O) -> (usize, K) + Sync)
+    where
         Y: Layout<Real = R>,
         T: JointValues<Y>,
         O: Outputs,
         K: Task<Y>,
     {
-        let (mechanism, backend) = (self.mechanism, self.choice.instructions());
+        let Self { mechanism, values, .. } = self;
         // Some microseconds of work for each thread, and a multiple of the most lanes.
         let grain = 2048_usize.div_ceil(mechanism.links().max(1));
         let grain = grain.next_multiple_of(dq8_simd::MAX_LANES);
-        backend.share(grain, outputs, &|first, part| {
+        self.backend.share(grain, outputs, &|first, part| {
             let (elements, task) = task(first, part);
             let values = T::part(values, mechanism.values, first, elements);
-            backend.run(Walk::<Y, _, _> { mechanism, values, elements, task });
+            self.backend.run(Walk::<Y, _, _> { mechanism, values, elements, task });
         });
     }
-}
 
-/// How many configurations, or blocks of them, a part of the output holds, `width` elements each;
-/// `all` where that is none.
-pub(crate) fn things<E>(part: &[E], width: usize, all: usize) -> usize {
-    part.len().checked_div(width).unwrap_or(all)
+    /// How many configurations, or blocks of them, a part of the output holds.
+    pub(crate) fn within<E>(&self, part: &[E]) -> usize {
+        part.len().checked_div(self.width).unwrap_or(self.elements)
+    }
 }
 
 // Poses of links for many configurations.
 
-impl<R: Scalar> Job<'_, R> {
-    /// The poses of all links of many configurations, in the frame of the base: what
+impl<R: Scalar, S: Links> Job<'_, R, S> {
+    /// The poses of the links of many configurations, in the frame of the base: what
     /// [`Mechanism::link_poses`] gives for one, on lanes.
     ///
-    /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]`
+    /// `poses` is `[configuration][link]`, plain or in blocks, for all links in their order or for
+    /// those that the job names in theirs; `values` is `[configuration][value]`
     /// in plain numbers for both, or a slice of plain numbers for each value, or
     /// `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
     /// or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
-    /// If `poses` holds no whole number of configurations or `values` another number of them;
-    /// `poses` is untouched.
+    /// If there is no such link, `poses` holds no whole number of configurations or `values`
+    /// another number of them; `poses` is untouched.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -155,45 +191,14 @@ impl<R: Scalar> Job<'_, R> {
         E: Element<8, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
     {
-        self.write::<T, E, true>(&[], self.mechanism.links(), values, poses)
-    }
-}
-
-impl<R: Scalar> Job<'_, R, &[usize]> {
-    /// The poses of some links: `poses` is `[configuration][i]` for the links that the job names,
-    /// and else as for all links.
-    ///
-    /// # Errors
-    /// If there is no such link, `poses` holds no whole number of configurations or `values`
-    /// another number of them; `poses` is untouched.
-    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
-    where
-        E: Element<8, Layout: Layout<Real = R>>,
-        T: JointValues<E::Layout>,
-    {
-        self.check_links()?;
-        self.write::<T, E, false>(self.links, self.links.len(), values, poses)?;
-        repeat(self.links, poses);
-        Ok(())
-    }
-}
-
-impl<R: Scalar, S: Sync> Job<'_, R, S> {
-    fn write<T, E, const ALL: bool>(
-        &self,
-        links: &[usize],
-        count: usize,
-        values: &[T],
-        poses: &mut [E],
-    ) -> Result<(), ShapeError>
-    where
-        E: Element<8, Layout: Layout<Real = R>>,
-        T: JointValues<E::Layout>,
-    {
-        let elements = self.mechanism.configurations::<E::Layout, T>(values, count, poses.len())?;
-        self.walk(values, (poses, count), |_, (poses, _): (&mut [E], usize)| {
-            (things(poses, count, elements), Poses::<E, ALL> { poses, links, count })
+        let links = self.links.some();
+        let count = if S::ALL { self.mechanism.links() } else { links.len() };
+        let run = self.check::<E::Layout, T>(values, ("poses", poses.len()), count)?;
+        run.walk((&mut *poses, count), |_, (poses, _): (&mut [E], usize)| {
+            let task = Poses::<E, S> { poses, links, count, which: PhantomData };
+            (run.within(task.poses), task)
         });
+        repeat(links, poses);
         Ok(())
     }
 }
@@ -224,13 +229,14 @@ pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
 }
 
 /// The poses of all links, or of some.
-struct Poses<'s, E, const ALL: bool> {
+struct Poses<'s, E, S> {
     poses: &'s mut [E],
     links: &'s [usize],
     count: usize,
+    which: PhantomData<S>,
 }
 
-impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
+impl<E: Element<8>, S: Links> Task<E::Layout> for Poses<'_, E, S> {
     type State<V: Level> = ();
     type Carried<V: Level> = ();
 
@@ -240,28 +246,21 @@ impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
     fn base<V: Level>(_: V) {}
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
-        !(ALL || carries(steps, position, self.links))
+        !(S::ALL || carries(steps, position, self.links))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn link<V: Level>(
-        &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
-        (): &(),
-        (): &mut (),
-    ) {
+    fn link<V: Level>(&mut self, visit: &Visit<'_, E::Layout, V>, (): &(), (): &mut ()) {
+        let Visit { level, group, step, ref frames } = *visit;
         let (link, count) = (step.link as usize, self.count);
-        if ALL {
+        if S::ALL {
             let tile = group.tile::<E::Layout, V>(link, count);
-            E::store(joined.link.to_motion(), self.poses, tile);
+            E::store(frames.link.to_motion(), self.poses, tile);
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
             // The first place only, of a link that is asked for more than once: a loop around the
             // registers of a pose would keep them in memory, which takes half as long again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
-            E::store(joined.link.to_motion(), self.poses, tile);
+            E::store(frames.link.to_motion(), self.poses, tile);
         }
     }
 }
@@ -330,16 +329,6 @@ impl<'p, R> PointsByLink<'p, R> {
     }
 }
 
-impl<R: Real> Mechanism<'_, R> {
-    pub(crate) fn check_points(&self, points: &[Point<R>]) -> Result<(), ShapeError> {
-        let links = self.links();
-        match points.iter().find(|(link, _)| *link >= links) {
-            Some(&(link, _)) => Err(ShapeError::NoLink { link, links }),
-            None => Ok(()),
-        }
-    }
-}
-
 impl<R: Scalar> Job<'_, R> {
     /// Where points on links are for many configurations, in one pass and without poses in memory:
     /// what [`Mechanism::link_points`] gives for one.
@@ -370,12 +359,11 @@ impl<R: Scalar> Job<'_, R> {
         E: Element<3, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
     {
-        let mechanism = self.mechanism;
-        mechanism.check_points(points)?;
-        let elements = whole_instances("places", points.len(), places.len())?;
-        T::check("values", values, mechanism.values, elements)?;
-        self.walk(values, (places, points.len()), |_, (places, count): (&mut [E], usize)| {
-            (things(places, count, elements), Points { places, found: PointsByLink::new(points) })
+        points.iter().try_for_each(|&(link, _)| self.mechanism.check_link(link))?;
+        let count = points.len();
+        let run = self.check::<E::Layout, T>(values, ("places", places.len()), count)?;
+        run.walk((places, count), |_, (places, _): (&mut [E], usize)| {
+            (run.within(places), Points { places, found: PointsByLink::new(points) })
         });
         Ok(())
     }
@@ -436,21 +424,19 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 3>>,
-        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
+        visit: &Visit<'_, E::Layout, V>,
         (): &(),
         waiting: &mut Self::State<V>,
     ) {
+        let Visit { level, group, step, ref frames } = *visit;
         let (link, points) = (step.link as usize, self.found.points);
         let some = self.found.of(link);
         if some.is_empty() {
             return;
         }
-        let [hx, hy, hz] = joined.link.half;
+        let [hx, hy, hz] = frames.link.half;
         let origin = [hx + hx, hy + hy, hz + hz];
-        let [a, b, c] = Quat::from_array(joined.link.rotation).to_matrix3();
+        let [a, b, c] = Quat::from_array(frames.link.rotation).to_matrix3();
         let columns = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
         for index in some {
             let Some(&(of, point)) = points.get(index) else { return };

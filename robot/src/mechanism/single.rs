@@ -87,7 +87,7 @@ impl<R: Real> Mechanism<'_, R> {
     ) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
         same_length("places", places.len(), points.len())?;
-        self.check_points(points)?;
+        points.iter().try_for_each(|&(link, _)| self.check_link(link))?;
         let quick = LinkPoints { mechanism: self, values, points, places: &mut *places };
         if R::quick(quick).is_some() {
             return Ok(());
@@ -248,7 +248,7 @@ impl<R: Real> Mechanism<'_, R> {
 
     fn check(&self, values: &[R], link: usize) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
-        self.job().links(&[link]).check_links()
+        self.check_link(link)
     }
 }
 

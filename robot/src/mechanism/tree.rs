@@ -1,10 +1,9 @@
 use super::joint::{Joint, JointKind, MechanismError};
 use super::step::{NONE, Step, finite, plan, unit, unlimited};
-use super::values::JointValues;
 use dq8::geometry::{Line, Screw};
 use dq8::scalar::{DualQuat, Quat, vector};
 use dq8::seams::brief;
-use dq8::storage::{Layout, same_length, whole_instances};
+use dq8::storage::same_length;
 use dq8::{Real, ShapeError};
 
 /// A tree of joints, checked once, of any number known at run time. It borrows its memory: a
@@ -130,17 +129,10 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Copy> Mechanism<'_, R> {
-    /// How many configurations, or blocks of them, have as many `poses` if each has those of
-    /// `links` links, and whether there are values for as many.
-    pub(crate) fn configurations<Y: Layout, T: JointValues<Y>>(
-        &self,
-        values: &[T],
-        links: usize,
-        poses: usize,
-    ) -> Result<usize, ShapeError> {
-        let elements = whole_instances("poses", links, poses)?;
-        T::check("values", values, self.values, elements)?;
-        Ok(elements)
+    /// Refuses a link that there is not.
+    pub(crate) fn check_link(&self, link: usize) -> Result<(), ShapeError> {
+        let links = self.links();
+        if link < links { Ok(()) } else { Err(ShapeError::NoLink { link, links }) }
     }
 
     /// How many links there are: one for each joint.

@@ -56,16 +56,21 @@ pub(crate) trait Task<Y: Layout> {
     /// Takes a link.
     fn link<V: Level>(
         &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Y::Real>,
-        joined: &LinkFrames<Y::Register<V>>,
+        visit: &Visit<'_, Y, V>,
         parent: &Self::Carried<V>,
         state: &mut Self::State<V>,
     ) -> Self::Carried<V>;
     /// After the links of a group.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
+}
+
+/// A link that the loop has come to.
+pub(crate) struct Visit<'s, Y: Layout, V: Level> {
+    pub(crate) level: V,
+    pub(crate) group: Group,
+    pub(crate) step: &'s Step<Y::Real>,
+    pub(crate) frames: LinkFrames<Y::Register<V>>,
 }
 
 /// A link and its joint, one configuration per lane.
@@ -112,40 +117,26 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                         continue;
                     }
                     position += 1;
-                    let (from, to) = slots(step);
+                    // Slots are fewer than `SLOTS`; the remainder, a mask, tells the compiler, and
+                    // no check is left.
+                    let from = step.parent_slot as usize % SLOTS;
+                    let to = step.slot as usize % SLOTS;
                     let is_root = step.parent == NONE;
-                    let before = frame(level, &poses, step);
-                    let pose = before.link_frame(step, &mut numbers);
-                    let joined = LinkFrames { joint: before, link: pose };
+                    let joint = if is_root {
+                        HalfPose::on_base(level, step)
+                    } else {
+                        poses[from].joint_frame(step)
+                    };
+                    let link = joint.link_frame(step, &mut numbers);
+                    let visit = Visit { level, group, step, frames: LinkFrames { joint, link } };
                     let parent = if is_root { K::base(level) } else { carried[from] };
-                    poses[to] = pose;
-                    carried[to] = task.link(level, group, step, &joined, &parent, &mut state);
+                    poses[to] = link;
+                    carried[to] = task.link(&visit, &parent, &mut state);
                 }
                 task.end(level, group, mechanism.steps, &mut state);
             }
         }
     }
-}
-
-/// Where the poses of a parent and of the link of a step are. They are smaller than [`SLOTS`]; the
-/// remainder, a mask, tells the compiler, and no check is left.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn slots<R>(step: &Step<R>) -> (usize, usize) {
-    (step.parent_slot as usize % SLOTS, step.slot as usize % SLOTS)
-}
-
-/// The frame of the joint.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn frame<L: Lanes<Real: Scalar>>(
-    level: L::Level,
-    poses: &[HalfPose<L>; SLOTS],
-    step: &Step<L::Real>,
-) -> HalfPose<L> {
-    if step.parent == NONE {
-        return HalfPose::root(level, step);
-    }
-    let (from, _) = slots(step);
-    poses[from].place(step)
 }
 
 // Poses on lanes while they are computed: a rotation and half the translation, which is what
@@ -168,7 +159,7 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
 
     /// The placement of a joint on the base.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn root(level: L::Level, step: &Step<L::Real>) -> Self {
+    pub(crate) fn on_base(level: L::Level, step: &Step<L::Real>) -> Self {
         let rotation = vector::splat(level, step.rotation);
         Self { rotation, half: vector::splat(level, step.half_offset) }
     }
@@ -191,7 +182,7 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
 
     /// This pose times the placement of a joint.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn place(self, step: &Step<L::Real>) -> Self {
+    pub(crate) fn joint_frame(self, step: &Step<L::Real>) -> Self {
         let level = self.half[0].level();
         let half = self.shifted(step.offset_alignment, step.half_offset);
         let [x, y, z, w] = step.rotation;
