@@ -15,7 +15,8 @@
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
  *           except an index such as `bad_joint`, and the steps that were to be a mechanism.
- * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
+ * Memory.   All of it is yours: the library allocates nothing but what dq8_resample needs while it runs,
+ *           which a library without the feature `trajectory`, as firmware has it, has not; it keeps no pointer
  *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
  *           weights, dq8_clips one to their bytes. What their functions do is undefined if that memory
  *           has changed or gone. A pointer may be null where the length of its array is 0.
@@ -115,30 +116,34 @@
  *   dq8_rotations_translations_to_model        As dq8_local_to_model of `locals` with seven numbers each
  *   dq8_palette                                As dq8_local_to_model, and in the same pass the skinning palette
  *   dq8_palette_matrices                       As dq8_palette with a palette of matrices `[R | t]`, twelve numbers ...
- *   dq8_lines_each                             `lines[i]` moved by the unit `motions[i]`
- *   dq8_planes_each                            `planes[i]` moved by the unit `motions[i]`
  *   dq8_link_poses                             Forward kinematics of many configurations
- *   dq8_angles                                 The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, ...
- *   dq8_distances                              The distances between the translations of unit `a[i]` and unit ...
- *   dq8_mul                                    `out[i] = a[i] * b[i]`
- *   dq8_normalize                              The unit motions beside `motions`, NaN where there is none; ...
+ *   dq8_mul                                    The products `a[i] b[i]`
+ *   dq8_normalize                              The unit motions beside `motions`, exactly; NaN where there is none
  *   dq8_inverse                                The inverses of `motions`, unit or not; NaN or infinite where there ...
  *   dq8_conjugate                              The inverses of unit `motions`, which cost nothing but signs
  *   dq8_nlerp                                  From `a[i]` to `b[i]` by the shorter way, `t` of it
- *   dq8_nlerp_each                             As dq8_nlerp with a number `t[i]` for each
+ *   dq8_nlerp_each                             From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each
  *   dq8_sclerp                                 From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, ...
- *   dq8_sclerp_each                            As dq8_sclerp with a number `t[i]` for each
- *   dq8_points                                 `points`, three numbers each, moved by the one unit `motion`
- *   dq8_vectors                                `vectors`, three numbers each, turned by the one unit `motion`
+ *   dq8_sclerp_each                            From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number ...
+ *   dq8_slerp_lerp                             From unit `a[i]` to unit `b[i]`, `t` of it
+ *   dq8_slerp_lerp_each                        From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number ...
+ *   dq8_pow_each                               The unit `motions[i]` to the power `t[i]`
+ *   dq8_exp                                    The motions of `logs`, six numbers each
+ *   dq8_from_twist                             The motions to which `twists`, six numbers each, angular part ...
+ *   dq8_integrate_body                         The unit `motions[i]` after `dt` seconds of the body twists ...
+ *   dq8_log                                    The logarithms of unit `motions`, six numbers each
+ *   dq8_to_twist                               The twists, six numbers each, angular part first, that lead to unit ...
+ *   dq8_angles                                 The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, ...
+ *   dq8_distances                              The distances between the translations of unit `a[i]` and unit ...
  *   dq8_points_each                            `points[i]`, three numbers each, moved by the unit `motions[i]`
  *   dq8_vectors_each                           `vectors[i]`, three numbers each, turned by the unit `motions[i]`
+ *   dq8_lines_each                             `lines[i]` moved by the unit `motions[i]`
+ *   dq8_planes_each                            `planes[i]` moved by the unit `motions[i]`
+ *   dq8_twists_each                            `twists[i]`, six numbers, angular part first, by the adjoint of the ...
+ *   dq8_points                                 `points`, three numbers each, moved by the one unit `motion`
+ *   dq8_vectors                                `vectors`, three numbers each, turned by the one unit `motion`
  *   dq8_matrices_3x4                           The matrices `[R | t]` of unit `motions`, twelve numbers each; ...
  *   dq8_matrices_4x4                           The matrices of unit `motions` with the row 0 0 0 1, sixteen ...
- *   dq8_twists_each                            `twists[i]`, six numbers, angular part first, by the adjoint of the ...
- *   dq8_integrate_body                         Where the unit `motions[i]` are after `dt` seconds of the body ...
- *   dq8_log                                    The logarithms of unit `motions`, six numbers each
- *   dq8_exp                                    The motions of `logs`, six numbers each
- *   dq8_pow_each                               The unit `motions[i]` to the power `t[i]`
  *
  * Arrays, plain, and the library itself
  *   dq8_backend_name                           The name of what computes now, for logs
@@ -1502,72 +1507,6 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
                                            size_t count);
 
 /**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
- * its moment p x direction of any point p on it (Plücker coordinates).
- */
-dq8_status dq8_lines_each_f32(const float *motions, const float *lines, float *out, size_t count);
-
-/**
- * dq8_lines_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_lines_each_f32(size_t lanes,
-                                     const float *motions,
-                                     const float *lines,
-                                     float *out,
-                                     size_t count);
-
-/**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
- * n, and n . p of any point p on it.
- */
-dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float *out, size_t count);
-
-/**
- * dq8_planes_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_planes_each_f32(size_t lanes,
-                                      const float *motions,
-                                      const float *planes,
-                                      float *out,
-                                      size_t count);
-
-/**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
- * its moment p x direction of any point p on it (Plücker coordinates).
- */
-dq8_status dq8_lines_each_f64(const double *motions,
-                              const double *lines,
-                              double *out,
-                              size_t count);
-
-/**
- * dq8_lines_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_lines_each_f64(size_t lanes,
-                                     const double *motions,
-                                     const double *lines,
-                                     double *out,
-                                     size_t count);
-
-/**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
- * n, and n . p of any point p on it.
- */
-dq8_status dq8_planes_each_f64(const double *motions,
-                               const double *planes,
-                               double *out,
-                               size_t count);
-
-/**
- * dq8_planes_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_planes_each_f64(size_t lanes,
-                                      const double *motions,
-                                      const double *planes,
-                                      double *out,
-                                      size_t count);
-
-/**
  * Forward kinematics of many configurations: `values` is `[configuration][value]`,
  * `value_count` numbers in all: values of the mechanism times configurations. `poses`
  * is `[configuration][link]`, `count` motions in all: links of the mechanism times
@@ -1772,64 +1711,6 @@ dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mecha
                                            double *columns,
                                            size_t column_count,
                                            double *pose);
-
-/**
- * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, one number each.
- */
-dq8_status dq8_angles_f32(const float *a, const float *b, float *out, size_t count);
-
-/**
- * dq8_angles_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_angles_f32(size_t lanes,
-                                 const float *a,
-                                 const float *b,
-                                 float *out,
-                                 size_t count);
-
-/**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
- * each.
- */
-dq8_status dq8_distances_f32(const float *a, const float *b, float *out, size_t count);
-
-/**
- * dq8_distances_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_distances_f32(size_t lanes,
-                                    const float *a,
-                                    const float *b,
-                                    float *out,
-                                    size_t count);
-
-/**
- * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, one number each.
- */
-dq8_status dq8_angles_f64(const double *a, const double *b, double *out, size_t count);
-
-/**
- * dq8_angles_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_angles_f64(size_t lanes,
-                                 const double *a,
-                                 const double *b,
-                                 double *out,
-                                 size_t count);
-
-/**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
- * each.
- */
-dq8_status dq8_distances_f64(const double *a, const double *b, double *out, size_t count);
-
-/**
- * dq8_distances_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_distances_f64(size_t lanes,
-                                    const double *a,
-                                    const double *b,
-                                    double *out,
-                                    size_t count);
 
 /**
  * The motion that moves nothing.
@@ -2730,51 +2611,28 @@ dq8_status dq8_skin_mixed_f64(const struct dq8_skin_f64 *skin,
                               size_t vertices);
 
 /**
- * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.
+ * The products `a[i] b[i]`: b acts first.
+ * `out` may be `a`.
  */
 dq8_status dq8_mul_f32(const float *a, const float *b, float *out, size_t count);
 
 /**
- * dq8_mul_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_mul_f32(size_t lanes,
-                              const float *a,
-                              const float *b,
-                              float *out,
-                              size_t count);
-
-/**
- * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize
- * tells so. `out` may be `motions`.
+ * The unit motions beside `motions`, exactly; NaN where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_normalize_f32(const float *motions, float *out, size_t count);
 
 /**
- * dq8_normalize_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_normalize_f32(size_t lanes, const float *motions, float *out, size_t count);
-
-/**
- * The inverses of `motions`, unit or not; NaN or infinite where there is none;
- * dq8_motion_inverse tells so. `out` may be `motions`.
+ * The inverses of `motions`, unit or not; NaN or infinite where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_inverse_f32(const float *motions, float *out, size_t count);
 
 /**
- * dq8_inverse_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
-
-/**
- * The inverses of unit `motions`, which cost nothing but signs. `out` may be
- * `motions`.
+ * The inverses of unit `motions`, which cost nothing but signs.
+ * `out` may be `motions`.
  */
 dq8_status dq8_conjugate_f32(const float *motions, float *out, size_t count);
-
-/**
- * dq8_conjugate_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
  * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
@@ -2782,17 +2640,7 @@ dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *o
 dq8_status dq8_nlerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * dq8_nlerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_nlerp_f32(size_t lanes,
-                                const float *a,
-                                const float *b,
-                                float t,
-                                float *out,
-                                size_t count);
-
-/**
- * As dq8_nlerp with a number `t[i]` for each.
+ * From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_nlerp_each_f32(const float *a,
                               const float *b,
@@ -2801,33 +2649,13 @@ dq8_status dq8_nlerp_each_f32(const float *a,
                               size_t count);
 
 /**
- * dq8_nlerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
-                                     const float *a,
-                                     const float *b,
-                                     const float *t,
-                                     float *out,
-                                     size_t count);
-
-/**
  * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
  * constant speed.
  */
 dq8_status dq8_sclerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * dq8_sclerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_sclerp_f32(size_t lanes,
-                                 const float *a,
-                                 const float *b,
-                                 float t,
-                                 float *out,
-                                 size_t count);
-
-/**
- * As dq8_sclerp with a number `t[i]` for each.
+ * From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_sclerp_each_f32(const float *a,
                                const float *b,
@@ -2836,14 +2664,100 @@ dq8_status dq8_sclerp_each_f32(const float *a,
                                size_t count);
 
 /**
- * dq8_sclerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
+ * translations go straight.
  */
-dq8_status dq8_blocks_sclerp_each_f32(size_t lanes,
-                                      const float *a,
-                                      const float *b,
-                                      const float *t,
-                                      float *out,
-                                      size_t count);
+dq8_status dq8_slerp_lerp_f32(const float *a, const float *b, float t, float *out, size_t count);
+
+/**
+ * From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+ */
+dq8_status dq8_slerp_lerp_each_f32(const float *a,
+                                   const float *b,
+                                   const float *t,
+                                   float *out,
+                                   size_t count);
+
+/**
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+ * and the slide.
+ */
+dq8_status dq8_pow_each_f32(const float *motions, const float *t, float *out, size_t count);
+
+/**
+ * The motions of `logs`, six numbers each.
+ */
+dq8_status dq8_exp_f32(const float *logs, float *out, size_t count);
+
+/**
+ * The motions to which `twists`, six numbers each, angular part first, lead in one
+ * second.
+ */
+dq8_status dq8_from_twist_f32(const float *twists, float *out, size_t count);
+
+/**
+ * The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
+ * each, angular part first.
+ */
+dq8_status dq8_integrate_body_f32(const float *motions,
+                                  const float *twists,
+                                  float dt,
+                                  float *out,
+                                  size_t count);
+
+/**
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+ * and its moment. Twice that is the twist that leads there in one second.
+ */
+dq8_status dq8_log_f32(const float *motions, float *out, size_t count);
+
+/**
+ * The twists, six numbers each, angular part first, that lead to unit `motions` in one
+ * second.
+ */
+dq8_status dq8_to_twist_f32(const float *motions, float *out, size_t count);
+
+/**
+ * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+ */
+dq8_status dq8_angles_f32(const float *a, const float *b, float *out, size_t count);
+
+/**
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+ * each.
+ */
+dq8_status dq8_distances_f32(const float *a, const float *b, float *out, size_t count);
+
+/**
+ * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ */
+dq8_status dq8_points_each_f32(const float *motions, const float *points, float *out, size_t count);
+
+/**
+ * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ */
+dq8_status dq8_vectors_each_f32(const float *motions,
+                                const float *vectors,
+                                float *out,
+                                size_t count);
+
+/**
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * its moment p x direction of any point p on it (Plücker coordinates).
+ */
+dq8_status dq8_lines_each_f32(const float *motions, const float *lines, float *out, size_t count);
+
+/**
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * n, and n . p of any point p on it.
+ */
+dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float *out, size_t count);
+
+/**
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+ * `motions[i]`: a body twist becomes the spatial one.
+ */
+dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
 
 /**
  * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
@@ -2873,37 +2787,6 @@ dq8_status dq8_blocks_vectors_f32(size_t lanes,
                                   const float *vectors,
                                   float *out,
                                   size_t count);
-
-/**
- * `points[i]`, three numbers each, moved by the unit `motions[i]`.
- */
-dq8_status dq8_points_each_f32(const float *motions, const float *points, float *out, size_t count);
-
-/**
- * dq8_points_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_points_each_f32(size_t lanes,
-                                      const float *motions,
-                                      const float *points,
-                                      float *out,
-                                      size_t count);
-
-/**
- * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
- */
-dq8_status dq8_vectors_each_f32(const float *motions,
-                                const float *vectors,
-                                float *out,
-                                size_t count);
-
-/**
- * dq8_vectors_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
-                                       const float *motions,
-                                       const float *vectors,
-                                       float *out,
-                                       size_t count);
 
 /**
  * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
@@ -2936,51 +2819,214 @@ dq8_status dq8_blocks_matrices_4x4_f32(size_t lanes,
                                        size_t count);
 
 /**
- * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.
+ * dq8_mul_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_mul_f32(size_t lanes,
+                              const float *a,
+                              const float *b,
+                              float *out,
+                              size_t count);
+
+/**
+ * dq8_normalize_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_normalize_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * dq8_inverse_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * dq8_conjugate_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * dq8_nlerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_f32(size_t lanes,
+                                const float *a,
+                                const float *b,
+                                float t,
+                                float *out,
+                                size_t count);
+
+/**
+ * dq8_nlerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
+                                     const float *a,
+                                     const float *b,
+                                     const float *t,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * dq8_sclerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_f32(size_t lanes,
+                                 const float *a,
+                                 const float *b,
+                                 float t,
+                                 float *out,
+                                 size_t count);
+
+/**
+ * dq8_sclerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_each_f32(size_t lanes,
+                                      const float *a,
+                                      const float *b,
+                                      const float *t,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * dq8_slerp_lerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_f32(size_t lanes,
+                                     const float *a,
+                                     const float *b,
+                                     float t,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * dq8_slerp_lerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_each_f32(size_t lanes,
+                                          const float *a,
+                                          const float *b,
+                                          const float *t,
+                                          float *out,
+                                          size_t count);
+
+/**
+ * dq8_pow_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_pow_each_f32(size_t lanes,
+                                   const float *motions,
+                                   const float *t,
+                                   float *out,
+                                   size_t count);
+
+/**
+ * dq8_exp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_exp_f32(size_t lanes, const float *logs, float *out, size_t count);
+
+/**
+ * dq8_from_twist_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_from_twist_f32(size_t lanes, const float *twists, float *out, size_t count);
+
+/**
+ * dq8_integrate_body_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
+                                         const float *motions,
+                                         const float *twists,
+                                         float dt,
+                                         float *out,
+                                         size_t count);
+
+/**
+ * dq8_log_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_log_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * dq8_to_twist_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_to_twist_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * dq8_angles_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_angles_f32(size_t lanes,
+                                 const float *a,
+                                 const float *b,
+                                 float *out,
+                                 size_t count);
+
+/**
+ * dq8_distances_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_distances_f32(size_t lanes,
+                                    const float *a,
+                                    const float *b,
+                                    float *out,
+                                    size_t count);
+
+/**
+ * dq8_points_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_points_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *points,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * dq8_vectors_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
+                                       const float *motions,
+                                       const float *vectors,
+                                       float *out,
+                                       size_t count);
+
+/**
+ * dq8_lines_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_lines_each_f32(size_t lanes,
+                                     const float *motions,
+                                     const float *lines,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * dq8_planes_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_planes_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *planes,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * dq8_twists_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_twists_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *twists,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * The products `a[i] b[i]`: b acts first.
+ * `out` may be `a`.
  */
 dq8_status dq8_mul_f64(const double *a, const double *b, double *out, size_t count);
 
 /**
- * dq8_mul_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_mul_f64(size_t lanes,
-                              const double *a,
-                              const double *b,
-                              double *out,
-                              size_t count);
-
-/**
- * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize
- * tells so. `out` may be `motions`.
+ * The unit motions beside `motions`, exactly; NaN where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_normalize_f64(const double *motions, double *out, size_t count);
 
 /**
- * dq8_normalize_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_normalize_f64(size_t lanes, const double *motions, double *out, size_t count);
-
-/**
- * The inverses of `motions`, unit or not; NaN or infinite where there is none;
- * dq8_motion_inverse tells so. `out` may be `motions`.
+ * The inverses of `motions`, unit or not; NaN or infinite where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_inverse_f64(const double *motions, double *out, size_t count);
 
 /**
- * dq8_inverse_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
-
-/**
- * The inverses of unit `motions`, which cost nothing but signs. `out` may be
- * `motions`.
+ * The inverses of unit `motions`, which cost nothing but signs.
+ * `out` may be `motions`.
  */
 dq8_status dq8_conjugate_f64(const double *motions, double *out, size_t count);
-
-/**
- * dq8_conjugate_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
  * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
@@ -2988,17 +3034,7 @@ dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double 
 dq8_status dq8_nlerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 
 /**
- * dq8_nlerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_nlerp_f64(size_t lanes,
-                                const double *a,
-                                const double *b,
-                                double t,
-                                double *out,
-                                size_t count);
-
-/**
- * As dq8_nlerp with a number `t[i]` for each.
+ * From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_nlerp_each_f64(const double *a,
                               const double *b,
@@ -3007,33 +3043,13 @@ dq8_status dq8_nlerp_each_f64(const double *a,
                               size_t count);
 
 /**
- * dq8_nlerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
-                                     const double *a,
-                                     const double *b,
-                                     const double *t,
-                                     double *out,
-                                     size_t count);
-
-/**
  * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
  * constant speed.
  */
 dq8_status dq8_sclerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 
 /**
- * dq8_sclerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_sclerp_f64(size_t lanes,
-                                 const double *a,
-                                 const double *b,
-                                 double t,
-                                 double *out,
-                                 size_t count);
-
-/**
- * As dq8_sclerp with a number `t[i]` for each.
+ * From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_sclerp_each_f64(const double *a,
                                const double *b,
@@ -3042,14 +3058,116 @@ dq8_status dq8_sclerp_each_f64(const double *a,
                                size_t count);
 
 /**
- * dq8_sclerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
+ * translations go straight.
  */
-dq8_status dq8_blocks_sclerp_each_f64(size_t lanes,
-                                      const double *a,
-                                      const double *b,
-                                      const double *t,
-                                      double *out,
-                                      size_t count);
+dq8_status dq8_slerp_lerp_f64(const double *a,
+                              const double *b,
+                              double t,
+                              double *out,
+                              size_t count);
+
+/**
+ * From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+ */
+dq8_status dq8_slerp_lerp_each_f64(const double *a,
+                                   const double *b,
+                                   const double *t,
+                                   double *out,
+                                   size_t count);
+
+/**
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+ * and the slide.
+ */
+dq8_status dq8_pow_each_f64(const double *motions, const double *t, double *out, size_t count);
+
+/**
+ * The motions of `logs`, six numbers each.
+ */
+dq8_status dq8_exp_f64(const double *logs, double *out, size_t count);
+
+/**
+ * The motions to which `twists`, six numbers each, angular part first, lead in one
+ * second.
+ */
+dq8_status dq8_from_twist_f64(const double *twists, double *out, size_t count);
+
+/**
+ * The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
+ * each, angular part first.
+ */
+dq8_status dq8_integrate_body_f64(const double *motions,
+                                  const double *twists,
+                                  double dt,
+                                  double *out,
+                                  size_t count);
+
+/**
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+ * and its moment. Twice that is the twist that leads there in one second.
+ */
+dq8_status dq8_log_f64(const double *motions, double *out, size_t count);
+
+/**
+ * The twists, six numbers each, angular part first, that lead to unit `motions` in one
+ * second.
+ */
+dq8_status dq8_to_twist_f64(const double *motions, double *out, size_t count);
+
+/**
+ * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+ */
+dq8_status dq8_angles_f64(const double *a, const double *b, double *out, size_t count);
+
+/**
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+ * each.
+ */
+dq8_status dq8_distances_f64(const double *a, const double *b, double *out, size_t count);
+
+/**
+ * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ */
+dq8_status dq8_points_each_f64(const double *motions,
+                               const double *points,
+                               double *out,
+                               size_t count);
+
+/**
+ * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ */
+dq8_status dq8_vectors_each_f64(const double *motions,
+                                const double *vectors,
+                                double *out,
+                                size_t count);
+
+/**
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * its moment p x direction of any point p on it (Plücker coordinates).
+ */
+dq8_status dq8_lines_each_f64(const double *motions,
+                              const double *lines,
+                              double *out,
+                              size_t count);
+
+/**
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * n, and n . p of any point p on it.
+ */
+dq8_status dq8_planes_each_f64(const double *motions,
+                               const double *planes,
+                               double *out,
+                               size_t count);
+
+/**
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+ * `motions[i]`: a body twist becomes the spatial one.
+ */
+dq8_status dq8_twists_each_f64(const double *motions,
+                               const double *twists,
+                               double *out,
+                               size_t count);
 
 /**
  * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
@@ -3081,40 +3199,6 @@ dq8_status dq8_blocks_vectors_f64(size_t lanes,
                                   size_t count);
 
 /**
- * `points[i]`, three numbers each, moved by the unit `motions[i]`.
- */
-dq8_status dq8_points_each_f64(const double *motions,
-                               const double *points,
-                               double *out,
-                               size_t count);
-
-/**
- * dq8_points_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_points_each_f64(size_t lanes,
-                                      const double *motions,
-                                      const double *points,
-                                      double *out,
-                                      size_t count);
-
-/**
- * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
- */
-dq8_status dq8_vectors_each_f64(const double *motions,
-                                const double *vectors,
-                                double *out,
-                                size_t count);
-
-/**
- * dq8_vectors_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
-                                       const double *motions,
-                                       const double *vectors,
-                                       double *out,
-                                       size_t count);
-
-/**
  * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
  * enum dq8_matrix_order.
  */
@@ -3143,6 +3227,192 @@ dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
                                        int32_t order,
                                        double *out,
                                        size_t count);
+
+/**
+ * dq8_mul_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_mul_f64(size_t lanes,
+                              const double *a,
+                              const double *b,
+                              double *out,
+                              size_t count);
+
+/**
+ * dq8_normalize_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_normalize_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * dq8_inverse_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * dq8_conjugate_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * dq8_nlerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_f64(size_t lanes,
+                                const double *a,
+                                const double *b,
+                                double t,
+                                double *out,
+                                size_t count);
+
+/**
+ * dq8_nlerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
+                                     const double *a,
+                                     const double *b,
+                                     const double *t,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * dq8_sclerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_f64(size_t lanes,
+                                 const double *a,
+                                 const double *b,
+                                 double t,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * dq8_sclerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_each_f64(size_t lanes,
+                                      const double *a,
+                                      const double *b,
+                                      const double *t,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * dq8_slerp_lerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_f64(size_t lanes,
+                                     const double *a,
+                                     const double *b,
+                                     double t,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * dq8_slerp_lerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_each_f64(size_t lanes,
+                                          const double *a,
+                                          const double *b,
+                                          const double *t,
+                                          double *out,
+                                          size_t count);
+
+/**
+ * dq8_pow_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_pow_each_f64(size_t lanes,
+                                   const double *motions,
+                                   const double *t,
+                                   double *out,
+                                   size_t count);
+
+/**
+ * dq8_exp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_exp_f64(size_t lanes, const double *logs, double *out, size_t count);
+
+/**
+ * dq8_from_twist_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_from_twist_f64(size_t lanes, const double *twists, double *out, size_t count);
+
+/**
+ * dq8_integrate_body_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
+                                         const double *motions,
+                                         const double *twists,
+                                         double dt,
+                                         double *out,
+                                         size_t count);
+
+/**
+ * dq8_log_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_log_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * dq8_to_twist_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_to_twist_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * dq8_angles_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_angles_f64(size_t lanes,
+                                 const double *a,
+                                 const double *b,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * dq8_distances_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_distances_f64(size_t lanes,
+                                    const double *a,
+                                    const double *b,
+                                    double *out,
+                                    size_t count);
+
+/**
+ * dq8_points_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_points_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *points,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * dq8_vectors_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
+                                       const double *motions,
+                                       const double *vectors,
+                                       double *out,
+                                       size_t count);
+
+/**
+ * dq8_lines_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_lines_each_f64(size_t lanes,
+                                     const double *motions,
+                                     const double *lines,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * dq8_planes_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_planes_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *planes,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * dq8_twists_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_twists_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *twists,
+                                      double *out,
+                                      size_t count);
 
 /**
  * What a status means, in English: text that lives as long as the program. A number that is no
@@ -3249,151 +3519,6 @@ dq8_status dq8_resample_f64(const double *times,
                             double *out,
                             size_t count,
                             size_t *bad_time);
-
-/**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
- * `motions[i]`: a body twist becomes the spatial one.
- */
-dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
-
-/**
- * dq8_twists_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_twists_each_f32(size_t lanes,
-                                      const float *motions,
-                                      const float *twists,
-                                      float *out,
-                                      size_t count);
-
-/**
- * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`,
- * six numbers each, angular part first.
- */
-dq8_status dq8_integrate_body_f32(const float *motions,
-                                  const float *twists,
-                                  float dt,
-                                  float *out,
-                                  size_t count);
-
-/**
- * dq8_integrate_body_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
-                                         const float *motions,
-                                         const float *twists,
-                                         float dt,
-                                         float *out,
-                                         size_t count);
-
-/**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
- * and its moment. Twice that is the twist that leads there in one second.
- */
-dq8_status dq8_log_f32(const float *motions, float *logs, size_t count);
-
-/**
- * dq8_log_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_log_f32(size_t lanes, const float *motions, float *logs, size_t count);
-
-/**
- * The motions of `logs`, six numbers each.
- */
-dq8_status dq8_exp_f32(const float *logs, float *out, size_t count);
-
-/**
- * dq8_exp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_exp_f32(size_t lanes, const float *logs, float *out, size_t count);
-
-/**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
- * and the slide.
- */
-dq8_status dq8_pow_each_f32(const float *motions, const float *t, float *out, size_t count);
-
-/**
- * dq8_pow_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_pow_each_f32(size_t lanes,
-                                   const float *motions,
-                                   const float *t,
-                                   float *out,
-                                   size_t count);
-
-/**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
- * `motions[i]`: a body twist becomes the spatial one.
- */
-dq8_status dq8_twists_each_f64(const double *motions,
-                               const double *twists,
-                               double *out,
-                               size_t count);
-
-/**
- * dq8_twists_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_twists_each_f64(size_t lanes,
-                                      const double *motions,
-                                      const double *twists,
-                                      double *out,
-                                      size_t count);
-
-/**
- * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`,
- * six numbers each, angular part first.
- */
-dq8_status dq8_integrate_body_f64(const double *motions,
-                                  const double *twists,
-                                  double dt,
-                                  double *out,
-                                  size_t count);
-
-/**
- * dq8_integrate_body_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
-                                         const double *motions,
-                                         const double *twists,
-                                         double dt,
-                                         double *out,
-                                         size_t count);
-
-/**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
- * and its moment. Twice that is the twist that leads there in one second.
- */
-dq8_status dq8_log_f64(const double *motions, double *logs, size_t count);
-
-/**
- * dq8_log_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_log_f64(size_t lanes, const double *motions, double *logs, size_t count);
-
-/**
- * The motions of `logs`, six numbers each.
- */
-dq8_status dq8_exp_f64(const double *logs, double *out, size_t count);
-
-/**
- * dq8_exp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_exp_f64(size_t lanes, const double *logs, double *out, size_t count);
-
-/**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
- * and the slide.
- */
-dq8_status dq8_pow_each_f64(const double *motions, const double *t, double *out, size_t count);
-
-/**
- * dq8_pow_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
- */
-dq8_status dq8_blocks_pow_each_f64(size_t lanes,
-                                   const double *motions,
-                                   const double *t,
-                                   double *out,
-                                   size_t count);
 
 /* A joint of this kind, and nothing that it mimics or that limits it. */
 static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, const float *placement, const float *axis)

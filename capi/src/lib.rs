@@ -5,7 +5,7 @@
 //! | [`status`] | [`Status`], what every call returns, and its text |
 //! | [`backend`] | which instructions compute |
 //! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion: the scalar reference |
-//! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
+//! | [`slices`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
 //! | [`clips`] | packed clips, plain |
@@ -17,13 +17,14 @@
 //! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints, plain, or vertices of several fields |
 //! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | between plain arrays and blocks |
+//! | [`trajectory`] | poses at times, sampled at other times |
 //!
 //! Each but the first two, `joint`, `skin` and `mesh` has its functions twice: in `single` for
 //! `f32`, in `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
 //! Nothing here computes: pointers are checked and become slices, and errors become numbers. No
-//! function allocates, and none panics; a panic could not leave an `extern "C"` function anyway, it
-//! would abort.
+//! function allocates but those of [`trajectory`], which the feature of that name adds, and none
+//! panics; a panic could not leave an `extern "C"` function anyway, it would abort.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[macro_use]
@@ -36,13 +37,11 @@ pub mod clips;
 pub mod geometry;
 pub mod hierarchy;
 pub mod joint;
-pub mod lines;
 pub mod links;
 pub mod mean;
 pub mod mechanism;
 mod memory;
 pub mod mesh;
-pub mod metric;
 pub mod motion;
 pub mod packing;
 pub mod palette;
@@ -55,8 +54,8 @@ pub mod slices;
 mod span;
 pub mod status;
 pub mod targets;
+#[cfg(feature = "trajectory")]
 pub mod trajectory;
-pub mod twists;
 
 pub use backend::InstructionSet;
 pub use slices::Order;

@@ -10,7 +10,7 @@
 //! # Ok::<(), dq8::scalar::MatrixError>(())
 //! ```
 
-use crate::conversions::conversions;
+use crate::macros::conversions;
 use crate::number::Real;
 use crate::scalar::{DualQuat, MatrixError, Quat};
 

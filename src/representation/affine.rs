@@ -1,11 +1,10 @@
-use super::Polar;
-use super::error::OrthonormalError;
+use super::{OrthonormalError, Polar};
 use crate::geometry::Plane;
 use crate::number::Real;
 use crate::scalar::{DualQuat, vector};
 use core::ops::Mul;
 
-crate::pod::pod! {
+crate::macros::pod! {
     /// A linear map and a translation, v ↦ Lv + t: what a 3×4 matrix can hold and a dual
     /// quaternion cannot, scale, shear and reflection.
     ///

@@ -2,7 +2,7 @@ use crate::number::Real;
 use crate::scalar::{Quat, vector};
 use core::ops::Mul;
 
-crate::pod::pod! {
+crate::macros::pod! {
     /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
     /// physics engines hold, a number less than a [`DualQuat`](crate::DualQuat), and the same
     /// motion.

@@ -1,9 +1,9 @@
 //! Short ways to write what other operations do: names that users of other libraries look for.
 
-use super::euler_order::{EulerAxes, EulerFrame, EulerOrder};
+use super::euler_angles::{EulerAxes, EulerFrame, EulerOrder};
 use crate::geometry::Twist;
 use crate::number::Real;
-use crate::scalar::{DualQuat, Quat, mean::dib, vector};
+use crate::scalar::{DualQuat, Quat, blend::dib, vector};
 
 impl<R: Real> Quat<R> {
     /// Roll about x, then pitch about y, then yaw about z, all of them fixed axes, of this unit

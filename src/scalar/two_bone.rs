@@ -1,7 +1,7 @@
 use super::vector::{self, Length};
 use super::{DualQuat, Quat};
-use crate::errors::errors;
 use crate::everyday;
+use crate::macros::errors;
 use crate::number::Real;
 
 errors! {

@@ -3,16 +3,16 @@
 use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::Backend;
 use crate::batch;
-use crate::palette_entry::motions;
 use crate::scalar::DualQuat;
+use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it, a product
-    /// ([`DualQuat::mul`](crate::DualQuat#impl-Mul-for-DualQuat<R>)).
+    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it. Products of
+    /// two slices are [`mul`](Self::mul).
     ///
     /// ```
     /// use dq8::{Backend, DualQuat};

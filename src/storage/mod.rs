@@ -6,6 +6,8 @@
 //! with a register for each component, a thing in each lane. So a block is read as it is, the
 //! fastest way, and plain records are transposed in registers.
 //!
+#![doc = include_str!("blocks.svg")]
+//!
 //! | `C` | what | one record |
 //! |---|---|---|
 //! | 1 | a number | `R` |
@@ -47,22 +49,17 @@
 pub(crate) mod aos;
 mod blocks;
 mod element;
-mod linear_first;
 mod packing;
-mod padding;
+pub(crate) mod palette_entry;
 pub(crate) mod shape;
 mod source;
-mod tile;
 
-pub use aos::Aos;
+pub use aos::{Aos, LinearFirst};
 pub use blocks::{AoSoA, Block};
-pub use element::{Element, Layout, Number, Register, tiles};
-pub use linear_first::LinearFirst;
+pub use element::{Element, Layout, Number, Register, Tile, identity, tiles};
 #[cfg(feature = "alloc")]
 pub(crate) use packing::{Pack, Unpack, blocks_for};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};
-pub use padding::identity;
-pub(crate) use source::Source;
-pub use tile::Tile;
-
+pub(crate) use palette_entry::{MatrixOrder, PaletteEntry};
 pub use shape::{same_length, whole_instances};
+pub(crate) use source::{Motions, Source, motions};

@@ -12,8 +12,8 @@ use super::tree::Mechanism;
 use super::values::checked_cos_sin;
 use dq8::Real;
 use dq8::geometry::Twist;
+use dq8::internal::{Number, Quick};
 use dq8::scalar::{DualQuat, Quat, vector};
-use dq8::seams::{Number, Quick};
 use dq8_simd::{Float, Lanes, Portable, Unfused};
 
 /// The steps from the base to a link.

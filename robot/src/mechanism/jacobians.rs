@@ -6,7 +6,7 @@ use super::walk::{Task, Visit};
 use core::fmt::Debug;
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
-use dq8::seams::Rows;
+use dq8::internal::Rows;
 use dq8::storage::{Element, Layout, Number, Tile, identity, same_length};
 use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level};

@@ -5,7 +5,7 @@ use super::walk::{Task, Visit, Walk};
 use core::marker::PhantomData;
 use core::ops::Range;
 use dq8::batch::{Quat, vector};
-use dq8::seams::{Choice, Outputs};
+use dq8::internal::{Choice, Outputs};
 use dq8::storage::{Element, Layout, Number, whole_instances};
 use dq8::{Backend, Scalar, ShapeError};
 use dq8_simd::{Level, Records};
@@ -13,7 +13,7 @@ use dq8_simd::{Level, Records};
 use {
     super::{Dh, DhConvention, Joint, MechanismError},
     alloc::{vec, vec::Vec},
-    dq8::{Real, geometry::Screw, scalar::DualQuat, seams::brief},
+    dq8::{Real, geometry::Screw, internal::brief, scalar::DualQuat},
 };
 
 /// A run over many configurations of a mechanism, as many at a time as there are lanes, with
@@ -62,7 +62,7 @@ impl<'a, R: Copy> Job<'a, R> {
 }
 
 impl<R, S> Job<'_, R, S> {
-    dq8::seams::options!();
+    dq8::internal::options!();
 }
 
 /// The links of a [`Job`]: [`AllLinks`], or some by their numbers.

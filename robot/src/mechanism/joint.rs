@@ -1,6 +1,6 @@
 use dq8::Real;
+use dq8::internal::errors;
 use dq8::scalar::DualQuat;
-use dq8::seams::errors;
 
 /// How a link is joined to the one that carries it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 use super::joint::{Joint, JointKind, MechanismError};
 use super::step::{NONE, Step, finite, plan, unit, unlimited};
 use dq8::geometry::{Line, Screw};
+use dq8::internal::brief;
 use dq8::scalar::{DualQuat, Quat, vector};
-use dq8::seams::brief;
 use dq8::storage::same_length;
 use dq8::{Real, ShapeError};
 

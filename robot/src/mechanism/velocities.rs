@@ -9,7 +9,7 @@ use super::values::{CachedValues, Group, JointValues, LaneValues, Part};
 use super::walk::{Task, Visit};
 use dq8::batch::{lie_bracket, vector};
 use dq8::geometry::Twist;
-use dq8::seams::Rows;
+use dq8::internal::Rows;
 use dq8::storage::{Element, Layout, Number, same_length};
 use dq8::{Scalar, ShapeError};
 use dq8_simd::Level;
