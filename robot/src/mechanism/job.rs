@@ -1,3 +1,6 @@
+//! Many configurations at a time: [`Job`], its options and its check; the poses of links; points on
+//! links; and [`OwnedMechanism`](super::OwnedMechanism), which has memory of its own.
+
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
@@ -16,10 +19,10 @@ use {
     dq8::{Real, geometry::Screw, internal::brief, scalar::DualQuat},
 };
 
-/// A run over many configurations of a mechanism, as many at a time as there are lanes, with
-/// options that all have a default.
+/// A run over many configurations of a mechanism, one per lane, with options that all have a
+/// default.
 ///
-/// `S` says of which links: [`AllLinks`], or those that [`links`](Self::links) names.
+/// `S` is the set of links: [`AllLinks`], or those that [`links`](Self::links) names.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -54,8 +57,8 @@ impl<'a, R: Copy> Mechanism<'a, R> {
 }
 
 impl<'a, R: Copy> Job<'a, R> {
-    /// Only these links, in this order. Links that carry none of them are not computed; for a tool
-    /// at the end of an arm nothing else is stored.
+    /// Only these links, in this order. Links that carry none of them are not computed, and poses of
+    /// other links are not stored.
     pub fn links(self, links: &'a [usize]) -> Job<'a, R, &'a [usize]> {
         Job { mechanism: self.mechanism, links, choice: self.choice }
     }
@@ -69,7 +72,7 @@ impl<R, S> Job<'_, R, S> {
 pub trait Links: Copy + Sync {
     /// `true` for all links.
     const ALL: bool;
-    /// Some links; none where it is all.
+    /// The numbers of some links; empty for all.
     fn some(&self) -> &[usize];
 }
 
@@ -107,21 +110,22 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     }
 }
 
-/// Configurations that have been checked: what the loop runs on.
+/// Configurations that have been checked, for the loop.
 #[derive(Clone, Copy)]
 pub(crate) struct Run<'r, R, T> {
     pub(crate) mechanism: Mechanism<'r, R>,
     backend: Backend,
     values: &'r [T],
-    /// How many configurations, or blocks of them, there are.
+    /// The number of configurations, or of blocks of them.
     pub(crate) elements: usize,
-    /// How many elements of the output a configuration has.
+    /// The number of elements that a configuration has in the output.
     pub(crate) width: usize,
 }
 
 impl<R: Scalar, T> Run<'_, R, T> {
-    /// Walks over all configurations, on as many threads as are asked for. `task` takes a part of
-    /// the outputs, from some configuration or block of them on, and says how many it holds.
+    /// Runs the loop over all configurations, on as many threads as the job allows. `task` takes the
+    /// number of the first configuration (or block) of a part of the outputs, and the part; it returns
+    /// how many the part holds, and the task for them.
     pub(crate) fn walk<Y, O, K>(self, outputs: O, task: impl Fn(usize, O) -> (usize, K) + Sync)
     where
         Y: Layout<Real = R>,
@@ -130,7 +134,7 @@ impl<R: Scalar, T> Run<'_, R, T> {
         K: Task<Y>,
     {
         let Self { mechanism, values, .. } = self;
-        // Some microseconds of work for each thread, and a multiple of the most lanes.
+        // A thread gets some microseconds of work, and a multiple of the largest number of lanes.
         let grain = 2048_usize.div_ceil(mechanism.links().max(1));
         let grain = grain.next_multiple_of(dq8_simd::MAX_LANES);
         self.backend.share(grain, outputs, &|first, part| {
@@ -140,21 +144,19 @@ impl<R: Scalar, T> Run<'_, R, T> {
         });
     }
 
-    /// How many configurations, or blocks of them, a part of the output holds.
+    /// The number of configurations, or of blocks of them, in a part of the output.
     pub(crate) fn within<E>(&self, part: &[E]) -> usize {
         part.len().checked_div(self.width).unwrap_or(self.elements)
     }
 }
 
-// Poses of links for many configurations.
-
 impl<R: Scalar, S: Links> Job<'_, R, S> {
     /// The poses of the links of many configurations, in the frame of the base: what
     /// [`Mechanism::link_poses`] gives for one, on lanes.
     ///
-    /// `poses` is `[configuration][link]`, plain or in blocks, for all links in their order or for
-    /// those that the job names in theirs; `values` is `[configuration][value]`
-    /// in plain numbers for both, or a slice of plain numbers for each value, or
+    /// `poses` is `[configuration][link]`, plain or in blocks: all links, or those that the job names,
+    /// in the order in which it names them. `values` is `[configuration][value]` in plain numbers, or a
+    /// slice of plain numbers for each value, or, if poses are in blocks,
     /// `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
     /// or 2⁴⁶ rad (`f64`) give NaN.
     ///
@@ -203,7 +205,7 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     }
 }
 
-/// Where a link is asked for more than once, its pose to the other places.
+/// Copies the pose of a link that is asked for more than once to its other places.
 pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     for (again, &link) in links.iter().enumerate() {
         let Some(first) = place_of(links, link) else { continue };
@@ -219,7 +221,7 @@ pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     }
 }
 
-/// The first place of a link.
+/// The first place of a link in `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
     links.iter().position(
@@ -257,21 +259,21 @@ impl<E: Element<8>, S: Links> Task<E::Layout> for Poses<'_, E, S> {
             E::store(frames.link.to_motion(), self.poses, tile);
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
-            // The first place only, of a link that is asked for more than once: a loop around the
-            // registers of a pose would keep them in memory, which takes half as long again.
+            // A link that is asked for more than once is written to its first place only. A loop
+            // around the registers of a pose would keep them in memory, and take half as long again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
             E::store(frames.link.to_motion(), self.poses, tile);
         }
     }
 }
 
-/// Whether the link of a step, or one that it carries, is among `links`.
+/// `true` if the link of a step, or one that it carries, is among `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
     first_carried(steps, position, links).is_some()
 }
 
-/// The first place in `links` of one that is the link of a step, or that this carries.
+/// The first place in `links` of the link of a step, or of one that it carries.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn first_carried<R>(
     steps: &[Step<R>],
@@ -287,17 +289,15 @@ pub(crate) fn first_carried<R>(
     None
 }
 
-// Points that links carry: spheres of a collision model, feet, sensors.
-
 /// A link, and a point in its frame.
 pub(crate) type Point<R> = (usize, [R; 3]);
 
-/// Points, of which those of one link are looked for after the other.
+/// Points on links, looked up for one link after the other.
 #[derive(Clone, Copy)]
 pub(crate) struct PointsByLink<'p, R> {
     pub(crate) points: &'p [Point<R>],
     in_order: bool,
-    /// Where those of the next link are likely to begin.
+    /// The place at which the points of the next link are likely to begin.
     next: usize,
 }
 
@@ -307,7 +307,7 @@ impl<'p, R> PointsByLink<'p, R> {
         Self { points, in_order, next: 0 }
     }
 
-    /// Those of a link are among these.
+    /// A range that holds all points of a link.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
         if !self.in_order {
@@ -315,8 +315,8 @@ impl<'p, R> PointsByLink<'p, R> {
         }
         let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
         let mut end = self.next;
-        // `next` is where the points of the last link ended, so never in the middle of a link's
-        // own.
+        // The points of the last link ended at `next`, so it is never in the middle of a link's
+        // own points.
         if !is_of(self.points.get(end)) {
             end = self.points.partition_point(|(of, _)| *of < link);
         }
@@ -330,8 +330,8 @@ impl<'p, R> PointsByLink<'p, R> {
 }
 
 impl<R: Scalar> Job<'_, R> {
-    /// Where points on links are for many configurations, in one pass and without poses in memory:
-    /// what [`Mechanism::link_points`] gives for one.
+    /// The places of points on links for many configurations, in one pass and without poses in
+    /// memory: what [`Mechanism::link_points`] gives for one.
     ///
     /// `places` is `[configuration][point]` in the order of `points`: `[R; 3]`, or blocks.
     ///
@@ -374,16 +374,16 @@ struct Points<'s, E: Element<3>> {
     found: PointsByLink<'s, Number<E, 3>>,
 }
 
-/// Places of points that follow each other. Three numbers of a point are no register that can be
-/// written at once, but the twelve of four points are three: a quarter of the stores, which are
-/// most of the time where places lie plainly.
+/// Up to four places that wait to be written together. The three numbers of a point fill no register,
+/// but the twelve of four points fill three. That takes a quarter of the stores, which are most of the
+/// time in plain slices.
 struct PointQuad<L> {
     first: usize,
     count: usize,
     places: [[L; 3]; FOUR],
 }
 
-/// As many points wait.
+/// The number of points that are written together.
 const FOUR: usize = 4;
 
 type Register<E, V> = <<E as Element<3>>::Layout as Layout>::Register<V>;

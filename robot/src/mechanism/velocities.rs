@@ -59,8 +59,8 @@ impl<R: Scalar> Job<'_, R> {
         Ok(())
     }
 
-    /// The same, and spatial accelerations, the derivatives of the spatial twists, as
-    /// [`Mechanism::link_accelerations`] gives them for one: the formula is there, and the
+    /// Poses, spatial twists, and spatial accelerations, which are the derivatives of the twists: what
+    /// [`Mechanism::link_accelerations`] gives for one. That page has the formula, and the
     /// acceleration of a point of a link.
     ///
     /// # Errors
@@ -81,7 +81,8 @@ impl<R: Scalar> Job<'_, R> {
     /// arm.job().accelerations(
     ///     &values, &rates, &second, &mut poses, &mut twists, &mut accelerations,
     /// )?;
-    /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v, half of what Coriolis asks of a point on it.
+    /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v. The Coriolis acceleration
+    /// // of a point on it is twice that.
     /// assert_eq!(accelerations[1], [0.0, 0.0, 0.0, 0.0, 1.5, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
@@ -113,7 +114,7 @@ impl<R: Scalar> Job<'_, R> {
         Ok(())
     }
 
-    /// [`check`](Self::check) of poses of all links, and of the rates.
+    /// Checks the poses of all links, the values and the rates.
     fn check_rates<'r, T, E>(
         &'r self,
         values: &'r [T],
@@ -133,7 +134,8 @@ impl<R: Scalar> Job<'_, R> {
     }
 }
 
-/// Poses and twists, and with `N` = 2 accelerations: each by rates of its own.
+/// Poses and twists (`N` = 1), and accelerations too (`N` = 2). Twists follow from the first rates,
+/// accelerations from the second.
 struct Twists<'s, T, E, C, const N: usize> {
     poses: &'s mut [E],
     moved: [&'s mut [C]; N],
@@ -184,8 +186,8 @@ where
     ) -> Self::Carried<V> {
         let Visit { level, group, step, ref frames } = *visit;
         let mut all = *parent;
-        // The twist that carries the next screw along: the turn of a planar joint comes after its
-        // slides, while the twist of a floating one is given in its own frame at once.
+        // The twist of the frame in which the next screw lies. The turn of a planar joint comes after
+        // its slides. A floating joint has all six screws in one frame.
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;
