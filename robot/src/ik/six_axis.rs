@@ -507,7 +507,11 @@ impl<R: Scalar> SixAxisArm<'_, R> {
             if !reach.moves_goal(position) {
                 continue;
             }
-            pose = if step.parent == NONE { HalfPose::root(level, step) } else { pose.place(step) };
+            pose = if step.parent == NONE {
+                HalfPose::on_base(level, step)
+            } else {
+                pose.joint_frame(step)
+            };
             if let JointKind::Revolute { .. } = step.kind
                 && let Some(value) = values.next()
             {
