@@ -35,6 +35,8 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 /// miss a family by at most 10⁻³, as do those of arms whose angles were typed with few digits,
 /// the solutions of the family's formula are the starts, which are far fewer.
 ///
+#[doc = include_str!("six_axes.svg")]
+///
 /// ```
 /// use dq8::DualQuat;
 /// use dq8_robot::ik::{Family, Goal, OwnedReach, SixAxisArm};
