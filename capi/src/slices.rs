@@ -1,7 +1,7 @@
 //! Kernels over arrays of motions and points, plain or in blocks.
 
 use crate::memory::{Input, Output, from_to};
-use crate::span::apart;
+use crate::span::disjoint;
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
 use dq8::{Backend, hierarchy::MatrixOrder};
@@ -37,7 +37,7 @@ unsafe fn mul<L: Layout>(
 ) -> Done {
     let best = Backend::best();
     let b = Input::<L::Record<8>>::new(b, count)?;
-    apart(&[Output::<L::Record<8>>::new(out, count)?.span], &[b.span])?;
+    disjoint(&[Output::<L::Record<8>>::new(out, count)?.span], &[b.span])?;
     // SAFETY: promised, and apart.
     let b = unsafe { b.slice() };
     let elsewhere = |a: &[_], to: &mut [_]| best.mul(a, b, to);

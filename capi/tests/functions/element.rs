@@ -1,4 +1,4 @@
-//! What arrays hold: what it is by default, at random, and in bits.
+//! The elements of arrays: a sample, a random one, and their bits.
 
 use dq8::simd::{Block, Row};
 use dq8::{DualQuat, Quat, Real, Twist};

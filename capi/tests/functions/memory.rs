@@ -98,12 +98,12 @@ impl<'f> Call<'f> {
     fn room(&self, at: usize) -> &Room {
         self.rooms[at].as_ref().expect("an array")
     }
-    /// Where the array begins, whatever is passed for it.
+    /// The start of the array, whatever pointer is passed for it.
     pub(crate) fn start(&self, at: usize) -> *mut u8 {
         self.room(at).start
     }
-    /// What is around the array of each argument; of a call with one slid, nothing: that lies
-    /// around another.
+    /// The memory before and after the array of each argument. It is empty for a call in which one
+    /// array has been moved onto another.
     pub(crate) fn around(&self) -> Vec<[Vec<u8>; 2]> {
         if self.function.arrays().any(|(at, _)| self.rooms[at].is_none()) {
             return Vec::new();
@@ -116,7 +116,7 @@ impl<'f> Call<'f> {
         };
         self.rooms.iter().map(around).collect()
     }
-    /// What is in the memory of each argument, and around it.
+    /// The contents of the memory of each argument, and of what is around it.
     pub(crate) fn now(&self) -> Vec<Vec<u8>> {
         let all =
             |room: &Option<Room>| room.as_ref().map_or(Vec::new(), |room| room.all().to_vec());

@@ -120,7 +120,7 @@ fn mimic<R>(joints: &mut [Described<R>], at: usize, leader: i32) {
     (joints[at].mimics, joints[at].leader) = (1, leader);
 }
 
-/// What may be wrong with the joints of a mechanism.
+/// The joints of a mechanism that are refused.
 macro_rules! faults {
     ($scene:ident $R:ident: $joints:expr) => {{
         let last = $scene.described.len().saturating_sub(1);
@@ -164,7 +164,7 @@ macro_rules! faults {
     }};
 }
 
-/// What is asked of a link, if there is one.
+/// A result for a link, or the error that there is no such link.
 fn linked<T>(
     link: usize,
     links: usize,
