@@ -21,6 +21,8 @@ WORD = re.compile(r"(?:`[^`]*`|\S)+")
 # A line that begins so is not a line of a paragraph of Markdown; a wrapped one must not begin so.
 MARKUP = re.compile(r"\||#|>|<|\[[^\]]+\]: \S+$|    ")
 ITEM = re.compile(r"([-*+]|\d+[.)]) +")
+# What stands under the heading of a section in the docstrings of Python, whose lines are indented and no code.
+SECTION = re.compile("-{3,}")
 
 
 def wide(line):
@@ -45,12 +47,16 @@ def blocks(lines):
         yield key, run
 
 
+def margin(text):
+    return len(text) - len(text.lstrip())
+
+
 def wrapped(prefix, first, rest, words):
     """Lines of at most WIDTH bytes: the first after `first`, the others after `rest`."""
     lines = [[]]
     for word in words:
-        margin = first if len(lines) == 1 else rest
-        if lines[-1] and wide(prefix + margin + " ".join([*lines[-1], word])):
+        before = first if len(lines) == 1 else rest
+        if lines[-1] and wide(prefix + before + " ".join([*lines[-1], word])):
             # What would be markup at the start of a line takes the word before it along.
             marks = MARKUP.match(word + " ") or ITEM.fullmatch(word + " ") or word in "+-=*"
             lines.append([lines[-1].pop()] if marks and len(lines[-1]) > 1 else [])
@@ -62,13 +68,13 @@ def wrap(key, texts):
     indent, marker = key
     prefix = f"{indent}{marker} "
     out, paragraph, fenced = [], [], False
+    sections = any(map(SECTION.fullmatch, texts))
 
     def flush():
         if paragraph:
             if any(wide(prefix + text) for text in paragraph):
                 item = ITEM.match(paragraph[0].lstrip())
-                margin = " " * (len(paragraph[0]) - len(paragraph[0].lstrip()))
-                first = margin + (item[0] if item else "")
+                first = " " * margin(paragraph[0]) + (item[0] if item else "")
                 text = " ".join([paragraph[0][len(first):], *paragraph[1:]])
                 out.extend(wrapped(prefix, first, " " * len(first), WORD.findall(text)))
             else:
@@ -80,11 +86,15 @@ def wrap(key, texts):
             flush()
             fenced = not fenced
             out.append(text)
-        elif fenced or not text.strip() or (MARKUP.match(text) and not paragraph) or text.startswith(("|", "#", ">")):
+        elif SECTION.fullmatch(text) and paragraph:
+            heading = paragraph.pop()
+            flush()
+            out += [heading, text]
+        elif fenced or not text.strip() or (MARKUP.match(text) and not paragraph and not sections) or text.startswith(("|", "#", ">")):
             flush()
             out.append(text)
         else:
-            if ITEM.match(text.lstrip()):
+            if ITEM.match(text.lstrip()) or sections and paragraph and margin(text) != margin(paragraph[-1]):
                 flush()
             paragraph.append(text)
     flush()

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The table of operations, read from the sources -> docs/operations.md.
+"""The table of operations, read from the sources -> docs/operations.md; and the numbers of it in IN_PROSE.
 
-    python3 scripts/operations_table.py            # writes the file
-    python3 scripts/operations_table.py --check    # exit 1 if it differs from what the sources say
+    python3 scripts/operations_table.py            # writes the files
+    python3 scripts/operations_table.py --check    # exit 1 if one differs from what the sources say
 
 An operation is a public function of the scalar reference. The script looks for the same on lanes, in the traits, in the
 kernels over slices, in the C header and in the vectors. Where it finds none there must be a reason below, or it
@@ -45,71 +45,23 @@ ON_LANES = {
 }
 IN_TRAIT = {("DualQuat", "try_normalize"): "normalize_checked", ("DualQuat", "try_inverse"): "inverse_checked",
             ("Quat", "try_normalize"): "normalize_checked"}
-# Kernels over slices, methods of `Backend`, by the operation that they are of.
-KERNELS = {
-    ("DualQuat", "×"): ["mul", "mul_in_place", "mul_left_in_place"],
-    ("DualQuat", "normalize"): ["normalize", "normalize_in_place"],
-    ("DualQuat", "inverse"): ["inverse", "inverse_in_place"],
-    ("DualQuat", "conjugate"): ["conjugate", "conjugate_in_place"],
-    ("DualQuat", "nlerp"): ["nlerp", "nlerp_each"],
-    ("DualQuat", "sclerp"): ["sclerp", "sclerp_each", "resample", "resample_with_twists"],
-    ("DualQuat", "slerp_lerp"): ["slerp_lerp", "slerp_lerp_each"],
-    ("DualQuat", "dlb"): ["dlb"],
-    ("DualQuat", "dib"): ["dib_windows"],
-    ("DualQuat", "log"): ["log"],
-    ("TwoBone", "reach"): ["two_bone"],
-    ("DualQuat", "exp"): ["exp"],
-    ("DualQuat", "to_twist"): ["to_twist"],
-    ("DualQuat", "from_twist"): ["from_twist"],
-    ("DualQuat", "pow"): ["pow_each"],
-    ("DualQuat", "integrate_body"): ["integrate_body"],
-    ("DualQuat", "angle_to"): ["angles"],
-    ("DualQuat", "distance_to"): ["distances"],
-    ("DualQuat", "to_matrix3x4"): ["matrices"],
-    ("DualQuat", "to_matrix4"): ["matrices"],
-    ("DualQuat", "from_matrix3x4"): ["from_matrices"],
-    ("DualQuat", "try_from_matrix3x4"): ["try_from_matrices"],
-    ("DualQuat", "try_from_matrix4"): ["try_from_matrices"],
-    ("DualQuat", "transform_point"): ["transform_points", "transform_points_in_place", "transform_points_each"],
-    ("DualQuat", "transform_vector"): ["transform_vectors", "transform_vectors_in_place", "transform_vectors_each"],
-    ("DualQuat", "transform_line"): ["transform_lines_each"],
-    ("DualQuat", "transform_plane"): ["transform_planes_each"],
-    ("DualQuat", "adjoint"): ["transform_twists_each"],
-}
-# C functions of one motion, `dq8_motion_…`, by the operation that they are.
+# C functions of one motion, `dq8_motion_…`, whose name is not that of the operation without `transform_`.
 IN_C = {
     ("DualQuat", "×"): "mul",
-    ("DualQuat", "normalize"): "normalize",
-    ("DualQuat", "inverse"): "inverse",
-    ("DualQuat", "conjugate"): "conjugate",
     ("DualQuat", "is_unit"): "check_unit",
-    ("DualQuat", "from_rotation_translation"): "from_rotation_translation",
     ("DualQuat", "rotation"): "to_rotation_translation",
     ("DualQuat", "translation"): "to_rotation_translation",
     ("DualQuat", "to_matrix3x4"): "to_matrix_3x4",
     ("DualQuat", "to_matrix4"): "to_matrix_4x4",
     ("DualQuat", "try_from_matrix3x4"): "from_matrix_3x4",
     ("DualQuat", "try_from_matrix4"): "from_matrix_4x4",
-    ("DualQuat", "from_screw"): "from_screw",
-    ("DualQuat", "to_screw"): "to_screw",
-    ("DualQuat", "log"): "log",
-    ("DualQuat", "exp"): "exp",
-    ("DualQuat", "pow"): "pow",
-    ("DualQuat", "nlerp"): "nlerp",
-    ("DualQuat", "sclerp"): "sclerp",
     ("DualQuat", "dlb"): "blend",
     ("DualQuat", "dib"): "mean",
-    ("DualQuat", "transform_point"): "point",
-    ("DualQuat", "transform_vector"): "vector",
-    ("DualQuat", "transform_line"): "line",
-    ("DualQuat", "transform_plane"): "plane",
     ("DualQuat", "adjoint"): "twist",
-    ("DualQuat", "to_twist"): "to_twist",
-    ("DualQuat", "integrate_body"): "integrate_body",
-    ("DualQuat", "angle_to"): "angle_to",
-    ("DualQuat", "distance_to"): "distance_to",
 }
 NO_OPERATION_IN_C = {"identity"}
+# Kernels of the list that Python's functions on arrays do not have under the name of the operation, and why.
+NOT_IN_PYTHON = {"slerp_lerp": "of laws that take rotations and translations apart Python has none"}
 # Names in the files of vectors that are not those of the functions.
 IN_VECTORS = {
     "conj_dual": "conjugate_dual", "conj_quat": "conjugate", "conj_both": "conjugate_both", "point": "transform_point",
@@ -117,6 +69,12 @@ IN_VECTORS = {
     "add": "+", "sub": "−", "mul": "×", "div": "÷",
 }
 FUNCTIONS_IN_VECTORS = {"gram_schmidt"}
+
+# Sentences with numbers of the page, which are written too.
+IN_PROSE = {
+    "docs/results.md": "{answers} of the {operations} [operations]",
+    "src/guide/accuracy.md": "Of the {operations} public operations, {answers} have",
+}
 
 REASONS = {
     "a": "another order of the same numbers: lanes hold components, and their order is that of the memory they are "
@@ -181,6 +139,40 @@ def functions(*folders):
     return found
 
 
+def declared_kernels():
+    """Kernel over slices -> the function of a motion that it is of, as the list of kernels declares them."""
+    text = (ROOT / "src/slices/kernels.rs").read_text(encoding="utf-8")
+    row = (r'^ {4}(\w+)(?: as "\w+" )?\[[^]]*\]\s*\([^)]*\)\s*-> \w+: \w+ \w+(?:, in place (\w+))?'
+           r"\s*= ([^{}]*), \{$")
+    rows = re.findall(row, text, re.M)
+    if len(rows) != text.count(", {\n        ///"):
+        sys.exit("src/slices/kernels.rs has a row that this script cannot read")
+    found = {}
+    for name, in_place, one in rows:
+        function = re.search(r"(?:\.|::)(\w+)\(", one)
+        for kernel in filter(None, (name, in_place)):
+            found[kernel] = function[1] if function else "×"
+    return found
+
+
+def kernels_over_slices():
+    """(type, function) -> the kernels over slices that are of it, methods of `Backend`. Of kernels that are not in the
+    list, the documentation links the function, or another kernel of it."""
+    of = {kernel: [("DualQuat", function)] for kernel, function in declared_kernels().items()}
+    for file in sorted((ROOT / "src/slices").glob("*.rs")):
+        text = file.read_text(encoding="utf-8")
+        for doc, kernel in re.findall(r"((?:^    (?:///|#\[).*\n)+)    pub fn (\w+)", text, re.M):
+            links = re.findall(r"`(DualQuat|TwoBone)::(\w+)`\]", doc)
+            if other := re.search(r"\(Self::(\w+)\)", doc) if not links else None:
+                links = of.get(other[1], [])
+            of[kernel] = list(dict.fromkeys(links))
+    found = {}
+    for kernel, functions_of_it in of.items():
+        for key in functions_of_it:
+            found.setdefault(key, []).append(kernel)
+    return found
+
+
 def methods_of_traits():
     found = {}
     for kind, file in TRAITS.items():
@@ -229,10 +221,17 @@ def main():
     traits = methods_of_traits()
     kernels = {name for text in (ROOT / "src/slices").glob("*.rs")
                for name in re.findall(r"^    pub fn (\w+)", text.read_text(encoding="utf-8"), re.M)}
+    kernels_of = kernels_over_slices()
+    stubs = (ROOT / "python/package/dq8/_core.pyi").read_text(encoding="utf-8")
+    in_python = set(re.findall(r"^def (\w+)\(", stubs, re.M))
     header = (ROOT / "capi/include/dq8.h").read_text(encoding="utf-8")
     of_c = set(re.findall(r"\bdq8_motion_(\w+)_f32\(", header))
     known = vectors()
     wrong = []
+
+    def in_c(key):
+        own = key[1].removeprefix("transform_")
+        return IN_C.get(key) or (own if key[0] == "DualQuat" and own in of_c else None)
 
     def cells(kind, name):
         key = (kind, name)
@@ -269,13 +268,12 @@ def main():
         else:
             yield reason(key, None, "the trait")
         # Kernels over slices
-        of_slices = KERNELS.get(key, [])
-        wrong.extend(f"{kind}::{name}: no kernel {k}" for k in of_slices if k not in kernels)
+        of_slices = kernels_of.get(key, [])
         alone = "l" if (kind in ALONE or name in FEW) and not both else "k"
         yield ", ".join(f"`{k}`" for k in of_slices) or (
             reason(key, "d" if name in PARTS else NO_LANES.get(name, alone), "slices"))
         # C
-        c = IN_C.get(key)
+        c = in_c(key)
         if c and c not in of_c:
             wrong.append(f"{kind}::{name}: no C function dq8_motion_{c}")
         yield f"`{c}`" if c else reason(key, "d" if name in PARTS else "m", "C")
@@ -343,29 +341,38 @@ def main():
             total["answers"] += not row[5].startswith("(")
             where = f"../{every[key].relative_to(ROOT).as_posix()}"
             body.append(f"| [`{key[1]}`]({where}) | " + " | ".join(row) + " |")
-    mapped = {name for names in KERNELS.values() for name in names}
+    for kernel, name in declared_kernels().items():
+        name = {"×": "mul"}.get(name, name)
+        if (name in in_python or f"{name}s" in in_python) == (name in NOT_IN_PYTHON):
+            wrong.append(f"Backend::{kernel}: python/package/dq8/_core.pyi should have {name}, or a reason why not here")
+    mapped = {name for names in kernels_of.values() for name in names}
     wrong += [f"Backend::{name} belongs to no operation" for name in sorted(kernels - mapped)]
     wrong += [f"dq8_motion_{name} belongs to no operation"
-              for name in sorted(of_c - set(IN_C.values()) - NO_OPERATION_IN_C)]
+              for name in sorted(of_c - set(map(in_c, every)) - NO_OPERATION_IN_C)]
     wrong += [f"vectors of {'::'.join(key)} belong to no operation" for key in known if key not in every]
     wrong += [f"the reason ({letter}) is not used" for letter in sorted(set(REASONS) - used)]
     wrong += [f"{'::'.join(key)} in a list of this script is no operation"
-              for key in [*ON_LANES, *IN_TRAIT, *KERNELS, *IN_C] if key not in every]
+              for key in [*ON_LANES, *IN_TRAIT, *kernels_of, *IN_C] if key not in every]
     if wrong:
         sys.exit("\n".join(dict.fromkeys(wrong)))
     lines += [f"| ({letter}) | {text} |" for letter, text in REASONS.items()]
     lines += ["", f"{total['operations']} operations; {total['lanes']} are on lanes, {total['trait']} in a trait, "
               f"{total['answers']} have answers of 60 digits. Errors: "
               f"{by['proved']} proved, {by['by norms']} by norms, {by['exact']} exact."]
-    for file, words in (("docs/results.md", f"{total['answers']} of the {total['operations']} [operations]"),
-                        ("src/guide/accuracy.md", f"Of the {total['operations']} public operations, {total['answers']} have")):
-        if words not in (ROOT / file).read_text(encoding="utf-8"):
-            sys.exit(f"{file} does not say: {words}")
     text = "\n".join(lines + body) + "\n"
-    if "--check" not in sys.argv:
-        OUT.write_text(text, encoding="utf-8")
-    elif not OUT.exists() or OUT.read_text(encoding="utf-8") != text:
-        sys.exit("docs/operations.md is not what the sources say: run scripts/operations_table.py")
+    files = {OUT: text}
+    for file, pattern in IN_PROSE.items():
+        old = (ROOT / file).read_text(encoding="utf-8")
+        sentence = pattern.format(answers=total["answers"], operations=total["operations"])
+        any_numbers = re.escape(pattern).replace(r"\{answers\}", r"\d+").replace(r"\{operations\}", r"\d+")
+        files[ROOT / file], times = re.subn(any_numbers, sentence, old)
+        if times != 1:
+            sys.exit(f"{file} should say once: {sentence}")
+    for file, text in files.items():
+        if "--check" not in sys.argv:
+            file.write_text(text, encoding="utf-8")
+        elif not file.exists() or file.read_text(encoding="utf-8") != text:
+            sys.exit(f"{file.relative_to(ROOT)} is not what the sources say: run scripts/operations_table.py")
     print(f"{total['operations']} operations, {total['lanes']} on lanes, {total['trait']} in a trait")
 
 

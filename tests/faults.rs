@@ -1,7 +1,7 @@
 //! The table of faults: what is given, to which function, and what it promises to answer.
 
 use dq8::hierarchy::{HierarchyError, PackedError};
-use dq8::slices::{MatricesError, TrajectoryError};
+use dq8::slices::MatricesError;
 use dq8::{DualQuat, Hierarchy, Quat, ShapeError, Skeleton};
 use dq8::{scalar::MatrixError, skinning::SkinningError};
 
@@ -164,7 +164,6 @@ fn errors_that_pass_on_another_have_it_as_their_source() {
     }
     passes::<PackedError>();
     passes::<MatricesError>();
-    passes::<TrajectoryError>();
     passes::<SkinningError>();
     let own = HierarchyError::ParentNotBefore { joint: 1, parent: 2 };
     assert!(std::error::Error::source(&own).is_none());

@@ -258,11 +258,7 @@ fn slices(fuzz: &mut Fuzz) {
     assert_eq!(storage::unpack(joints, &packed, &mut back).is_ok(), fits);
     let bits = |motion: &DualQuat<f32>| motion.to_array().map(f32::to_bits);
     assert!(!fits || back.iter().map(bits).eq(a.iter().map(bits)));
-    let times: Vec<_> = (0..count).map(|i| i as f32).collect();
-    let at: Vec<_> = (0..count).map(|_| fuzz.number()).collect();
-    let sampled = Backend::best().resample(&times, a, &at, out).is_ok();
-    assert_eq!(sampled, count > 0 && !at.iter().any(|t| t.is_nan()));
-    fuzz.called(3);
+    fuzz.called(2);
 }
 
 #[test]

@@ -265,7 +265,7 @@ fn defmt_formats_what_is_plain() {
     )>();
     formats::<(dq8::scalar::NormalizeError, dq8::scalar::InverseError, dq8::scalar::MatrixError)>();
     formats::<(dq8::incidence::IncidenceError, dq8::representation::OrthonormalError)>();
-    formats::<(dq8::text::ParseError, dq8::slices::TrajectoryError)>();
+    formats::<dq8::text::ParseError>();
 }
 
 /// Whatever is called an error, those that come later too.

@@ -100,14 +100,12 @@ macro_rules! kernels {
         }
 
         #[test]
-        fn blends_of_four_and_trajectories_need_one_mebibyte() {
+        fn blends_of_four_and_windows_need_one_mebibyte() {
             within(1024, |backend| {
                 let (poses, t) = (vec![pose::<$real>(); INSTANCES], vec![[0.5]; INSTANCES]);
                 let mut out = poses.clone();
                 backend.dlb([(&poses[..], &t[..]); 4], &mut out).unwrap();
                 backend.dib_windows(&poses, &[1.0; 5], 1e-6, 4, &mut out[..INSTANCES - 4]).unwrap();
-                let times: [$real; INSTANCES] = core::array::from_fn(|i| i as $real);
-                backend.resample(&times, &poses, &times, &mut out).unwrap();
             });
         }
     })*};

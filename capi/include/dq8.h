@@ -16,10 +16,12 @@
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. If it is not DQ8_STATUS_OK, the outputs are as they were,
  *           except an index such as `bad_joint`, the steps of a mechanism, and scratch.
- * Memory.   All memory is yours. The library allocates nothing, frees nothing, and keeps no pointer
- *           after it returns. But a dq8_mechanism points to its steps, a dq8_skin to its joints and
- *           weights, and dq8_clips to their bytes: do not change or free these, or the behaviour is
- *           undefined. A pointer may be null if the length of its array is 0.
+ * Memory.   All memory is yours. The library allocates nothing and keeps no pointer after it returns.
+ *           (dq8_resample alone allocates while it runs. Without the feature `trajectory`, as for
+ *           firmware, the library does not have it.) But a dq8_mechanism points to its steps, a
+ *           dq8_skin to its joints and weights, and dq8_clips to their bytes: do not change or free
+ *           these, or the behaviour is undefined. A pointer may be null if the length of its array
+ *           is 0.
  * Align.    Arrays must have the alignment of their number type, and blocks that of 64 bytes.
  * Aliasing. Inputs may overlap each other. An output (an array, or one thing such as a motion) must not
  *           overlap an input or another output, unless a function says that it may be one of the
@@ -118,30 +120,34 @@
  *   dq8_rotations_translations_to_model        Computes model poses from rotations and translations, otherwise ...
  *   dq8_palette                                Computes model poses like dq8_local_to_model, and in the same pass ...
  *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, with the ...
- *   dq8_lines_each                             `lines[i]` moved by the unit `motions[i]`
- *   dq8_planes_each                            `planes[i]` moved by the unit `motions[i]`
  *   dq8_link_poses                             Computes the poses of all links for many configurations
- *   dq8_angles                                 The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, ...
- *   dq8_distances                              The distances between the translations of unit `a[i]` and unit ...
- *   dq8_mul                                    `out[i] = a[i] * b[i]`
- *   dq8_normalize                              The unit motions beside `motions`, NaN where there is none; ...
+ *   dq8_mul                                    The products `a[i] b[i]`
+ *   dq8_normalize                              The unit motions beside `motions`, exactly; NaN where there is none
  *   dq8_inverse                                The inverses of `motions`, unit or not; NaN or infinite where there ...
  *   dq8_conjugate                              The inverses of unit `motions`, which cost nothing but signs
  *   dq8_nlerp                                  From `a[i]` to `b[i]` by the shorter way, `t` of it
- *   dq8_nlerp_each                             As dq8_nlerp with a number `t[i]` for each
+ *   dq8_nlerp_each                             From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each
  *   dq8_sclerp                                 From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, ...
- *   dq8_sclerp_each                            As dq8_sclerp with a number `t[i]` for each
- *   dq8_points                                 `points`, three numbers each, moved by the one unit `motion`
- *   dq8_vectors                                `vectors`, three numbers each, turned by the one unit `motion`
+ *   dq8_sclerp_each                            From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number ...
+ *   dq8_slerp_lerp                             From unit `a[i]` to unit `b[i]`, `t` of it
+ *   dq8_slerp_lerp_each                        From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number ...
+ *   dq8_pow_each                               The unit `motions[i]` to the power `t[i]`
+ *   dq8_exp                                    The motions of `logs`, six numbers each
+ *   dq8_from_twist                             The motions to which `twists`, six numbers each, angular part ...
+ *   dq8_integrate_body                         The unit `motions[i]` after `dt` seconds of the body twists ...
+ *   dq8_log                                    The logarithms of unit `motions`, six numbers each
+ *   dq8_to_twist                               The twists, six numbers each, angular part first, that lead to unit ...
+ *   dq8_angles                                 The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, ...
+ *   dq8_distances                              The distances between the translations of unit `a[i]` and unit ...
  *   dq8_points_each                            `points[i]`, three numbers each, moved by the unit `motions[i]`
  *   dq8_vectors_each                           `vectors[i]`, three numbers each, turned by the unit `motions[i]`
- *   dq8_matrices_3x4                           The matrices `[R | t]` of unit `motions`, twelve numbers each; ...
- *   dq8_matrices_4x4                           The matrices of unit `motions` with the row 0 0 0 1, sixteen ...
+ *   dq8_lines_each                             `lines[i]` moved by the unit `motions[i]`
+ *   dq8_planes_each                            `planes[i]` moved by the unit `motions[i]`
  *   dq8_twists_each                            `twists[i]`, six numbers, angular part first, by the adjoint of the ...
- *   dq8_integrate_body                         Where the unit `motions[i]` are after `dt` seconds of the body ...
- *   dq8_log                                    The logarithms of unit `motions`, six numbers each
- *   dq8_exp                                    The motions of `logs`, six numbers each
- *   dq8_pow_each                               The unit `motions[i]` to the power `t[i]`
+ *   dq8_points                                 Moves `points`, three numbers each, by one unit `motion`
+ *   dq8_vectors                                Turns `vectors`, three numbers each, by one unit `motion`
+ *   dq8_matrices_3x4                           Writes the matrices `[R | t]` of unit `motions`, twelve numbers ...
+ *   dq8_matrices_4x4                           Writes the matrices of unit `motions` with the last row 0 0 0 1, ...
  *
  * Arrays, plain, and the library itself
  *   dq8_backend_name                           Returns the name of the instructions that compute now, for logs
@@ -373,7 +379,7 @@ typedef int32_t dq8_backend;
 #endif // __cplusplus
 
 /**
- * In which order the numbers of a matrix lie in memory.
+ * The order of the numbers of a matrix in memory.
  */
 enum dq8_matrix_order
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -381,11 +387,11 @@ enum dq8_matrix_order
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * Row after row: C arrays.
+   * Row by row, as in C arrays.
    */
   DQ8_MATRIX_ORDER_ROWS = 0,
   /**
-   * Column after column: OpenGL, GPU buffers.
+   * Column by column, as in OpenGL and in GPU buffers.
    */
   DQ8_MATRIX_ORDER_COLUMNS = 1,
 };
@@ -1544,72 +1550,6 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
                                            size_t count);
 
 /**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
- * its moment p x direction of any point p on it (Plücker coordinates).
- */
-dq8_status dq8_lines_each_f32(const float *motions, const float *lines, float *out, size_t count);
-
-/**
- * Does what dq8_lines_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_lines_each_f32(size_t lanes,
-                                     const float *motions,
-                                     const float *lines,
-                                     float *out,
-                                     size_t count);
-
-/**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
- * n, and n . p of any point p on it.
- */
-dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float *out, size_t count);
-
-/**
- * Does what dq8_planes_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_planes_each_f32(size_t lanes,
-                                      const float *motions,
-                                      const float *planes,
-                                      float *out,
-                                      size_t count);
-
-/**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
- * its moment p x direction of any point p on it (Plücker coordinates).
- */
-dq8_status dq8_lines_each_f64(const double *motions,
-                              const double *lines,
-                              double *out,
-                              size_t count);
-
-/**
- * Does what dq8_lines_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_lines_each_f64(size_t lanes,
-                                     const double *motions,
-                                     const double *lines,
-                                     double *out,
-                                     size_t count);
-
-/**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
- * n, and n . p of any point p on it.
- */
-dq8_status dq8_planes_each_f64(const double *motions,
-                               const double *planes,
-                               double *out,
-                               size_t count);
-
-/**
- * Does what dq8_planes_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_planes_each_f64(size_t lanes,
-                                      const double *motions,
-                                      const double *planes,
-                                      double *out,
-                                      size_t count);
-
-/**
  * Computes the poses of all links for many configurations: forward kinematics.
  * `values` is `[configuration][value]` and holds `value_count` numbers in all, which
  * is the number of the mechanism's values times that of configurations. `poses` is
@@ -1828,64 +1768,6 @@ dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mecha
                                            double *columns,
                                            size_t column_count,
                                            double *pose);
-
-/**
- * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, one number each.
- */
-dq8_status dq8_angles_f32(const float *a, const float *b, float *out, size_t count);
-
-/**
- * Does what dq8_angles_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_angles_f32(size_t lanes,
-                                 const float *a,
-                                 const float *b,
-                                 float *out,
-                                 size_t count);
-
-/**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
- * each.
- */
-dq8_status dq8_distances_f32(const float *a, const float *b, float *out, size_t count);
-
-/**
- * Does what dq8_distances_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_distances_f32(size_t lanes,
-                                    const float *a,
-                                    const float *b,
-                                    float *out,
-                                    size_t count);
-
-/**
- * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, one number each.
- */
-dq8_status dq8_angles_f64(const double *a, const double *b, double *out, size_t count);
-
-/**
- * Does what dq8_angles_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_angles_f64(size_t lanes,
-                                 const double *a,
-                                 const double *b,
-                                 double *out,
-                                 size_t count);
-
-/**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
- * each.
- */
-dq8_status dq8_distances_f64(const double *a, const double *b, double *out, size_t count);
-
-/**
- * Does what dq8_distances_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_distances_f64(size_t lanes,
-                                    const double *a,
-                                    const double *b,
-                                    double *out,
-                                    size_t count);
 
 /**
  * Writes the identity: the motion that moves nothing.
@@ -2820,51 +2702,28 @@ dq8_status dq8_skin_mixed_f64(const struct dq8_skin_f64 *skin,
                               size_t vertices);
 
 /**
- * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.
+ * The products `a[i] b[i]`: b acts first.
+ * `out` may be `a`.
  */
 dq8_status dq8_mul_f32(const float *a, const float *b, float *out, size_t count);
 
 /**
- * Does what dq8_mul_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_mul_f32(size_t lanes,
-                              const float *a,
-                              const float *b,
-                              float *out,
-                              size_t count);
-
-/**
- * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize
- * tells so. `out` may be `motions`.
+ * The unit motions beside `motions`, exactly; NaN where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_normalize_f32(const float *motions, float *out, size_t count);
 
 /**
- * Does what dq8_normalize_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_normalize_f32(size_t lanes, const float *motions, float *out, size_t count);
-
-/**
- * The inverses of `motions`, unit or not; NaN or infinite where there is none;
- * dq8_motion_inverse tells so. `out` may be `motions`.
+ * The inverses of `motions`, unit or not; NaN or infinite where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_inverse_f32(const float *motions, float *out, size_t count);
 
 /**
- * Does what dq8_inverse_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
-
-/**
- * The inverses of unit `motions`, which cost nothing but signs. `out` may be
- * `motions`.
+ * The inverses of unit `motions`, which cost nothing but signs.
+ * `out` may be `motions`.
  */
 dq8_status dq8_conjugate_f32(const float *motions, float *out, size_t count);
-
-/**
- * Does what dq8_conjugate_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
  * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
@@ -2872,17 +2731,7 @@ dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *o
 dq8_status dq8_nlerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * Does what dq8_nlerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_nlerp_f32(size_t lanes,
-                                const float *a,
-                                const float *b,
-                                float t,
-                                float *out,
-                                size_t count);
-
-/**
- * As dq8_nlerp with a number `t[i]` for each.
+ * From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_nlerp_each_f32(const float *a,
                               const float *b,
@@ -2891,33 +2740,13 @@ dq8_status dq8_nlerp_each_f32(const float *a,
                               size_t count);
 
 /**
- * Does what dq8_nlerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
-                                     const float *a,
-                                     const float *b,
-                                     const float *t,
-                                     float *out,
-                                     size_t count);
-
-/**
  * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
  * constant speed.
  */
 dq8_status dq8_sclerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * Does what dq8_sclerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_sclerp_f32(size_t lanes,
-                                 const float *a,
-                                 const float *b,
-                                 float t,
-                                 float *out,
-                                 size_t count);
-
-/**
- * As dq8_sclerp with a number `t[i]` for each.
+ * From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_sclerp_each_f32(const float *a,
                                const float *b,
@@ -2926,17 +2755,103 @@ dq8_status dq8_sclerp_each_f32(const float *a,
                                size_t count);
 
 /**
- * Does what dq8_sclerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ * From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
+ * translations go straight.
  */
-dq8_status dq8_blocks_sclerp_each_f32(size_t lanes,
-                                      const float *a,
-                                      const float *b,
-                                      const float *t,
-                                      float *out,
-                                      size_t count);
+dq8_status dq8_slerp_lerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
+ * From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+ */
+dq8_status dq8_slerp_lerp_each_f32(const float *a,
+                                   const float *b,
+                                   const float *t,
+                                   float *out,
+                                   size_t count);
+
+/**
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+ * and the slide.
+ */
+dq8_status dq8_pow_each_f32(const float *motions, const float *t, float *out, size_t count);
+
+/**
+ * The motions of `logs`, six numbers each.
+ */
+dq8_status dq8_exp_f32(const float *logs, float *out, size_t count);
+
+/**
+ * The motions to which `twists`, six numbers each, angular part first, lead in one
+ * second.
+ */
+dq8_status dq8_from_twist_f32(const float *twists, float *out, size_t count);
+
+/**
+ * The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
+ * each, angular part first.
+ */
+dq8_status dq8_integrate_body_f32(const float *motions,
+                                  const float *twists,
+                                  float dt,
+                                  float *out,
+                                  size_t count);
+
+/**
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+ * and its moment. Twice that is the twist that leads there in one second.
+ */
+dq8_status dq8_log_f32(const float *motions, float *out, size_t count);
+
+/**
+ * The twists, six numbers each, angular part first, that lead to unit `motions` in one
+ * second.
+ */
+dq8_status dq8_to_twist_f32(const float *motions, float *out, size_t count);
+
+/**
+ * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+ */
+dq8_status dq8_angles_f32(const float *a, const float *b, float *out, size_t count);
+
+/**
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+ * each.
+ */
+dq8_status dq8_distances_f32(const float *a, const float *b, float *out, size_t count);
+
+/**
+ * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ */
+dq8_status dq8_points_each_f32(const float *motions, const float *points, float *out, size_t count);
+
+/**
+ * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ */
+dq8_status dq8_vectors_each_f32(const float *motions,
+                                const float *vectors,
+                                float *out,
+                                size_t count);
+
+/**
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * its moment p x direction of any point p on it (Plücker coordinates).
+ */
+dq8_status dq8_lines_each_f32(const float *motions, const float *lines, float *out, size_t count);
+
+/**
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * n, and n . p of any point p on it.
+ */
+dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float *out, size_t count);
+
+/**
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+ * `motions[i]`: a body twist becomes the spatial one.
+ */
+dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
+
+/**
+ * Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
  */
 dq8_status dq8_points_f32(const float *motion, const float *points, float *out, size_t count);
 
@@ -2950,7 +2865,7 @@ dq8_status dq8_blocks_points_f32(size_t lanes,
                                  size_t count);
 
 /**
- * `vectors`, three numbers each, turned by the one unit `motion`: directions do not
+ * Turns `vectors`, three numbers each, by one unit `motion`: directions do not
  * translate. `out` may be `vectors`.
  */
 dq8_status dq8_vectors_f32(const float *motion, const float *vectors, float *out, size_t count);
@@ -2965,39 +2880,8 @@ dq8_status dq8_blocks_vectors_f32(size_t lanes,
                                   size_t count);
 
 /**
- * `points[i]`, three numbers each, moved by the unit `motions[i]`.
- */
-dq8_status dq8_points_each_f32(const float *motions, const float *points, float *out, size_t count);
-
-/**
- * Does what dq8_points_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_points_each_f32(size_t lanes,
-                                      const float *motions,
-                                      const float *points,
-                                      float *out,
-                                      size_t count);
-
-/**
- * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
- */
-dq8_status dq8_vectors_each_f32(const float *motions,
-                                const float *vectors,
-                                float *out,
-                                size_t count);
-
-/**
- * Does what dq8_vectors_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
-                                       const float *motions,
-                                       const float *vectors,
-                                       float *out,
-                                       size_t count);
-
-/**
- * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
- * enum dq8_matrix_order.
+ * Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
+ * one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
@@ -3011,8 +2895,8 @@ dq8_status dq8_blocks_matrices_3x4_f32(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
- * is one of enum dq8_matrix_order.
+ * Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
+ * each, in `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
@@ -3026,51 +2910,214 @@ dq8_status dq8_blocks_matrices_4x4_f32(size_t lanes,
                                        size_t count);
 
 /**
- * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.
+ * Does what dq8_mul_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_mul_f32(size_t lanes,
+                              const float *a,
+                              const float *b,
+                              float *out,
+                              size_t count);
+
+/**
+ * Does what dq8_normalize_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_normalize_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * Does what dq8_inverse_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * Does what dq8_conjugate_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * Does what dq8_nlerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_f32(size_t lanes,
+                                const float *a,
+                                const float *b,
+                                float t,
+                                float *out,
+                                size_t count);
+
+/**
+ * Does what dq8_nlerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
+                                     const float *a,
+                                     const float *b,
+                                     const float *t,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * Does what dq8_sclerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_f32(size_t lanes,
+                                 const float *a,
+                                 const float *b,
+                                 float t,
+                                 float *out,
+                                 size_t count);
+
+/**
+ * Does what dq8_sclerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_each_f32(size_t lanes,
+                                      const float *a,
+                                      const float *b,
+                                      const float *t,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * Does what dq8_slerp_lerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_f32(size_t lanes,
+                                     const float *a,
+                                     const float *b,
+                                     float t,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * Does what dq8_slerp_lerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_each_f32(size_t lanes,
+                                          const float *a,
+                                          const float *b,
+                                          const float *t,
+                                          float *out,
+                                          size_t count);
+
+/**
+ * Does what dq8_pow_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_pow_each_f32(size_t lanes,
+                                   const float *motions,
+                                   const float *t,
+                                   float *out,
+                                   size_t count);
+
+/**
+ * Does what dq8_exp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_exp_f32(size_t lanes, const float *logs, float *out, size_t count);
+
+/**
+ * Does what dq8_from_twist_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_from_twist_f32(size_t lanes, const float *twists, float *out, size_t count);
+
+/**
+ * Does what dq8_integrate_body_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
+                                         const float *motions,
+                                         const float *twists,
+                                         float dt,
+                                         float *out,
+                                         size_t count);
+
+/**
+ * Does what dq8_log_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_log_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * Does what dq8_to_twist_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_to_twist_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * Does what dq8_angles_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_angles_f32(size_t lanes,
+                                 const float *a,
+                                 const float *b,
+                                 float *out,
+                                 size_t count);
+
+/**
+ * Does what dq8_distances_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_distances_f32(size_t lanes,
+                                    const float *a,
+                                    const float *b,
+                                    float *out,
+                                    size_t count);
+
+/**
+ * Does what dq8_points_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_points_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *points,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * Does what dq8_vectors_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
+                                       const float *motions,
+                                       const float *vectors,
+                                       float *out,
+                                       size_t count);
+
+/**
+ * Does what dq8_lines_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_lines_each_f32(size_t lanes,
+                                     const float *motions,
+                                     const float *lines,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * Does what dq8_planes_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_planes_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *planes,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * Does what dq8_twists_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_twists_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *twists,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * The products `a[i] b[i]`: b acts first.
+ * `out` may be `a`.
  */
 dq8_status dq8_mul_f64(const double *a, const double *b, double *out, size_t count);
 
 /**
- * Does what dq8_mul_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_mul_f64(size_t lanes,
-                              const double *a,
-                              const double *b,
-                              double *out,
-                              size_t count);
-
-/**
- * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize
- * tells so. `out` may be `motions`.
+ * The unit motions beside `motions`, exactly; NaN where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_normalize_f64(const double *motions, double *out, size_t count);
 
 /**
- * Does what dq8_normalize_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_normalize_f64(size_t lanes, const double *motions, double *out, size_t count);
-
-/**
- * The inverses of `motions`, unit or not; NaN or infinite where there is none;
- * dq8_motion_inverse tells so. `out` may be `motions`.
+ * The inverses of `motions`, unit or not; NaN or infinite where there is none.
+ * `out` may be `motions`.
  */
 dq8_status dq8_inverse_f64(const double *motions, double *out, size_t count);
 
 /**
- * Does what dq8_inverse_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
-
-/**
- * The inverses of unit `motions`, which cost nothing but signs. `out` may be
- * `motions`.
+ * The inverses of unit `motions`, which cost nothing but signs.
+ * `out` may be `motions`.
  */
 dq8_status dq8_conjugate_f64(const double *motions, double *out, size_t count);
-
-/**
- * Does what dq8_conjugate_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
  * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
@@ -3078,17 +3125,7 @@ dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double 
 dq8_status dq8_nlerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 
 /**
- * Does what dq8_nlerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_nlerp_f64(size_t lanes,
-                                const double *a,
-                                const double *b,
-                                double t,
-                                double *out,
-                                size_t count);
-
-/**
- * As dq8_nlerp with a number `t[i]` for each.
+ * From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_nlerp_each_f64(const double *a,
                               const double *b,
@@ -3097,33 +3134,13 @@ dq8_status dq8_nlerp_each_f64(const double *a,
                               size_t count);
 
 /**
- * Does what dq8_nlerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
-                                     const double *a,
-                                     const double *b,
-                                     const double *t,
-                                     double *out,
-                                     size_t count);
-
-/**
  * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
  * constant speed.
  */
 dq8_status dq8_sclerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 
 /**
- * Does what dq8_sclerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_sclerp_f64(size_t lanes,
-                                 const double *a,
-                                 const double *b,
-                                 double t,
-                                 double *out,
-                                 size_t count);
-
-/**
- * As dq8_sclerp with a number `t[i]` for each.
+ * From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
  */
 dq8_status dq8_sclerp_each_f64(const double *a,
                                const double *b,
@@ -3132,17 +3149,119 @@ dq8_status dq8_sclerp_each_f64(const double *a,
                                size_t count);
 
 /**
- * Does what dq8_sclerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ * From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
+ * translations go straight.
  */
-dq8_status dq8_blocks_sclerp_each_f64(size_t lanes,
-                                      const double *a,
-                                      const double *b,
-                                      const double *t,
-                                      double *out,
-                                      size_t count);
+dq8_status dq8_slerp_lerp_f64(const double *a,
+                              const double *b,
+                              double t,
+                              double *out,
+                              size_t count);
 
 /**
- * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
+ * From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+ */
+dq8_status dq8_slerp_lerp_each_f64(const double *a,
+                                   const double *b,
+                                   const double *t,
+                                   double *out,
+                                   size_t count);
+
+/**
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+ * and the slide.
+ */
+dq8_status dq8_pow_each_f64(const double *motions, const double *t, double *out, size_t count);
+
+/**
+ * The motions of `logs`, six numbers each.
+ */
+dq8_status dq8_exp_f64(const double *logs, double *out, size_t count);
+
+/**
+ * The motions to which `twists`, six numbers each, angular part first, lead in one
+ * second.
+ */
+dq8_status dq8_from_twist_f64(const double *twists, double *out, size_t count);
+
+/**
+ * The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
+ * each, angular part first.
+ */
+dq8_status dq8_integrate_body_f64(const double *motions,
+                                  const double *twists,
+                                  double dt,
+                                  double *out,
+                                  size_t count);
+
+/**
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+ * and its moment. Twice that is the twist that leads there in one second.
+ */
+dq8_status dq8_log_f64(const double *motions, double *out, size_t count);
+
+/**
+ * The twists, six numbers each, angular part first, that lead to unit `motions` in one
+ * second.
+ */
+dq8_status dq8_to_twist_f64(const double *motions, double *out, size_t count);
+
+/**
+ * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+ */
+dq8_status dq8_angles_f64(const double *a, const double *b, double *out, size_t count);
+
+/**
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+ * each.
+ */
+dq8_status dq8_distances_f64(const double *a, const double *b, double *out, size_t count);
+
+/**
+ * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ */
+dq8_status dq8_points_each_f64(const double *motions,
+                               const double *points,
+                               double *out,
+                               size_t count);
+
+/**
+ * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ */
+dq8_status dq8_vectors_each_f64(const double *motions,
+                                const double *vectors,
+                                double *out,
+                                size_t count);
+
+/**
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * its moment p x direction of any point p on it (Plücker coordinates).
+ */
+dq8_status dq8_lines_each_f64(const double *motions,
+                              const double *lines,
+                              double *out,
+                              size_t count);
+
+/**
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * n, and n . p of any point p on it.
+ */
+dq8_status dq8_planes_each_f64(const double *motions,
+                               const double *planes,
+                               double *out,
+                               size_t count);
+
+/**
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+ * `motions[i]`: a body twist becomes the spatial one.
+ */
+dq8_status dq8_twists_each_f64(const double *motions,
+                               const double *twists,
+                               double *out,
+                               size_t count);
+
+/**
+ * Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
  */
 dq8_status dq8_points_f64(const double *motion, const double *points, double *out, size_t count);
 
@@ -3156,7 +3275,7 @@ dq8_status dq8_blocks_points_f64(size_t lanes,
                                  size_t count);
 
 /**
- * `vectors`, three numbers each, turned by the one unit `motion`: directions do not
+ * Turns `vectors`, three numbers each, by one unit `motion`: directions do not
  * translate. `out` may be `vectors`.
  */
 dq8_status dq8_vectors_f64(const double *motion, const double *vectors, double *out, size_t count);
@@ -3171,42 +3290,8 @@ dq8_status dq8_blocks_vectors_f64(size_t lanes,
                                   size_t count);
 
 /**
- * `points[i]`, three numbers each, moved by the unit `motions[i]`.
- */
-dq8_status dq8_points_each_f64(const double *motions,
-                               const double *points,
-                               double *out,
-                               size_t count);
-
-/**
- * Does what dq8_points_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_points_each_f64(size_t lanes,
-                                      const double *motions,
-                                      const double *points,
-                                      double *out,
-                                      size_t count);
-
-/**
- * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
- */
-dq8_status dq8_vectors_each_f64(const double *motions,
-                                const double *vectors,
-                                double *out,
-                                size_t count);
-
-/**
- * Does what dq8_vectors_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
-                                       const double *motions,
-                                       const double *vectors,
-                                       double *out,
-                                       size_t count);
-
-/**
- * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
- * enum dq8_matrix_order.
+ * Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
+ * one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
@@ -3220,8 +3305,8 @@ dq8_status dq8_blocks_matrices_3x4_f64(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
- * is one of enum dq8_matrix_order.
+ * Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
+ * each, in `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
@@ -3233,6 +3318,192 @@ dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
                                        int32_t order,
                                        double *out,
                                        size_t count);
+
+/**
+ * Does what dq8_mul_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_mul_f64(size_t lanes,
+                              const double *a,
+                              const double *b,
+                              double *out,
+                              size_t count);
+
+/**
+ * Does what dq8_normalize_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_normalize_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * Does what dq8_inverse_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * Does what dq8_conjugate_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * Does what dq8_nlerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_f64(size_t lanes,
+                                const double *a,
+                                const double *b,
+                                double t,
+                                double *out,
+                                size_t count);
+
+/**
+ * Does what dq8_nlerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
+                                     const double *a,
+                                     const double *b,
+                                     const double *t,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * Does what dq8_sclerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_f64(size_t lanes,
+                                 const double *a,
+                                 const double *b,
+                                 double t,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * Does what dq8_sclerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_each_f64(size_t lanes,
+                                      const double *a,
+                                      const double *b,
+                                      const double *t,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * Does what dq8_slerp_lerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_f64(size_t lanes,
+                                     const double *a,
+                                     const double *b,
+                                     double t,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * Does what dq8_slerp_lerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_slerp_lerp_each_f64(size_t lanes,
+                                          const double *a,
+                                          const double *b,
+                                          const double *t,
+                                          double *out,
+                                          size_t count);
+
+/**
+ * Does what dq8_pow_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_pow_each_f64(size_t lanes,
+                                   const double *motions,
+                                   const double *t,
+                                   double *out,
+                                   size_t count);
+
+/**
+ * Does what dq8_exp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_exp_f64(size_t lanes, const double *logs, double *out, size_t count);
+
+/**
+ * Does what dq8_from_twist_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_from_twist_f64(size_t lanes, const double *twists, double *out, size_t count);
+
+/**
+ * Does what dq8_integrate_body_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
+                                         const double *motions,
+                                         const double *twists,
+                                         double dt,
+                                         double *out,
+                                         size_t count);
+
+/**
+ * Does what dq8_log_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_log_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * Does what dq8_to_twist_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_to_twist_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * Does what dq8_angles_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_angles_f64(size_t lanes,
+                                 const double *a,
+                                 const double *b,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * Does what dq8_distances_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_distances_f64(size_t lanes,
+                                    const double *a,
+                                    const double *b,
+                                    double *out,
+                                    size_t count);
+
+/**
+ * Does what dq8_points_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_points_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *points,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * Does what dq8_vectors_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
+                                       const double *motions,
+                                       const double *vectors,
+                                       double *out,
+                                       size_t count);
+
+/**
+ * Does what dq8_lines_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_lines_each_f64(size_t lanes,
+                                     const double *motions,
+                                     const double *lines,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * Does what dq8_planes_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_planes_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *planes,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * Does what dq8_twists_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_twists_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *twists,
+                                      double *out,
+                                      size_t count);
 
 /**
  * Returns the meaning of a status in English. The text lives as long as the program. A number that
@@ -3339,151 +3610,6 @@ dq8_status dq8_resample_f64(const double *times,
                             double *out,
                             size_t count,
                             size_t *bad_time);
-
-/**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
- * `motions[i]`: a body twist becomes the spatial one.
- */
-dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
-
-/**
- * Does what dq8_twists_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_twists_each_f32(size_t lanes,
-                                      const float *motions,
-                                      const float *twists,
-                                      float *out,
-                                      size_t count);
-
-/**
- * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`,
- * six numbers each, angular part first.
- */
-dq8_status dq8_integrate_body_f32(const float *motions,
-                                  const float *twists,
-                                  float dt,
-                                  float *out,
-                                  size_t count);
-
-/**
- * Does what dq8_integrate_body_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
-                                         const float *motions,
-                                         const float *twists,
-                                         float dt,
-                                         float *out,
-                                         size_t count);
-
-/**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
- * and its moment. Twice that is the twist that leads there in one second.
- */
-dq8_status dq8_log_f32(const float *motions, float *logs, size_t count);
-
-/**
- * Does what dq8_log_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_log_f32(size_t lanes, const float *motions, float *logs, size_t count);
-
-/**
- * The motions of `logs`, six numbers each.
- */
-dq8_status dq8_exp_f32(const float *logs, float *out, size_t count);
-
-/**
- * Does what dq8_exp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_exp_f32(size_t lanes, const float *logs, float *out, size_t count);
-
-/**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
- * and the slide.
- */
-dq8_status dq8_pow_each_f32(const float *motions, const float *t, float *out, size_t count);
-
-/**
- * Does what dq8_pow_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_pow_each_f32(size_t lanes,
-                                   const float *motions,
-                                   const float *t,
-                                   float *out,
-                                   size_t count);
-
-/**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
- * `motions[i]`: a body twist becomes the spatial one.
- */
-dq8_status dq8_twists_each_f64(const double *motions,
-                               const double *twists,
-                               double *out,
-                               size_t count);
-
-/**
- * Does what dq8_twists_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_twists_each_f64(size_t lanes,
-                                      const double *motions,
-                                      const double *twists,
-                                      double *out,
-                                      size_t count);
-
-/**
- * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`,
- * six numbers each, angular part first.
- */
-dq8_status dq8_integrate_body_f64(const double *motions,
-                                  const double *twists,
-                                  double dt,
-                                  double *out,
-                                  size_t count);
-
-/**
- * Does what dq8_integrate_body_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
-                                         const double *motions,
-                                         const double *twists,
-                                         double dt,
-                                         double *out,
-                                         size_t count);
-
-/**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
- * and its moment. Twice that is the twist that leads there in one second.
- */
-dq8_status dq8_log_f64(const double *motions, double *logs, size_t count);
-
-/**
- * Does what dq8_log_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_log_f64(size_t lanes, const double *motions, double *logs, size_t count);
-
-/**
- * The motions of `logs`, six numbers each.
- */
-dq8_status dq8_exp_f64(const double *logs, double *out, size_t count);
-
-/**
- * Does what dq8_exp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_exp_f64(size_t lanes, const double *logs, double *out, size_t count);
-
-/**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
- * and the slide.
- */
-dq8_status dq8_pow_each_f64(const double *motions, const double *t, double *out, size_t count);
-
-/**
- * Does what dq8_pow_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
- */
-dq8_status dq8_blocks_pow_each_f64(size_t lanes,
-                                   const double *motions,
-                                   const double *t,
-                                   double *out,
-                                   size_t count);
 
 /* A joint of this kind, which mimics no other and has no limits. */
 static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, const float *placement, const float *axis)

@@ -61,14 +61,6 @@
   DQ8_OF_NUMBERS(palette, dq8_palette_matrices)(parents, joints, root, locals, inverse_binds, models, palette, count)
 #define dq8_blocks_palette_matrices(lanes, parents, joints, root, locals, inverse_binds, models, palette, count) \
   DQ8_OF_NUMBERS(palette, dq8_blocks_palette_matrices)(lanes, parents, joints, root, locals, inverse_binds, models, palette, count)
-#define dq8_lines_each(motions, lines, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_lines_each)(motions, lines, out, count)
-#define dq8_blocks_lines_each(lanes, motions, lines, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_lines_each)(lanes, motions, lines, out, count)
-#define dq8_planes_each(motions, planes, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_planes_each)(motions, planes, out, count)
-#define dq8_blocks_planes_each(lanes, motions, planes, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_planes_each)(lanes, motions, planes, out, count)
 #define dq8_link_poses(mechanism, values, value_count, poses, count) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_link_poses)(mechanism, values, value_count, poses, count)
 #define dq8_blocks_link_poses(lanes, mechanism, values, value_count, poses, count) \
@@ -83,14 +75,6 @@
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_mechanism_link_pose)(mechanism, values, value_count, link, pose)
 #define dq8_mechanism_link_jacobian(mechanism, frame, values, value_count, link, columns, column_count, pose) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_mechanism_link_jacobian)(mechanism, frame, values, value_count, link, columns, column_count, pose)
-#define dq8_angles(a, b, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_angles)(a, b, out, count)
-#define dq8_blocks_angles(lanes, a, b, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_angles)(lanes, a, b, out, count)
-#define dq8_distances(a, b, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_distances)(a, b, out, count)
-#define dq8_blocks_distances(lanes, a, b, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_distances)(lanes, a, b, out, count)
 #define dq8_motion_identity(out) \
   DQ8_OF_NUMBERS(out, dq8_motion_identity)(out)
 #define dq8_motion_from_rotation_translation(rotation, translation, out) \
@@ -177,36 +161,50 @@
   DQ8_OF_THINGS(skin, dq8_skin, dq8_skin_mixed)(skin, matrices, motions, shares, joint_count, positions, normals, tangents, posed_positions, posed_normals, posed_tangents, vertices)
 #define dq8_mul(a, b, out, count) \
   DQ8_OF_NUMBERS(out, dq8_mul)(a, b, out, count)
-#define dq8_blocks_mul(lanes, a, b, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_mul)(lanes, a, b, out, count)
 #define dq8_normalize(motions, out, count) \
   DQ8_OF_NUMBERS(out, dq8_normalize)(motions, out, count)
-#define dq8_blocks_normalize(lanes, motions, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_normalize)(lanes, motions, out, count)
 #define dq8_inverse(motions, out, count) \
   DQ8_OF_NUMBERS(out, dq8_inverse)(motions, out, count)
-#define dq8_blocks_inverse(lanes, motions, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_inverse)(lanes, motions, out, count)
 #define dq8_conjugate(motions, out, count) \
   DQ8_OF_NUMBERS(out, dq8_conjugate)(motions, out, count)
-#define dq8_blocks_conjugate(lanes, motions, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_conjugate)(lanes, motions, out, count)
 #define dq8_nlerp(a, b, t, out, count) \
   DQ8_OF_NUMBERS(out, dq8_nlerp)(a, b, t, out, count)
-#define dq8_blocks_nlerp(lanes, a, b, t, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_nlerp)(lanes, a, b, t, out, count)
 #define dq8_nlerp_each(a, b, t, out, count) \
   DQ8_OF_NUMBERS(out, dq8_nlerp_each)(a, b, t, out, count)
-#define dq8_blocks_nlerp_each(lanes, a, b, t, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_nlerp_each)(lanes, a, b, t, out, count)
 #define dq8_sclerp(a, b, t, out, count) \
   DQ8_OF_NUMBERS(out, dq8_sclerp)(a, b, t, out, count)
-#define dq8_blocks_sclerp(lanes, a, b, t, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_sclerp)(lanes, a, b, t, out, count)
 #define dq8_sclerp_each(a, b, t, out, count) \
   DQ8_OF_NUMBERS(out, dq8_sclerp_each)(a, b, t, out, count)
-#define dq8_blocks_sclerp_each(lanes, a, b, t, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_sclerp_each)(lanes, a, b, t, out, count)
+#define dq8_slerp_lerp(a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_slerp_lerp)(a, b, t, out, count)
+#define dq8_slerp_lerp_each(a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_slerp_lerp_each)(a, b, t, out, count)
+#define dq8_pow_each(motions, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_pow_each)(motions, t, out, count)
+#define dq8_exp(logs, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_exp)(logs, out, count)
+#define dq8_from_twist(twists, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_from_twist)(twists, out, count)
+#define dq8_integrate_body(motions, twists, dt, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_integrate_body)(motions, twists, dt, out, count)
+#define dq8_log(motions, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_log)(motions, out, count)
+#define dq8_to_twist(motions, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_to_twist)(motions, out, count)
+#define dq8_angles(a, b, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_angles)(a, b, out, count)
+#define dq8_distances(a, b, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_distances)(a, b, out, count)
+#define dq8_points_each(motions, points, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_points_each)(motions, points, out, count)
+#define dq8_vectors_each(motions, vectors, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_vectors_each)(motions, vectors, out, count)
+#define dq8_lines_each(motions, lines, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_lines_each)(motions, lines, out, count)
+#define dq8_planes_each(motions, planes, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_planes_each)(motions, planes, out, count)
+#define dq8_twists_each(motions, twists, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_twists_each)(motions, twists, out, count)
 #define dq8_points(motion, points, out, count) \
   DQ8_OF_NUMBERS(out, dq8_points)(motion, points, out, count)
 #define dq8_blocks_points(lanes, motion, points, out, count) \
@@ -215,14 +213,6 @@
   DQ8_OF_NUMBERS(out, dq8_vectors)(motion, vectors, out, count)
 #define dq8_blocks_vectors(lanes, motion, vectors, out, count) \
   DQ8_OF_NUMBERS(out, dq8_blocks_vectors)(lanes, motion, vectors, out, count)
-#define dq8_points_each(motions, points, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_points_each)(motions, points, out, count)
-#define dq8_blocks_points_each(lanes, motions, points, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_points_each)(lanes, motions, points, out, count)
-#define dq8_vectors_each(motions, vectors, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_vectors_each)(motions, vectors, out, count)
-#define dq8_blocks_vectors_each(lanes, motions, vectors, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_vectors_each)(lanes, motions, vectors, out, count)
 #define dq8_matrices_3x4(motions, order, out, count) \
   DQ8_OF_NUMBERS(out, dq8_matrices_3x4)(motions, order, out, count)
 #define dq8_blocks_matrices_3x4(lanes, motions, order, out, count) \
@@ -231,32 +221,58 @@
   DQ8_OF_NUMBERS(out, dq8_matrices_4x4)(motions, order, out, count)
 #define dq8_blocks_matrices_4x4(lanes, motions, order, out, count) \
   DQ8_OF_NUMBERS(out, dq8_blocks_matrices_4x4)(lanes, motions, order, out, count)
+#define dq8_blocks_mul(lanes, a, b, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_mul)(lanes, a, b, out, count)
+#define dq8_blocks_normalize(lanes, motions, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_normalize)(lanes, motions, out, count)
+#define dq8_blocks_inverse(lanes, motions, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_inverse)(lanes, motions, out, count)
+#define dq8_blocks_conjugate(lanes, motions, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_conjugate)(lanes, motions, out, count)
+#define dq8_blocks_nlerp(lanes, a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_nlerp)(lanes, a, b, t, out, count)
+#define dq8_blocks_nlerp_each(lanes, a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_nlerp_each)(lanes, a, b, t, out, count)
+#define dq8_blocks_sclerp(lanes, a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_sclerp)(lanes, a, b, t, out, count)
+#define dq8_blocks_sclerp_each(lanes, a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_sclerp_each)(lanes, a, b, t, out, count)
+#define dq8_blocks_slerp_lerp(lanes, a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_slerp_lerp)(lanes, a, b, t, out, count)
+#define dq8_blocks_slerp_lerp_each(lanes, a, b, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_slerp_lerp_each)(lanes, a, b, t, out, count)
+#define dq8_blocks_pow_each(lanes, motions, t, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_pow_each)(lanes, motions, t, out, count)
+#define dq8_blocks_exp(lanes, logs, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_exp)(lanes, logs, out, count)
+#define dq8_blocks_from_twist(lanes, twists, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_from_twist)(lanes, twists, out, count)
+#define dq8_blocks_integrate_body(lanes, motions, twists, dt, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_integrate_body)(lanes, motions, twists, dt, out, count)
+#define dq8_blocks_log(lanes, motions, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_log)(lanes, motions, out, count)
+#define dq8_blocks_to_twist(lanes, motions, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_to_twist)(lanes, motions, out, count)
+#define dq8_blocks_angles(lanes, a, b, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_angles)(lanes, a, b, out, count)
+#define dq8_blocks_distances(lanes, a, b, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_distances)(lanes, a, b, out, count)
+#define dq8_blocks_points_each(lanes, motions, points, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_points_each)(lanes, motions, points, out, count)
+#define dq8_blocks_vectors_each(lanes, motions, vectors, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_vectors_each)(lanes, motions, vectors, out, count)
+#define dq8_blocks_lines_each(lanes, motions, lines, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_lines_each)(lanes, motions, lines, out, count)
+#define dq8_blocks_planes_each(lanes, motions, planes, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_planes_each)(lanes, motions, planes, out, count)
+#define dq8_blocks_twists_each(lanes, motions, twists, out, count) \
+  DQ8_OF_NUMBERS(out, dq8_blocks_twists_each)(lanes, motions, twists, out, count)
 #define dq8_reach_scratch(mechanism, goal_count, scratch_count) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_reach_scratch)(mechanism, goal_count, scratch_count)
 #define dq8_reach(mechanism, goals, goal_count, targets, posture, options, values, value_count, scratch, scratch_count, reports, count) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_reach)(mechanism, goals, goal_count, targets, posture, options, values, value_count, scratch, scratch_count, reports, count)
 #define dq8_resample(times, poses, pose_count, at, out, count, bad_time) \
   DQ8_OF_NUMBERS(out, dq8_resample)(times, poses, pose_count, at, out, count, bad_time)
-#define dq8_twists_each(motions, twists, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_twists_each)(motions, twists, out, count)
-#define dq8_blocks_twists_each(lanes, motions, twists, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_twists_each)(lanes, motions, twists, out, count)
-#define dq8_integrate_body(motions, twists, dt, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_integrate_body)(motions, twists, dt, out, count)
-#define dq8_blocks_integrate_body(lanes, motions, twists, dt, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_integrate_body)(lanes, motions, twists, dt, out, count)
-#define dq8_log(motions, logs, count) \
-  DQ8_OF_NUMBERS(logs, dq8_log)(motions, logs, count)
-#define dq8_blocks_log(lanes, motions, logs, count) \
-  DQ8_OF_NUMBERS(logs, dq8_blocks_log)(lanes, motions, logs, count)
-#define dq8_exp(logs, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_exp)(logs, out, count)
-#define dq8_blocks_exp(lanes, logs, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_exp)(lanes, logs, out, count)
-#define dq8_pow_each(motions, t, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_pow_each)(motions, t, out, count)
-#define dq8_blocks_pow_each(lanes, motions, t, out, count) \
-  DQ8_OF_NUMBERS(out, dq8_blocks_pow_each)(lanes, motions, t, out, count)
 #define dq8_joint_fixed(parent, placement) \
   DQ8_OF_NUMBERS(placement, dq8_joint_fixed)(parent, placement)
 #define dq8_joint_revolute(parent, placement, axis) \

@@ -5,13 +5,13 @@
 /// the kernel takes.
 macro_rules! kernel {
     (
-        $name:ident($($from:ident: $size:literal),+ $(; $more:ident: $type:ty $(= $known:expr)?)?)
-            -> $out:literal by $kernel:ident
+        $name:ident($($from:ident: $size:tt),+ $(; $more:ident: $type:ty $(= $known:expr)?)?)
+            -> $out:tt by $kernel:ident
     ) => {
         /// # Safety
         /// The same as for [`Input::slice`](crate::memory::Input::slice) and
         /// [`Output::slice`](crate::memory::Output::slice).
-        unsafe fn $name<L: Layout>(
+        pub(super) unsafe fn $name<L: Layout>(
             $($from: *const L::Real,)+
             $($more: $type,)?
             out: *mut L::Real,
@@ -28,19 +28,22 @@ macro_rules! kernel {
     };
 }
 
-/// Defines the function of a kernel from one array to another, and of its sibling in place, which
-/// is called if C passes the same array twice. Both may take one motion first.
+/// Defines the function of a kernel from one array to another of the same records, and of its
+/// sibling in place, which is called if C passes the same array twice. Both may take other arrays
+/// as well, or one motion first.
 macro_rules! kernel_or_in_place {
     (
-        $name:ident($from:ident: $size:literal) $(of one $motion:ident)?
+        $name:ident($from:ident: $size:tt $(, $other:ident: $others:tt)*) $(of one $motion:ident)?
             by $kernel:ident, $in_place:ident
     ) => {
         /// # Safety
-        /// The same as for [`from_to`](crate::memory::from_to) and, of one motion,
-        /// [`read`](crate::memory::read).
-        unsafe fn $name<L: Layout>(
+        /// The same as for [`from_to`](crate::memory::from_to); for one motion
+        /// [`read`](crate::memory::read), and for other arrays
+        /// [`Input::slice`](crate::memory::Input::slice).
+        pub(super) unsafe fn $name<L: Layout>(
             $($motion: *const L::Real,)?
             $from: *const L::Real,
+            $($other: *const L::Real,)*
             out: *mut L::Real,
             count: usize,
         ) -> Done {
@@ -52,13 +55,31 @@ macro_rules! kernel_or_in_place {
                 // SAFETY: the caller promises this.
                 let $motion: dq8::DualQuat<L::Real> = unsafe { crate::memory::read($motion)? };
             )?
-            let elsewhere = |from: &[_], to: &mut [_]| best.$kernel($($motion,)? from, to);
+            $(
+                let $other = crate::memory::Input::<L::Record<$others>>::new($other, count)?;
+                let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
+                crate::span::disjoint(&[to.span], &[$other.span])?;
+                // SAFETY: the caller promises this, and the arrays are disjoint.
+                let $other = unsafe { $other.slice() };
+            )*
+            let elsewhere =
+                |from: &[_], to: &mut [_]| best.$kernel($($motion,)? from, $($other,)* to);
             let in_place = |all: &mut [L::Record<$size>]| {
-                best.$in_place($($motion,)? all);
-                Ok(())
+                done!(best.$in_place($($motion,)? all $(, $other)*); $($other)*)
             };
             // SAFETY: the caller promises this.
             unsafe { crate::memory::from_to($from, out, count, elsewhere, in_place) }
         }
+    };
+}
+
+/// A call in place, which can fail only where there are other arrays.
+macro_rules! done {
+    ($call:expr;) => {{
+        $call;
+        Ok(())
+    }};
+    ($call:expr; $($other:ident)+) => {
+        $call
     };
 }

@@ -5,7 +5,7 @@
 //! | [`status`] | [`Status`], the result of every call, and its text |
 //! | [`backend`] | the choice of instructions |
 //! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion |
-//! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays, plain or in blocks |
+//! | [`slices`] | kernels over arrays, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
 //! | [`clips`] | packed clips, plain |
@@ -17,7 +17,7 @@
 //! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints: arrays or vertex buffers |
 //! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | conversions between plain arrays and blocks |
-//! | [`trajectory`] | poses at times, resampled |
+//! | [`trajectory`] | poses at times, sampled at other times |
 //!
 //! Modules with functions of both number types have them twice: in `single` for `f32`, in `double`
 //! for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
@@ -32,8 +32,9 @@
 //! Status::of                 the error, if there is one, as a number
 //! ```
 //!
-//! No function allocates. None panics either, and a panic would abort the program, because it must
-//! not leave an `extern "C"` function.
+//! No function allocates, except for those of [`trajectory`], which needs the feature of that name.
+//! None panics either, and a panic would abort the program, because it must not leave an
+//! `extern "C"` function.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[macro_use]
@@ -46,13 +47,11 @@ pub mod clips;
 pub mod geometry;
 pub mod hierarchy;
 pub mod joint;
-pub mod lines;
 pub mod links;
 pub mod mean;
 pub mod mechanism;
 mod memory;
 pub mod mesh;
-pub mod metric;
 pub mod motion;
 pub mod packing;
 pub mod palette;
@@ -65,8 +64,8 @@ pub mod slices;
 mod span;
 pub mod status;
 pub mod targets;
+#[cfg(feature = "trajectory")]
 pub mod trajectory;
-pub mod twists;
 
 pub use backend::InstructionSet;
 pub use slices::Order;

@@ -3,8 +3,8 @@
 use crate::memory::{Input, Output};
 use crate::span::disjoint;
 use crate::status::{Done, Status};
-use dq8::slices::TrajectoryError;
-use dq8::{Backend, DualQuat, Scalar};
+use dq8::{DualQuat, Scalar};
+use dq8_trajectory::{OwnedTrajectory, Time, TrajectoryError};
 
 /// The poses of a trajectory and their times.
 struct Known<R> {
@@ -15,7 +15,7 @@ struct Known<R> {
 
 /// # Safety
 /// The same as for [`Input::slice`], [`Output::slice`] and [`Output::write`].
-unsafe fn resample<R: Scalar>(
+unsafe fn resample<R: Scalar + Time>(
     known: Known<R>,
     at: *const R,
     out: *mut R,
@@ -31,12 +31,16 @@ unsafe fn resample<R: Scalar>(
     // SAFETY: the caller promises this, and the arrays are disjoint.
     let (times, poses, at, out) =
         unsafe { (times.slice(), poses.slice(), at.slice(), out.slice()) };
-    let Err(error) = Backend::best().resample(times, poses, at, out) else { return Ok(()) };
-    let (status, index) = match error {
-        TrajectoryError::NotRising { index, .. } => (Status::Times, index),
-        TrajectoryError::NotATime { index } => (Status::NotFinite, index),
+    let stamps = times.iter().map(|&time| time.into()).collect();
+    let poses = poses.iter().map(|pose| DualQuat::from_array(pose.to_array().map(Into::into)));
+    let (status, index) = match OwnedTrajectory::new(stamps, poses.collect()) {
+        Ok(path) => match at.iter().position(|time| time.is_nan()) {
+            Some(index) => (Status::NotFinite, index),
+            None => return path.job().sample(at, out).map_err(|_| Status::Length),
+        },
+        Err(TrajectoryError::NotRising { index, .. }) => (Status::Times, index),
         // The trajectory has no pose.
-        _ => return Err(Status::Length),
+        Err(_) => return Err(Status::Length),
     };
     // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe { bad.write(index) };

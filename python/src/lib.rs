@@ -1,7 +1,8 @@
 //! The kernels of dq8 on NumPy arrays: the module `dq8._core`. What users import is in
 //! `package/dq8`.
 //!
-//! Functions on arrays are in `arrays`, skeletons and meshes in `figures`, mechanisms in `robots`.
+//! Functions on arrays are in `arrays`, skeletons and meshes in `figures`, mechanisms in `robots`,
+//! trajectories in `trajectories`.
 
 use dq8::Backend;
 use pyo3::prelude::*;
@@ -72,8 +73,6 @@ mod _core {
     #[pymodule_export]
     use dq8_python_arrays::functions::squad::{squad, squad_control};
     #[pymodule_export]
-    use dq8_python_arrays::functions::trajectory::resample;
-    #[pymodule_export]
     use dq8_python_arrays::functions::windows::dib_windows;
     #[pymodule_export]
     use dq8_python_arrays::plain::real_array;
@@ -91,4 +90,6 @@ mod _core {
     use dq8_python_robots::mechanism::Mechanism;
     #[pymodule_export]
     use dq8_python_robots::solutions::solutions;
+    #[pymodule_export]
+    use dq8_python_trajectories::resample::resample;
 }

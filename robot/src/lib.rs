@@ -4,6 +4,8 @@
 //! Motions are dual quaternions of [`dq8`], one configuration at a time in any [`Real`](dq8::Real)
 //! number, or many on the lanes of the CPU.
 //!
+#![doc = include_str!("frames.svg")]
+//!
 //! The `guide` (feature `urdf`) goes from a file to inverse kinematics, and says which array is
 //! indexed by what.
 //!
@@ -39,8 +41,9 @@
 //!
 //! An angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero; beyond, poses,
 //! velocities and accelerations are NaN, of one configuration as on lanes. Sine and cosine of half
-//! an `f32` angle, taken as exact, are off by at most 2.71 and 3.35 units of 2⁻²⁴ at any angle
-//! up to there, the cosine by 2.19 up to π. All floats were tried.
+//! an `f32` angle, taken as exact, are off by
+//! at most 2.71 and 3.35 units of 2⁻²⁴ at any angle up to there, the cosine by 2.19 up to π.
+//! All floats were tried.
 //!
 //! # Firmware
 //!

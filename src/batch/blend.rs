@@ -1,7 +1,9 @@
-//! Linear blending.
+//! Linear blending, and the intrinsic mean of motions, which starts from it.
 
-use super::{DualQuat, Quat};
-use dq8_simd::Lanes;
+use super::length::Length;
+use super::{DualQuat, Quat, vector};
+use crate::geometry::{DualVector, Mean};
+use dq8_simd::{Lanes, Mask};
 
 impl<L: Lanes> Quat<L> {
     /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
@@ -62,5 +64,62 @@ impl<L: Lanes> DualQuat<L> {
     fn weight_toward(self, pivot: Self, weight: L) -> L {
         let away = self.real().dot(pivot.real()).lt(weight.constant(0.0));
         L::select(away, -weight, weight)
+    }
+}
+
+impl<L: Lanes> DualQuat<L> {
+    /// Σ wᵢ log(b*σᵢ) = 0, from the linear blend by b ← b exp(Σ wᵢ log(b*σᵢ) / Σ
+    /// wᵢ), a step of at most `tolerance` being none; `None` without influences.
+    ///
+    /// A lane that has arrived is left as it is while its neighbours go on, and counts its own
+    /// iterations: neither its mean nor its count depends on them.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    #[must_use]
+    pub fn dib(
+        influences: &[(Self, L)],
+        tolerance: L,
+        max_iterations: u32,
+    ) -> Option<Mean<Self, L, L::Mask>> {
+        let mut motion = Self::dlb(influences)?;
+        let (zero, one) = (tolerance.constant(0.0), tolerance.constant(1.0));
+        let (mut total, mut longest) = (zero, zero);
+        for &(pose, weight) in influences {
+            total = total + weight;
+            let length = pose.dual().norm();
+            longest = L::select(longest.lt(length), length, longest);
+        }
+        let length_tolerance = tolerance * longest;
+        let (mut made, mut iterations) = (0, zero);
+        loop {
+            let step = motion.mean_log(influences, total);
+            let half_turn = Length::of(step.real, one).value();
+            let turn = half_turn + half_turn;
+            let slide = Length::of(step.dual, one).value();
+            // Not the opposite of `converged`: with NaN there is nothing to go on for.
+            let goes_on = tolerance.lt(turn) | length_tolerance.lt(slide);
+            if made == max_iterations || !goes_on.any() {
+                let converged = turn.le(tolerance) & slide.le(length_tolerance);
+                return Some(Mean { motion, iterations, converged });
+            }
+            let moved = motion * Self::exp(step);
+            motion = Self::from_array(vector::select(goes_on, moved.to_array(), motion.to_array()));
+            made += 1;
+            iterations = iterations + L::select(goes_on, one, zero);
+        }
+    }
+
+    /// Σ wᵢ log(σ*σᵢ) / Σ wᵢ
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn mean_log(self, influences: &[(Self, L)], total: L) -> DualVector<L> {
+        let zero = total.constant(0.0);
+        let mut mean = DualVector { real: [zero; 3], dual: [zero; 3] };
+        let inverse = self.conjugate();
+        for &(pose, weight) in influences {
+            let log = (inverse * pose).log();
+            let share = weight / total;
+            mean.real = vector::scale_onto(log.real, share, mean.real);
+            mean.dual = vector::scale_onto(log.dual, share, mean.dual);
+        }
+        mean
     }
 }

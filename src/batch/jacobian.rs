@@ -1,4 +1,5 @@
-//! Jacobians of the exponential of SE(3), on dual numbers: with u = x·x,
+//! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers:
+//! with u = x·x,
 //!
 //! ```text
 //! J_l(x) y   = y +   A(u) x×y + B(u) x×(x×y)
@@ -9,8 +10,24 @@
 
 use super::even::{exponential_integrals, half_cotangent};
 use super::{Dual, DualQuat, vector};
-use crate::geometry::Twist;
+use crate::geometry::{Twist, Wrench};
 use dq8_simd::Lanes;
+
+impl<L: Lanes> DualQuat<L> {
+    /// ω′ = Rω, v′ = Rv + t × ω′; σ must be unit.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn adjoint(self, twist: Twist<L>) -> Twist<L> {
+        let (angular, linear) = self.carry(twist.angular, twist.linear);
+        Twist { angular, linear }
+    }
+
+    /// f′ = Rf, τ′ = Rτ + t × f′; σ must be unit.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn coadjoint(self, wrench: Wrench<L>) -> Wrench<L> {
+        let (force, torque) = self.carry(wrench.force, wrench.torque);
+        Wrench { force, torque }
+    }
+}
 
 impl<L: Lanes> DualQuat<L> {
     /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) with x = `at`, y = `along`.

@@ -17,7 +17,6 @@
 //! assert!((sensor[1].to_array()[5] - (1.0_f32.sin() + 0.5 * 0.5_f32.sin())).abs() < 1e-6);
 //! ```
 
-mod adjoint;
 mod blend;
 mod contract;
 mod derivative;
@@ -28,21 +27,19 @@ mod dual_quat;
 pub(crate) mod even;
 #[cfg(dq8_record)]
 pub mod even;
+mod jacobian;
+mod slerp;
 #[rustfmt::skip]
 pub(crate) mod even_coefficients;
+mod directions;
 mod exponential;
-mod jacobian;
 mod length;
 mod matrix;
-mod mean;
 mod metric;
 mod norm;
 mod quat;
-mod representation;
 mod rigid;
 mod screw;
-mod slerp;
-mod squad;
 mod transform;
 mod trigonometry;
 pub(crate) mod two_bone;

@@ -1,6 +1,8 @@
-//! Spherical linear interpolation of rotations, and rotation and translation interpolated apart.
+//! Spherical linear interpolation of rotations, and rotation and translation interpolated apart;
+//! squad, smooth motion through key poses.
 
 use super::{DualQuat, Quat, vector};
+use crate::geometry::DualVector;
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
@@ -22,5 +24,29 @@ impl<L: Lanes> DualQuat<L> {
         let start = vector::scale(self.translation(), t.constant(1.0) - t);
         let translation = vector::scale_onto(other.translation(), t, start);
         Self::from_rotation_translation(rotation, translation)
+    }
+}
+
+impl<L: Lanes> DualQuat<L> {
+    /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`; `t`
+    /// may differ from lane to lane.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: L) -> Self {
+        let along_keys = self.sclerp(end, t);
+        let along_controls = control_start.sclerp(control_end, t);
+        along_keys.sclerp(along_controls, (t + t) * (t.constant(1.0) - t))
+    }
+
+    /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
+        let inverse = current.conjugate();
+        let (ahead, back) = ((inverse * next).log(), (inverse * previous).log());
+        let minus_quarter = current.real().w().constant(-0.25);
+        let log = DualVector {
+            real: vector::scale(vector::add(ahead.real, back.real), minus_quarter),
+            dual: vector::scale(vector::add(ahead.dual, back.dual), minus_quarter),
+        };
+        current * Self::exp(log)
     }
 }

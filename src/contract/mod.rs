@@ -5,7 +5,6 @@ mod dual_number;
 mod motion;
 mod quaternion;
 mod shared_trait;
-mod sums;
 
 pub use dual_number::DualNumber;
 pub(crate) use dual_number::{delegate_dual_number, power};
@@ -13,5 +12,4 @@ pub use motion::Motion;
 pub(crate) use motion::delegate_motion;
 pub use quaternion::Quaternion;
 pub(crate) use quaternion::delegate_quaternion;
-pub(crate) use shared_trait::{sealed, shared_trait};
-pub(crate) use sums::sums;
+pub(crate) use shared_trait::{sealed, shared_trait, sums};

@@ -1,6 +1,108 @@
-use super::Line;
+//! Screws, and dual vectors, which logarithms of motions are.
 
-crate::pod::pod! {
+use super::{Line, vector};
+use core::ops::{Add, Mul, Neg, Sub};
+
+crate::macros::pod! {
+    /// A dual vector a + εb (Jia, *Dual Quaternions*, §3): the vector part of a dual quaternion,
+    /// and the logarithm of a unit one.
+    ///
+    /// The logarithm of a screw is (θ̂/2)(l + εm): `real` = l·θ/2 and `dual` = m·θ/2 +
+    /// l·d/2.
+    ///
+    /// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4): the products
+    /// below are those of vectors, over dual numbers, and keep their laws.
+    ///
+    /// ```
+    /// use dq8::{Line, geometry::DualVector};
+    /// // The x axis, and the parallel of the y axis that crosses z at 3.
+    /// let a = Line::from_point_direction([0.0_f32; 3], [1.0, 0.0, 0.0]);
+    /// let b = Line::from_point_direction([0.0, 0.0, 3.0], [0.0, 1.0, 0.0]);
+    /// let (a, b) = (DualVector::from(a), DualVector::from(b));
+    /// // The dual angle is θ̂ = π/2 + 3ε, with cos θ̂ = cos θ − ε d sin θ.
+    /// assert_eq!(a.dot(b), [0.0, -3.0]);
+    /// assert_eq!(a.cross(b), DualVector { real: [0.0, 0.0, 1.0], dual: [0.0; 3] });
+    /// ```
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[must_use]
+    pub struct DualVector<T> {
+        /// a
+        pub real: [T; 3],
+        /// b
+        pub dual: [T; 3],
+    }
+}
+
+impl<T: Copy> DualVector<T> {
+    /// s(a + εb) for a real number s.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn scale(self, factor: T) -> Self
+    where
+        T: Mul<Output = T>,
+    {
+        Self { real: vector::scale(self.real, factor), dual: vector::scale(self.dual, factor) }
+    }
+
+    /// (s + εu)(a + εb) = sa + ε(sb + ua) for a dual number, given as `[s, u]` (Jia §3).
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn scale_dual(self, [real, dual]: [T; 2]) -> Self
+    where
+        T: Add<Output = T> + Mul<Output = T>,
+    {
+        let Self { real: a, dual: b } = self;
+        Self {
+            real: vector::scale(a, real),
+            dual: vector::add(vector::scale(b, real), vector::scale(a, dual)),
+        }
+    }
+
+    /// The inner product (a + εb)·(c + εd) = a·c + ε(a·d + b·c), a dual number, as
+    /// `[real, dual]` (Jia eq. 8). For unit lines it is cos θ̂ = cos θ − ε d sin θ of their
+    /// dual angle θ̂ = θ + εd.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    #[must_use]
+    pub fn dot(self, other: Self) -> [T; 2]
+    where
+        T: Add<Output = T> + Mul<Output = T>,
+    {
+        let ends = vector::dot(self.real, other.dual) + vector::dot(self.dual, other.real);
+        [vector::dot(self.real, other.real), ends]
+    }
+
+    /// The cross product (a + εb) × (c + εd) = a × c + ε(a × d + b × c) (Jia eq. 9). For
+    /// unit lines it is sin θ̂ times their common perpendicular.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn cross(self, other: Self) -> Self
+    where
+        T: Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+    {
+        let (first, second) =
+            (vector::cross(self.real, other.dual), vector::cross(self.dual, other.real));
+        Self { real: vector::cross(self.real, other.real), dual: vector::add(first, second) }
+    }
+}
+
+sums!(DualVector { real, dual });
+
+/// l + εm
+impl<T> From<Line<T>> for DualVector<T> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn from(line: Line<T>) -> Self {
+        Self { real: line.direction, dual: line.moment }
+    }
+}
+
+/// The line l + εm, if l·m = 0. Other dual vectors are screws: l·m/l·l is the pitch, and
+/// [`Line::try_normalize`] gives the axis.
+impl<T> From<DualVector<T>> for Line<T> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn from(vector: DualVector<T>) -> Self {
+        Self { direction: vector.real, moment: vector.dual }
+    }
+}
+
+crate::macros::pod! {
     /// A screw: turn by θ about an axis and slide by d along it. Every rigid motion is one
     /// (Chasles).
     ///

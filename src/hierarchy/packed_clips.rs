@@ -4,13 +4,13 @@
 use super::clip::{ALONE, Alone, Keys, PlacedKeys, Timing, first};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
-use crate::brief::brief;
-use crate::errors::errors;
+use crate::batch::vector;
 use crate::law::{Law, NlerpLerp};
+use crate::macros::{brief, errors};
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::ShapeError;
-use crate::storage::{Aos, Layout, aos};
+use crate::storage::{Aos, Layout};
 use core::ops::Range;
 use dq8_simd::internal::{PlacedTracks, TrackError, TrackPlace, Tracks};
 use dq8_simd::{Lanes, MAX_LANES, Mask, Records};
@@ -417,7 +417,7 @@ impl Playback<'_> {
         let rests = self.rests.get(slot.joint()..)?;
         if !slot.is_of_joints() {
             let rest = floats(rests.first()?);
-            return Some((aos::splat(level, rest.map(Into::into)), rest[3] != 0.0));
+            return Some((vector::splat(level, rest.map(Into::into)), rest[3] != 0.0));
         }
         let copied;
         let records = match as_they_lie(rests) {

@@ -1,6 +1,6 @@
 //! mint 0.5, the types that other libraries agree on.
 
-use crate::conversions::conversions;
+use crate::macros::conversions;
 use crate::number::Real;
 use crate::scalar::{DualQuat, MatrixError, Quat};
 use mint::{ColumnMatrix3, ColumnMatrix4, Quaternion, RowMatrix3, RowMatrix3x4, RowMatrix4};

@@ -9,7 +9,7 @@
 //! assert!((Isometry3::from(motion).to_homogeneous() - isometry.to_homogeneous()).norm() < 1e-15);
 //! ```
 
-use crate::conversions::conversions;
+use crate::macros::conversions;
 use crate::number::Real;
 use crate::scalar::{DualQuat, MatrixError, Quat};
 use bytemuck::Pod;

@@ -2,8 +2,8 @@
 //! that of memory. Matrices have named functions instead, because a conversion could not say rows
 //! or columns.
 
-use crate::conversions::conversions;
 use crate::geometry::{Twist, Wrench};
+use crate::macros::conversions;
 use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};

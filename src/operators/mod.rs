@@ -7,10 +7,6 @@
 //! Macros list the types: a trait of another crate cannot be implemented for all types that have
 //! something.
 
-mod assign;
+mod arithmetic;
 mod convert;
-mod factors;
-mod index;
-mod iterators;
-mod references;
 pub mod text;

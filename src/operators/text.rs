@@ -1,8 +1,8 @@
 //! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads it
 //! back to the last bit.
 
-use crate::errors::{Count, errors};
 use crate::geometry::Twist;
+use crate::macros::{Count, errors};
 use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};

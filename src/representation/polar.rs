@@ -1,8 +1,75 @@
-use super::error::OrthonormalError;
-use super::gram_schmidt::all_finite;
-use super::symmetric;
+//! The rotation of a matrix: the nearest one, by polar decomposition, and that of Gram and Schmidt.
+
+use super::OrthonormalError;
 use crate::number::Real;
 use crate::scalar::{Quat, vector};
+
+/// The rotation matrix with the first column in the direction of the matrix's first, the second in
+/// the plane of its first two, and the third their cross product (Gram 1883, Schmidt 1907;
+/// Kenwright §3.5.2 names it against drift). Rows in, rows out.
+///
+/// Cheap, and not fair: the first axis keeps its direction and the errors go to the others, so
+/// another order of axes gives another rotation. [`Polar`](crate::representation::Polar) gives the
+/// nearest one. The first two columns are projected twice, because one projection of a thin wedge
+/// leaves a right angle only to rounding over the sine of the wedge.
+///
+/// # Errors
+/// If an element is not finite, a column is within rounding of the span of those before it, or the
+/// matrix mirrors.
+///
+/// ```
+/// let drifted = [[2.0_f64, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]];
+/// let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// assert_eq!(dq8::representation::gram_schmidt(drifted)?, identity);
+/// # Ok::<(), dq8::representation::OrthonormalError>(())
+/// ```
+pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], OrthonormalError> {
+    all_finite(rows)?;
+    let least = R::from(4.0) * R::EPSILON;
+    let column = |index: usize| {
+        let column = rows.map(|row| row[index]);
+        let largest = vector::largest(column);
+        if largest == R::ZERO {
+            return Err(OrthonormalError::Dependent { column: index, sine: 0.0 });
+        }
+        // First by the largest element: the length itself may overflow.
+        Ok(direction(column.map(|c| c / largest)))
+    };
+    let x = column(0)?;
+    let across = vector::across(x, column(1)?);
+    let sine = vector::norm(across);
+    if sine <= least {
+        return Err(OrthonormalError::Dependent { column: 1, sine: sine.into() });
+    }
+    let y = direction(vector::across(x, direction(across)));
+    let z = vector::cross(x, y);
+    let height = vector::dot(z, column(2)?);
+    if height.abs() <= least {
+        return Err(OrthonormalError::Dependent { column: 2, sine: height.abs().into() });
+    }
+    if height < R::ZERO {
+        return Err(OrthonormalError::Mirrors { determinant: (sine * height).into() });
+    }
+    Ok(core::array::from_fn(|row| [x[row], y[row], z[row]]))
+}
+
+/// # Errors
+/// If an element is not finite.
+pub(super) fn all_finite<R: Real>(rows: [[R; 3]; 3]) -> Result<(), OrthonormalError> {
+    for (row, elements) in rows.into_iter().enumerate() {
+        for (column, value) in elements.into_iter().enumerate() {
+            if !value.is_finite() {
+                return Err(OrthonormalError::NotFinite { row, column, value: value.into() });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn direction<R: Real>(v: [R; 3]) -> [R; 3] {
+    let norm = vector::norm(v);
+    v.map(|c| c / norm)
+}
 
 /// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions,
 /// then a rotation. Of all rotations R is the nearest to A, in the sum of the squares of the
@@ -109,7 +176,7 @@ impl<R: Real> Spectrum<R> {
         if largest == R::ZERO {
             return Err(OrthonormalError::Ambiguous { gap: 0.0 });
         }
-        let (values, vectors) = symmetric::eigen(horn(rows.map(|row| row.map(|c| c / largest))));
+        let (values, vectors) = eigen(horn(rows.map(|row| row.map(|c| c / largest))));
         Ok(Self { largest, values, vectors })
     }
 }
@@ -165,4 +232,69 @@ fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
             above + (product(j, i) - above) * R::HALF
         })
     })
+}
+
+/// No matrix in the tests takes more than six: from a sweep to the next, what is left off the
+/// diagonal is squared.
+const MAX_SWEEPS: usize = 10;
+
+/// The eigenvalues of a symmetric 4×4 matrix with elements around 1, in no order, and the unit
+/// eigenvectors, one a column: cyclic Jacobi (Golub & Van Loan 2013, algorithm 8.5.3), which always
+/// converges and keeps the eigenvectors orthogonal.
+pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
+    let mut vectors = [[R::ZERO; 4]; 4];
+    for (index, row) in vectors.iter_mut().enumerate() {
+        row[index] = R::ONE;
+    }
+    let negligible = R::EPSILON * R::EPSILON;
+    for _ in 0..MAX_SWEEPS {
+        let mut settled = true;
+        for p in 0..3 {
+            for q in p + 1..4 {
+                let off = matrix[p][q];
+                if off.abs() <= negligible {
+                    continue;
+                }
+                settled = false;
+                let tau = (matrix[q][q] - matrix[p][p]) / (R::TWO * off);
+                let tangent = R::ONE / (tau.abs() + (R::ONE + tau * tau).sqrt());
+                let tangent = if tau < R::ZERO { -tangent } else { tangent };
+                let cosine = R::ONE / (R::ONE + tangent * tangent).sqrt();
+                let turn = Turn { p, q, cosine, sine: tangent * cosine };
+                // The matrix is symmetric: its rows turn as the columns of its transpose.
+                turn.columns_of(&mut matrix);
+                matrix = transpose(matrix);
+                turn.columns_of(&mut matrix);
+                turn.columns_of(&mut vectors);
+            }
+        }
+        if settled {
+            break;
+        }
+    }
+    (core::array::from_fn(|index| matrix[index][index]), vectors)
+}
+
+/// A turn in the plane of two coordinates.
+struct Turn<R> {
+    p: usize,
+    q: usize,
+    cosine: R,
+    sine: R,
+}
+
+impl<R: Real> Turn<R> {
+    fn columns_of(&self, matrix: &mut [[R; 4]; 4]) {
+        // Below four in any case; so no code for indices beyond is left where this is not inlined.
+        let (p, q) = (self.p & 3, self.q & 3);
+        for row in matrix {
+            let (x, y) = (row[p], row[q]);
+            row[p] = self.cosine * x - self.sine * y;
+            row[q] = self.sine * x + self.cosine * y;
+        }
+    }
+}
+
+fn transpose<R: Real>(matrix: [[R; 4]; 4]) -> [[R; 4]; 4] {
+    core::array::from_fn(|column| matrix.map(|row| row[column]))
 }

@@ -2,7 +2,7 @@ use crate::number::Real;
 use crate::scalar::{Quat, vector};
 use core::ops::Mul;
 
-crate::pod::pod! {
+crate::macros::pod! {
     /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
     /// physics engines hold, a number less than a [`DualQuat`](crate::DualQuat), and the same
     /// motion.
@@ -15,7 +15,8 @@ crate::pod::pod! {
     /// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
     /// let pose = RotationTranslation { rotation: quarter, translation: [1.0, 2.0, 3.0] };
     /// let same = DualQuat::from(pose);
-    /// let off = same.transform_point([4.0, 0.0, 0.0])[1] - pose.transform_point([4.0, 0.0, 0.0])[1];
+    /// let point = [4.0, 0.0, 0.0];
+    /// let off = same.transform_point(point)[1] - pose.transform_point(point)[1];
     /// assert!(off.abs() < 1e-14);
     /// ```
     #[derive(Clone, Copy, Debug, PartialEq)]

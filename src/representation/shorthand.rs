@@ -1,9 +1,9 @@
 //! Short ways to write what other operations do: names that users of other libraries look for.
 
-use super::euler_order::{EulerAxes, EulerFrame, EulerOrder};
+use super::euler_angles::{EulerAxes, EulerFrame, EulerOrder};
 use crate::geometry::Twist;
 use crate::number::Real;
-use crate::scalar::{DualQuat, Quat, mean::dib, vector};
+use crate::scalar::{DualQuat, Quat, blend::dib, vector};
 
 impl<R: Real> Quat<R> {
     /// Roll about x, then pitch about y, then yaw about z, all of them fixed axes, of this unit
@@ -140,7 +140,8 @@ impl<R: Real> DualQuat<R> {
     /// ```
     /// use dq8::DualQuat;
     /// let turn = DualQuat::from_rotation_z(1.0_f64);
-    /// assert_eq!(turn.with_translation([2.0, 0.0, 0.0]).transform_point([0.0; 3]), [2.0, 0.0, 0.0]);
+    /// let moved = turn.with_translation([2.0, 0.0, 0.0]);
+    /// assert_eq!(moved.transform_point([0.0; 3]), [2.0, 0.0, 0.0]);
     /// ```
     #[inline]
     #[must_use]

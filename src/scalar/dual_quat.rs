@@ -5,7 +5,7 @@ use crate::geometry::DualVector;
 use crate::number::Real;
 use core::ops::Mul;
 
-crate::pod::pod! {
+crate::macros::pod! {
     /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
     ///
     /// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: turn by p, then translate by t = 2qp*.

@@ -1,6 +1,6 @@
 //! [`NormalizeError`], [`InverseError`], [`MatrixError`]: motions that do not exist.
 
-use crate::errors::errors;
+use crate::macros::errors;
 use core::fmt;
 
 /// A quaternion or dual quaternion that cannot be normalized: it, or its real part, is zero or some

@@ -3,17 +3,14 @@
 //! Written by hand from the papers and independent of [`batch`](crate::batch), which is tested
 //! against it. The contract that both keep is [`Motion`](crate::Motion).
 
-mod adjoint;
 pub(crate) mod blend;
 mod contract;
 mod derivative;
-mod differentiate;
 mod dual;
 mod dual_quat;
 mod error;
 mod jacobian;
 mod matrix;
-pub(crate) mod mean;
 mod metric;
 pub(crate) mod must_be_unit;
 mod norm;
@@ -21,7 +18,6 @@ mod quat;
 mod rigid;
 mod screw;
 mod slerp;
-mod squad;
 mod transform;
 pub(crate) mod two_bone;
 pub mod vector;

@@ -4,7 +4,7 @@ use crate::everyday;
 use crate::number::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
-crate::pod::pod! {
+crate::macros::pod! {
     /// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
     ///
     /// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. What is not

@@ -1,7 +1,7 @@
 use super::blender::{Blender, SurfaceMap};
-use super::influences::{GROUP, Scratch};
+use super::skin::{GROUP, Scratch};
 use crate::batch::{self, vector};
-use crate::brief::brief;
+use crate::macros::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};

@@ -1,4 +1,4 @@
-use crate::errors::{Count, errors};
+use crate::macros::{Count, errors};
 use crate::storage::shape::ShapeError;
 
 errors! {

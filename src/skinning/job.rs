@@ -1,18 +1,36 @@
+//! A run over the vertices of a mesh, the same for all blends.
+//!
+//! # The algorithm
+//!
+//! A register holds as many vertices as it has lanes. For each tile of vertices: read their joints
+//! and weights, in groups of a few influences; sum the palette's entries by weight, the gather that
+//! everything else waits for; turn the sum into one map for each vertex; take position, normal and
+//! tangent through it.
+//!
+//! # Why it is as it is
+//!
+//! - *Blends differ in four steps only* ([`Blender`]: check, sum, join, map), so linear, dual
+//!   quaternion and mixed blends, plain and interleaved meshes share this loop, and another blend
+//!   is four functions.
+//! - *Influences go through scratch in groups* of a fixed number: the sum of a group is straight
+//!   code without a branch on how many a vertex has, and eight influences are two groups.
+//! - *Positions alone have a path of their own* ([`Blender::points`]): linear blends of nothing
+//!   else need no map at all. The general loop poses the points that are left over, and those that
+//!   share a tile with them once more, to the same bits.
+//! - *Everything was checked before*: no index can be wrong here, and nothing is written if one is.
+
 use super::SkinningError;
-use super::blender::Blender;
-use super::interleaved::{self, Interleaved, VertexFields};
-use super::mesh::Separate;
-use super::run::{check, pose};
-use super::skin::Skin;
-use super::surface::{Surface, SurfaceMut};
-use super::weight::Weight;
+use super::blender::{Blender, SurfaceMap};
+use super::mesh::{Field, Interleaved, Mesh, Separate, Surface, SurfaceMut, VertexFields};
+use super::skin::{Skin, Weight};
 #[cfg(doc)]
 use super::{DualBlend, Linear, Mixed, StretchedDualBlend};
-use crate::backend::Choice;
-use crate::brief::brief;
+use crate::backend::{Choice, Kernel};
+use crate::macros::brief;
 use crate::number::Scalar;
-use crate::storage::{Element, Number};
+use crate::storage::{self, Element, Layout, Number, Register};
 use dq8_simd::internal::Index;
+use dq8_simd::{Lanes, Level};
 
 /// A run that poses the mesh of a [`Skin`], with options that all have a default.
 ///
@@ -74,14 +92,7 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
         rest: Surface<'_, P>,
         posed: SurfaceMut<'_, P>,
     ) -> Result<(), SkinningError> {
-        check(&self.skin, &blend, &rest, &posed)?;
-        pose::<J, W, B, P, _>(
-            self.choice.instructions(),
-            &self.skin,
-            blend,
-            Separate { rest, posed },
-        );
-        Ok(())
+        self.run(blend, Separate { rest, posed })
     }
 
     /// [`pose`](Self::pose) of vertices that are records of several fields, such as the vertex
@@ -104,7 +115,8 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
     /// // Positions and texture coordinates.
     /// let rest = [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 3.0, 0.1, 0.9];
     /// let (fields, mut posed) = (VertexFields::positions(5), rest);
-    /// skin.job().pose_interleaved(DualBlend::new(&palette), (&rest, fields), (&mut posed, fields))?;
+    /// let blend = DualBlend::new(&palette);
+    /// skin.job().pose_interleaved(blend, (&rest, fields), (&mut posed, fields))?;
     /// assert_eq!(posed, [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 7.0, 0.1, 0.9]);
     /// # Ok::<(), dq8::skinning::SkinningError>(())
     /// ```
@@ -114,9 +126,78 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
         (rest, from): (&[R], VertexFields),
         (posed, to): (&mut [R], VertexFields),
     ) -> Result<(), SkinningError> {
-        let mesh = Interleaved { rest, from, posed, to };
-        interleaved::check(&self.skin, &blend, &mesh)?;
-        pose::<J, W, B, [R; 3], _>(self.choice.instructions(), &self.skin, blend, mesh);
+        self.run(blend, Interleaved { rest, from, posed, to })
+    }
+
+    /// Poses a mesh, once everything fits.
+    fn run<B, M>(&self, blend: B, mesh: M) -> Result<(), SkinningError>
+    where
+        B: Blender<Number<M::Point, 3>>,
+        M: Mesh,
+    {
+        let skin = &self.skin;
+        blend.check(skin.joint_count(), skin.vertices())?;
+        mesh.check(skin.vertices())?;
+        let backend = self.choice.instructions();
+        backend.share(GRAIN, mesh, &|first, mesh| backend.run(Run { skin, blend, first, mesh }));
         Ok(())
+    }
+}
+
+/// The vertices to each thread at least: some microseconds of work.
+const GRAIN: usize = 4096;
+
+/// Lanes are vertices.
+struct Run<'s, 'a, J, W, B, M> {
+    skin: &'s Skin<'a, J, W>,
+    blend: B,
+    /// The vertex that the mesh begins with.
+    first: usize,
+    mesh: M,
+}
+
+impl<J, W, B, M> Kernel for Run<'_, '_, J, W, B, M>
+where
+    J: Index,
+    W: Weight,
+    B: Blender<Number<M::Point, 3>>,
+    M: Mesh,
+{
+    type Output = ();
+    const SHUFFLES: bool = B::SHUFFLES;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(self, level: V) {
+        let Self { skin, blend, first, mut mesh } = self;
+        let lanes = Register::<M::Point, V, 3>::LANES;
+        let mut done = 0;
+        if let Some(points) = mesh.points(first) {
+            done = blend.points(level, skin, points).unwrap_or(0);
+        }
+        let things = <M::Point as Element<3>>::Layout::THINGS;
+        let mut scratch = skin.scratch();
+        // Points that share a tile with what is left are posed again, to the same bits.
+        for tile in storage::tiles::<M::Point, V, 3>(mesh.elements()).skip(done / lanes) {
+            let vertex = first + tile.element * things + tile.register * lanes;
+            skin.read(vertex, lanes, 0, &mut scratch.influences);
+            let Some(mut sum) = blend.sum::<Register<M::Point, V, 3>, _>(level, &mut scratch)
+            else {
+                return;
+            };
+            for group in 1..skin.groups() {
+                skin.read(vertex, lanes, group, &mut scratch.influences);
+                let Some(more) = blend.sum(level, &mut scratch) else { return };
+                sum = blend.join(sum, more);
+            }
+            let map = blend.map(level, sum, vertex);
+            let Some(point) = mesh.load(level, Field::Position, tile) else { return };
+            mesh.store::<V>(map.point(point), Field::Position, tile);
+            if let Some(normal) = mesh.load(level, Field::Normal, tile) {
+                mesh.store::<V>(map.normal(normal), Field::Normal, tile);
+            }
+            if let Some(tangent) = mesh.load(level, Field::Tangent, tile) {
+                mesh.store::<V>(map.tangent(tangent), Field::Tangent, tile);
+            }
+        }
     }
 }

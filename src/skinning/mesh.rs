@@ -1,27 +1,91 @@
-use super::surface::{Surface, SurfaceMut};
-use crate::backend::Outputs;
-#[cfg(feature = "rayon")]
-use crate::storage::Layout;
-use crate::storage::{self, Element, Number, Register, Tile};
-use dq8_simd::Level;
+//! Meshes at rest and posed: a slice for each field, or vertices that are records of several
+//! fields.
 
-/// A mesh at rest and posed, in memory whose tiles are those of `P`.
-pub(super) trait Mesh<P: Element<3>>: Outputs {
+use super::SkinningError;
+use super::blender::PlainPoints;
+use crate::backend::Outputs;
+use crate::number::Scalar;
+use crate::storage::shape::same_length;
+use crate::storage::{self, Element, Layout, Number, Register, Tile};
+use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
+
+/// The slices of a mesh, one for each field of its vertices; [`Surface`] and [`SurfaceMut`] say
+/// which slices.
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct Vertices<S> {
+    /// The positions of the vertices.
+    pub positions: S,
+    /// Their normals, of length 1.
+    pub normals: Option<S>,
+    /// Their tangents, of length 1, without the sign of the bitangent.
+    pub tangents: Option<S>,
+}
+
+/// A mesh at rest: positions, and normals and tangents if it has them, a slice each. `positions`
+/// makes one without the others, and `normals` and `tangents` add them.
+///
+/// ```
+/// use dq8::skinning::Surface;
+/// let (positions, normals) = ([[1.0_f32, 2.0, 3.0]], [[0.0, 0.0, 1.0]]);
+/// let rest = Surface::positions(&positions).normals(&normals);
+/// assert_eq!((rest.normals, rest.tangents), (Some(&normals[..]), None));
+/// ```
+pub type Surface<'s, P> = Vertices<&'s [P]>;
+
+/// The memory that a posed mesh goes to, made like a [`Surface`]. It has normals and tangents if
+/// the mesh at rest has.
+pub type SurfaceMut<'s, P> = Vertices<&'s mut [P]>;
+
+impl<S> Vertices<S> {
+    /// Positions alone.
+    pub fn positions(positions: S) -> Self {
+        Self { positions, normals: None, tangents: None }
+    }
+    /// The mesh with normals.
+    pub fn normals(self, normals: S) -> Self {
+        Self { normals: Some(normals), ..self }
+    }
+    /// The mesh with tangents.
+    pub fn tangents(self, tangents: S) -> Self {
+        Self { tangents: Some(tangents), ..self }
+    }
+
+    /// Pieces for several threads: those before element `at`, and the others.
+    #[cfg(feature = "rayon")]
+    pub(super) fn split(self, at: usize, cut: impl Fn(S, usize) -> (S, S)) -> (Self, Self) {
+        let (positions, others) = cut(self.positions, at);
+        let normals = self.normals.map(|slice| cut(slice, at)).unzip();
+        let tangents = self.tangents.map(|slice| cut(slice, at)).unzip();
+        (
+            Self { positions, normals: normals.0, tangents: tangents.0 },
+            Self { positions: others, normals: normals.1, tangents: tangents.1 },
+        )
+    }
+}
+
+/// A mesh at rest and posed.
+pub(super) trait Mesh: Outputs {
+    /// The element whose tiles are those of the mesh.
+    type Point: Element<3>;
+    /// Checks that both have `vertices` vertices and the same fields.
+    fn check(&self, vertices: usize) -> Result<(), SkinningError>;
     /// The number of elements.
     fn elements(&self) -> usize;
     /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
-    fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>>;
-    /// Positions at rest and posed, if they are plain, and there is nothing else to pose.
+    fn load<V: Level>(&self, level: V, field: Field, tile: Tile)
+    -> Option<Vectors<Self::Point, V>>;
+    /// The positions, if they are plain, and there is nothing else to pose. `first` is the number
+    /// of the first vertex.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn points(&mut self) -> Option<PlainPoints<'_, Number<P, 3>>> {
+    fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<Self::Point, 3>>> {
+        let _ = first;
         None
     }
     /// The posed vectors of a tile.
-    fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile);
+    fn store<V: Level>(&mut self, vectors: Vectors<Self::Point, V>, field: Field, tile: Tile);
 }
 
-/// Points at rest, and posed.
-pub(super) type PlainPoints<'m, R> = (&'m [[R; 3]], &'m mut [[R; 3]]);
 /// A register for each component of a vector.
 pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
 
@@ -52,7 +116,21 @@ impl<P: Element<3>> Outputs for Separate<'_, P> {
     }
 }
 
-impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
+impl<P: Element<3>> Mesh for Separate<'_, P> {
+    type Point = P;
+
+    fn check(&self, vertices: usize) -> Result<(), SkinningError> {
+        let Self { rest, posed } = self;
+        let elements = vertices.div_ceil(P::Layout::THINGS);
+        same_length("positions", rest.positions.len(), elements)?;
+        same_length("normals", rest.normals.map_or(elements, <[P]>::len), elements)?;
+        same_length("tangents", rest.tangents.map_or(elements, <[P]>::len), elements)?;
+        let length = |slice: Option<&[P]>| slice.map_or(0, <[P]>::len);
+        same_length("posed positions", posed.positions.len(), elements)?;
+        same_length("posed normals", length(posed.normals.as_deref()), length(rest.normals))?;
+        same_length("posed tangents", length(posed.tangents.as_deref()), length(rest.tangents))?;
+        Ok(())
+    }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn elements(&self) -> usize {
         self.posed.positions.len()
@@ -67,11 +145,12 @@ impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
         P::load(level, from, tile, &storage::identity())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn points(&mut self) -> Option<PlainPoints<'_, Number<P, 3>>> {
+    fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<P, 3>>> {
         if self.rest.normals.is_some() || self.rest.tangents.is_some() {
             return None;
         }
-        Some((P::plain(self.rest.positions)?, P::plain_mut(self.posed.positions)?))
+        let (rest, posed) = (P::plain(self.rest.positions)?, P::plain_mut(self.posed.positions)?);
+        Some(PlainPoints { first, rest, posed })
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile) {
@@ -82,6 +161,131 @@ impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
         };
         if let Some(to) = to {
             P::store(vectors, to, tile);
+        }
+    }
+}
+
+/// The places of a vertex's fields in a buffer that holds one vertex after the other, all counted
+/// in numbers. A field is three numbers.
+///
+/// ```
+/// use dq8::skinning::VertexFields;
+/// // Position, normal, tangent with its sign, texture coordinates: 12 numbers.
+/// let fields = VertexFields { stride: 12, position: 0, normal: Some(3), tangent: Some(6) };
+/// assert_eq!(VertexFields::positions(12), VertexFields { normal: None, tangent: None, ..fields });
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VertexFields {
+    /// From a vertex to the next.
+    pub stride: usize,
+    /// The begin of the position in a vertex.
+    pub position: usize,
+    /// The begin of the normal, if it has one.
+    pub normal: Option<usize>,
+    /// The begin of the tangent, if it has one, without the sign of the bitangent.
+    pub tangent: Option<usize>,
+}
+
+impl VertexFields {
+    /// Vertices that begin with their positions; nothing else is posed.
+    #[must_use]
+    pub fn positions(stride: usize) -> Self {
+        Self { stride, position: 0, normal: None, tangent: None }
+    }
+
+    fn at(&self, field: Field) -> Option<usize> {
+        match field {
+            Field::Position => Some(self.position),
+            Field::Normal => self.normal,
+            Field::Tangent => self.tangent,
+        }
+    }
+
+    /// Checks that all fields lie in a vertex, apart from each other, and `numbers` are `vertices`.
+    fn check(
+        &self,
+        what: &'static str,
+        numbers: usize,
+        vertices: usize,
+    ) -> Result<(), SkinningError> {
+        let fields = [Field::Position, Field::Normal, Field::Tangent];
+        for (index, field) in fields.into_iter().enumerate() {
+            let Some(first) = self.at(field) else { continue };
+            let mut before = fields.iter().take(index).filter_map(|&field| self.at(field));
+            // Not `first + 3`, which may wrap.
+            let outside = self.stride < 3 || first > self.stride - 3;
+            if outside || before.any(|other| first.abs_diff(other) < 3) {
+                return Err(SkinningError::Field { what, first, stride: self.stride });
+            }
+        }
+        Ok(same_length(what, numbers, vertices.saturating_mul(self.stride))?)
+    }
+}
+
+/// Two buffers of vertices.
+pub(super) struct Interleaved<'s, R> {
+    pub(super) rest: &'s [R],
+    pub(super) from: VertexFields,
+    pub(super) posed: &'s mut [R],
+    pub(super) to: VertexFields,
+}
+
+#[cfg(feature = "rayon")]
+impl<R: Scalar> Outputs for Interleaved<'_, R> {
+    fn things(&self) -> usize {
+        self.posed.len() / self.to.stride.max(1)
+    }
+    fn split(self, at: usize) -> (Self, Self) {
+        let (rest, others) = self.rest.split_at((at * self.from.stride).min(self.rest.len()));
+        let (posed, to_others) =
+            self.posed.split_at_mut((at * self.to.stride).min(self.posed.len()));
+        (Self { rest, posed, ..self }, Self { rest: others, posed: to_others, ..self })
+    }
+}
+
+impl<R: Scalar> Mesh for Interleaved<'_, R> {
+    type Point = [R; 3];
+
+    fn check(&self, vertices: usize) -> Result<(), SkinningError> {
+        self.from.check("rest", self.rest.len(), vertices)?;
+        self.to.check("posed", self.posed.len(), vertices)?;
+        let count = |field: Option<usize>| field.map_or(0, |_| vertices);
+        same_length("posed normals", count(self.to.normal), count(self.from.normal))?;
+        same_length("posed tangents", count(self.to.tangent), count(self.from.tangent))?;
+        Ok(())
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn elements(&self) -> usize {
+        self.posed.len() / self.to.stride.max(1)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<[R; 3], V>> {
+        let stride = self.from.stride;
+        let from = self.rest.get(tile.element * stride + self.from.at(field)?..)?;
+        if <R as Float>::Lanes::<V>::LANES > 1
+            && let Some([x, y, z, _]) = <R as Float>::Lanes::<V>::load_rows(level, from, stride)
+        {
+            return Some([x, y, z]);
+        }
+        let mut records = [[R::ZERO; 3]; MAX_LANES];
+        let lanes = records.iter_mut().take(<R as Float>::Lanes::<V>::LANES);
+        for (record, vertex) in lanes.zip(from.chunks(stride.max(1))) {
+            *record = *vertex.first_chunk().unwrap_or(record);
+        }
+        Some(Records::load_records(level, &records, [R::ZERO; 3]))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn store<V: Level>(&mut self, vectors: Vectors<[R; 3], V>, field: Field, tile: Tile) {
+        let stride = self.to.stride;
+        let Some(at) = self.to.at(field) else { return };
+        let Some(to) = self.posed.get_mut(tile.element * stride + at..) else { return };
+        let mut records = [[R::ZERO; 3]; MAX_LANES];
+        Records::store_records(vectors, &mut records);
+        let lanes = records.iter().take(<R as Float>::Lanes::<V>::LANES);
+        for (record, vertex) in lanes.zip(to.chunks_mut(stride.max(1))) {
+            if let Some(slot) = vertex.first_chunk_mut() {
+                *slot = *record;
+            }
         }
     }
 }

@@ -8,8 +8,10 @@
 //! |---|---|---|
 //! | [`Linear`] | 3×4 matrices | Σ wᵢMᵢv: for any matrix; collapses where joints twist |
 //! | [`DualBlend`] | motions | Σ ±wᵢσᵢ, normalized: keeps volume; bulges where joints bend |
-//! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
+//! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
+//!
+#![doc = include_str!("twist.svg")]
 //!
 //! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several
 //! fields; [`Skin::interleaved`] reads joints and weights there too.
@@ -37,37 +39,28 @@
 //! ```
 
 mod blender;
+mod composite;
 mod dual_blend;
 mod error;
-mod influence_field;
-mod influences;
-mod interleaved;
 mod job;
 mod linear;
-mod linear_map;
 mod mesh;
-mod mixed;
 mod palette;
-mod run;
+mod reference;
 mod skin;
-mod stretched;
-mod surface;
-mod vertex;
-mod weight;
 
+#[doc(hidden)]
 pub use blender::Blender;
+pub use composite::{Mixed, StretchedDualBlend};
 #[doc(inline)]
 pub use dq8_simd::internal::Index;
 pub use dual_blend::DualBlend;
 pub use error::SkinningError;
-pub use influence_field::InfluenceField;
-pub use interleaved::VertexFields;
 pub use job::Job;
 pub use linear::Linear;
-pub use mixed::Mixed;
-pub use palette::{Split, matrix_palette, split_palette};
-pub use skin::Skin;
-pub use stretched::StretchedDualBlend;
-pub use surface::{Surface, SurfaceMut, Vertices};
-pub use vertex::{dual_blend, linear_blend};
-pub use weight::Weight;
+pub use mesh::{Surface, SurfaceMut, VertexFields};
+#[doc(hidden)]
+pub use palette::Split;
+pub use palette::{matrix_palette, split_palette};
+pub use reference::{dual_blend, linear_blend};
+pub use skin::{InfluenceField, Skin, Weight};

@@ -1,8 +1,8 @@
 use super::SkinningError;
 use crate::number::Real;
-use crate::palette_entry::MatrixOrder;
 use crate::representation::Affine;
 use crate::scalar::DualQuat;
+use crate::storage::MatrixOrder;
 use crate::storage::shape::same_length;
 
 /// The findings of [`split_palette`].
@@ -39,7 +39,8 @@ impl Split {
 /// use dq8::hierarchy::MatrixOrder;
 /// use dq8::skinning::matrix_palette;
 /// // Columns, as in glTF: the translation comes last.
-/// let model = [[1.0_f32, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [5.0, 0.0, 0.0, 1.0]];
+/// let mut model = [[0.0_f32; 4]; 4];
+/// (model[0][0], model[1][1], model[2][2], model[3]) = (1.0, 1.0, 1.0, [5.0, 0.0, 0.0, 1.0]);
 /// let mut palette = [[[0.0; 4]; 3]];
 /// matrix_palette(&[model], &[model], MatrixOrder::Columns, &mut palette)?;
 /// assert_eq!(palette[0][0], [1.0, 0.0, 0.0, 10.0]);
@@ -97,6 +98,10 @@ fn affine<R: Real>(
 /// Takes each joint's matrix apart into a stretch and, after it, a motion (polar decomposition; see
 /// [`Affine::try_decompose`]): a palette for [`StretchedDualBlend`](super::StretchedDualBlend), or,
 /// where all are rigid, for [`DualBlend`](super::DualBlend).
+///
+/// Returns how far the stretches are from the identity: `stretch`, the largest difference of an
+/// element, and the `joint` that has it; the number of joints that are `mirroring` or `squeezing`;
+/// and `is_rigid(tolerance)`, which is `true` where [`DualBlend`](super::DualBlend) is enough.
 ///
 /// # Errors
 /// If the slices differ in length or an element is not finite; `motions` and `stretches` are then

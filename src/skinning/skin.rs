@@ -1,11 +1,14 @@
+//! The skin: joints and weights of each vertex, checked once, and how the loop reads them.
+
 use super::SkinningError;
-use super::influences::{GROUP, Influences, Scratch};
-use super::weight::Weight;
-use crate::brief::brief;
+use crate::macros::brief;
 use crate::number::{Real, Scalar};
 use crate::storage::shape::{same_length, whole_instances};
+use core::fmt::Debug;
+use core::hint::black_box;
 use core::ops::RangeInclusive;
-use dq8_simd::internal::{CheckedIndices, Index, PickedInPlace, Picks};
+use dq8_simd::MAX_LANES;
+use dq8_simd::internal::{CheckedIndices, Index, PickRows, PickedInPlace, Picks};
 
 /// The joints that move each vertex, and how much: checked once, to be posed any number of times.
 ///
@@ -18,7 +21,9 @@ use dq8_simd::internal::{CheckedIndices, Index, PickedInPlace, Picks};
 /// let weights = [1.0_f32, 0.0, 0.5, 0.5];
 /// assert_eq!(Skin::new(3, 2, &[0_u16, 0, 1, 2], &weights)?.vertices(), 2);
 /// let error = Skin::new(2, 2, &[0_u16, 0, 1, 2], &weights).unwrap_err();
-/// assert_eq!(error, SkinningError::JointOutOfRange { vertex: 1, influence: 1, joint: 2, joints: 2 });
+/// let (vertex, influence) = (1, 1);
+/// let expected = SkinningError::JointOutOfRange { vertex, influence, joint: 2, joints: 2 };
+/// assert_eq!(error, expected);
 /// # Ok::<(), SkinningError>(())
 /// ```
 #[derive(Clone, Copy)]
@@ -35,9 +40,6 @@ pub struct Skin<'a, J, W> {
 brief!([J: Index, W: Weight] Skin<'_, J, W>: Skin |it| {
     vertices: it.vertices(), influences: it.influences(), joints: it.joint_count(),
 });
-
-/// Four influences of some vertices: the records that their joints are, and weights.
-type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// Between these the weights of a vertex must sum. They should sum to one; dual quaternion
@@ -204,7 +206,215 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         // Rounding may leave less than nothing.
         if left > R::ZERO { left } else { R::ZERO }
     }
+}
 
+/// A weight as it lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that
+/// the largest number is 1 exactly (glTF 2.0, §3.11; Vulkan's `UNORM`).
+///
+/// ```
+/// use dq8::skinning::Weight;
+/// assert_eq!([0_u8, 51, 255].map(|weight| weight.value::<f32>()), [0.0, 0.2, 1.0]);
+/// ```
+pub trait Weight: Copy + Debug + Send + Sync + 'static {
+    /// The weight as a number.
+    #[must_use]
+    fn value<R: Real>(self) -> R;
+
+    /// The same memory, if weights lie there as the numbers that kernels compute with.
+    #[doc(hidden)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    #[must_use]
+    fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
+        let _ = weights;
+        None
+    }
+}
+
+impl Weight for f32 {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn value<R: Real>(self) -> R {
+        R::from(self)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
+        if R::SINGLE { bytemuck::try_cast_slice(weights).ok() } else { None }
+    }
+}
+
+impl Weight for f64 {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn value<R: Real>(self) -> R {
+        R::from_f64(self)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
+        if R::SINGLE { None } else { bytemuck::try_cast_slice(weights).ok() }
+    }
+}
+
+// Divided, not multiplied by a reciprocal: 255 · (1/255) need not be 1.
+impl Weight for u8 {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn value<R: Real>(self) -> R {
+        R::from(f32::from(self)) / R::from(255.0)
+    }
+}
+
+impl Weight for u16 {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn value<R: Real>(self) -> R {
+        R::from(f32::from(self)) / R::from(65535.0)
+    }
+}
+
+/// The place of a vertex's joints in a buffer that holds one vertex after the other, or its
+/// weights; counted in elements of their own type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct InfluenceField {
+    /// From a vertex to the next.
+    pub stride: usize,
+    /// The begin of the field in a vertex.
+    pub first: usize,
+}
+
+impl InfluenceField {
+    /// The buffer from the field of the first vertex on, and how many vertices it has.
+    fn check<'b, T>(
+        self,
+        what: &'static str,
+        influences: usize,
+        buffer: &'b [T],
+    ) -> Result<(&'b [T], usize), SkinningError> {
+        let Self { stride, first } = self;
+        // Not `first + influences`, which may wrap.
+        if stride < influences || first > stride - influences {
+            return Err(SkinningError::InfluenceField { what, first, stride, influences });
+        }
+        let vertices = whole_instances(what, stride, buffer.len())?;
+        Ok((buffer.get(first..).unwrap_or_default(), vertices))
+    }
+}
+
+impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
+    /// As [`new`](Self::new), of joints and weights that lie between other fields: the attributes
+    /// of a glTF file with a `byteStride`, or the vertex buffer of a GPU. Each is a slice of
+    /// elements of its own type and says where the field is; the slices may be two views of the
+    /// same bytes (`bytemuck::cast_slice`). A stride or an offset in bytes, divided by the size of
+    /// an element, is one in elements.
+    ///
+    /// The skin borrows them, so what is posed goes to another buffer.
+    ///
+    /// # Errors
+    /// If a field lies beyond its vertex, the buffers are not whole vertices or not as many of
+    /// them, and as [`new`](Self::new).
+    ///
+    /// ```
+    /// use dq8::skinning::{DualBlend, InfluenceField, Skin, VertexFields};
+    /// use dq8::{Backend, DualQuat};
+    /// #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+    /// #[repr(C)]
+    /// struct Vertex {
+    ///     position: [f32; 3],
+    ///     joints: [u16; 2],
+    ///     weights: [f32; 2],
+    /// }
+    /// let position = [1.0, 2.0, 3.0];
+    /// let rest = [
+    ///     Vertex { position, joints: [0, 1], weights: [1.0, 0.0] },
+    ///     Vertex { position, joints: [0, 1], weights: [0.25, 0.75] },
+    /// ];
+    /// // 24 bytes: 12 of u16, 6 of f32.
+    /// let joints = (bytemuck::cast_slice(&rest), InfluenceField { stride: 12, first: 6 });
+    /// let weights = (bytemuck::cast_slice(&rest), InfluenceField { stride: 6, first: 4 });
+    /// let skin = Skin::<u16, f32>::interleaved(2, 2, joints, weights)?;
+    ///
+    /// let palette = [DualQuat::IDENTITY, DualQuat::from_translation([0.0_f32, 0.0, 4.0])];
+    /// let (mut posed, fields) = (rest, VertexFields::positions(6));
+    /// let from = (bytemuck::cast_slice(&rest), fields);
+    /// let to = (bytemuck::cast_slice_mut(&mut posed), fields);
+    /// skin.job().pose_interleaved(DualBlend::new(&palette), from, to)?;
+    /// assert_eq!(posed.map(|vertex| vertex.position[2]), [3.0, 6.0]);
+    /// # Ok::<(), dq8::skinning::SkinningError>(())
+    /// ```
+    pub fn interleaved(
+        joint_count: usize,
+        influences: usize,
+        (joints, at): (&'a [J], InfluenceField),
+        (weights, of): (&'a [W], InfluenceField),
+    ) -> Result<Self, SkinningError> {
+        if influences == 0 {
+            return Err(SkinningError::NoInfluences);
+        }
+        let (joints, vertices) = at.check("joints", influences, joints)?;
+        let (weights, weighted) = of.check("weights", influences, weights)?;
+        same_length("weighted vertices", weighted, vertices)?;
+        Self::checked(joint_count, influences, (joints, at.stride), (weights, of.stride))
+    }
+}
+
+/// The number of influences of a vertex that are read at a time.
+pub(super) const GROUP: usize = dq8_simd::internal::RECORDS_PER_LANE;
+
+/// Four influences of the vertices of one register, as kernels read them, whatever the types of
+/// joints and weights in memory. Influences that are not there have weight 0.
+#[derive(Debug)]
+pub(super) struct Influences<'a, R, J> {
+    /// For each lane the joints, in the memory of the skin, and here where they do not lie there in
+    /// order.
+    pub(super) in_place: Option<PickRows<'a, J>>,
+    pub(super) joints: Picks<'a, J>,
+    /// For each lane the weights, in the same way.
+    pub(super) weights_in_place: Option<&'a [[R; GROUP]; MAX_LANES]>,
+    pub(super) weights: Aligned<[[R; GROUP]; MAX_LANES]>,
+    /// For each lane, first, the joint of greatest weight, if these are not all.
+    pub(super) pivots: Option<Picks<'a, J>>,
+}
+
+/// Memory that kernels use for one register of vertices after another.
+#[derive(Debug)]
+pub struct Scratch<'a, R, J> {
+    pub(super) influences: Influences<'a, R, J>,
+    /// For each lane the twelve numbers of the weighted sum of matrices; in `f32` in one cache
+    /// line.
+    pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
+}
+
+/// At the beginning of a cache line: what is written across two is read again later.
+#[derive(Debug)]
+#[repr(align(64))]
+pub(super) struct Aligned<T>(pub(super) T);
+
+impl<R: Scalar, J: Index> Influences<'_, R, J> {
+    /// For each lane the joints: in one of two places, a choice that must not be made again for
+    /// each index.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn rows(&self) -> PickRows<'_, J> {
+        *settled(&self.in_place.unwrap_or_else(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || self.joints.rows(),
+        ))
+    }
+
+    /// For each lane the weights, in the same way.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn weights(&self) -> &[[R; GROUP]; MAX_LANES] {
+        settled(self.weights_in_place.unwrap_or(&self.weights.0))
+    }
+}
+
+/// A fence: what has been written is in memory, to be read in other pieces. Otherwise the compiler
+/// takes vectors apart number by number, to put them together again without memory; or it reads
+/// more at once than was written at once, which CPUs do not forward from stores to loads. Either
+/// doubles the time.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn settled<T>(written: &T) -> &T {
+    black_box(written)
+}
+
+/// Four influences of some vertices: the records that their joints are, and weights.
+type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
+
+impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// The number of groups of influences.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn groups(&self) -> usize {
@@ -214,7 +424,14 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// The place where kernels keep what they read.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
-        Scratch::new(self.joints)
+        let influences = Influences {
+            in_place: None,
+            weights_in_place: None,
+            joints: Picks::new(self.joints),
+            weights: Aligned([[R::ZERO; GROUP]; MAX_LANES]),
+            pivots: None,
+        };
+        Scratch { influences, sums: Aligned([[R::ZERO; 16]; MAX_LANES]) }
     }
 
     /// The influences of `count` vertices from `first` on where they lie, joints as records of

@@ -1,23 +1,24 @@
 //! Kernels over slices, as methods of [`Backend`]: one choice of instructions for each call.
 //!
+//! Kernels that compute each element from one element of every input:
+//!
 //! | method | what it computes |
 //! |---|---|
-//! | [`mul`](Backend::mul), [`mul_in_place`](Backend::mul_in_place) | aᵢbᵢ |
-//! | [`mul_left_in_place`](Backend::mul_left_in_place) | a bᵢ |
-//! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
-//! | [`conjugate`](Backend::conjugate), and in place | the inverse of unit motions |
-//! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
-//! | [`resample`](Backend::resample), [`resample_with_twists`](Backend::resample_with_twists), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
-//! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |
-//! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
-//! | [`transform_lines_each`](Backend::transform_lines_each), [`transform_planes_each`](Backend::transform_planes_each), [`transform_twists_each`](Backend::transform_twists_each) | by one motion each |
+#![doc = crate::__for_each_kernel!(crate::__kernels_table)]
+//!
+//! Kernels of other forms:
+//!
+//! | method | what it computes |
+//! |---|---|
+//! | [`mul_left_in_place`](Backend::mul_left_in_place) | products with one motion: a bᵢ |
+//! | [`transform_points`](Backend::transform_points), and in place | points, moved by one motion |
+//! | [`transform_vectors`](Backend::transform_vectors), and in place | vectors, turned by one |
 //! | [`dlb`](Backend::dlb) | linear blends of several motions, by a weight each |
-//! | [`log`](Backend::log), [`exp`](Backend::exp), [`pow_each`](Backend::pow_each) | screws and their powers; a logarithm is *half* a twist |
-//! | [`to_twist`](Backend::to_twist), [`from_twist`](Backend::from_twist) | motions and the twists that lead to them in one second |
-//! | [`integrate_body`](Backend::integrate_body) | one step along twists |
-//! | [`angles`](Backend::angles), [`distances`](Backend::distances) | between aᵢ and bᵢ |
+//! | [`dib_windows`](Backend::dib_windows) | means of windows of poses that follow each other |
+//! | [`matrices`](Backend::matrices) | 3×4 or 4×4 matrices of motions, by rows or by columns |
+//! | [`from_matrices`](Backend::from_matrices) | motions of such matrices, known to be rigid |
+//! | [`try_from_matrices`](Backend::try_from_matrices) | motions of such matrices, checked |
 //! | [`two_bone`](Backend::two_bone) | limbs of two bones with their ends at targets |
-//! | [`matrices`](Backend::matrices), [`from_matrices`](Backend::from_matrices), [`try_from_matrices`](Backend::try_from_matrices) | to and from 3×4 and 4×4 matrices, by rows or by columns |
 //!
 //! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
 //! [`storage`](crate::storage). Plain slices may have any length and lie anywhere: they are
@@ -35,23 +36,13 @@
 //! ```
 
 mod blend;
-mod interpolate;
-mod map;
+mod kernels;
 mod matrix;
-mod metric;
-mod product;
-mod rigid_matrix;
-mod screw;
 mod sweep;
-mod trajectory;
 mod transform;
-mod transform_each;
 mod two_bone;
-mod unit;
 
-pub use matrix::MatricesError;
-pub use rigid_matrix::RigidMatrix;
-pub use trajectory::TrajectoryError;
+pub use matrix::{MatricesError, RigidMatrix};
 
 #[cfg(doc)]
 use crate::Backend;

@@ -1,7 +1,6 @@
 //! The loop of all kernels over slices.
 
 use crate::backend::{Backend, Kernel};
-pub(super) use crate::palette_entry::motions;
 use crate::storage::{Element, Layout, Register, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
@@ -20,7 +19,6 @@ pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
     fn compute<V: Level>(&self, level: V, output: &[Q], tile: Tile) -> Things<Q, V, D>;
 
     /// The same computation for some of the elements.
-    #[cfg_attr(not(feature = "rayon"), expect(dead_code, reason = "threads take parts"))]
     fn part(&self, elements: Range<usize>) -> Self;
 }
 
@@ -46,36 +44,22 @@ const BEYOND_CACHES: usize = 64 << 20;
 
 /// Writes what `kernel` computes over `output`.
 #[inline]
-pub(super) fn sweep<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize>(
+pub(super) fn sweep<Q: Element<D>, const D: usize>(
     backend: Backend,
     output: &mut [Q],
-    kernel: K,
+    kernel: impl SliceKernel<Q, D>,
 ) {
     let past_caches =
         Q::Layout::STREAMS && size_of_val(output) >= BEYOND_CACHES && !kernel.reads_output();
-    #[cfg(feature = "rayon")]
-    if backend.many() {
-        return backend.share(GRAIN, (output, 1), &|first, (output, _): (&mut [Q], usize)| {
-            let part = kernel.part(first..first + output.len());
-            whole(backend, output, part, past_caches);
-        });
-    }
-    whole(backend, output, kernel, past_caches);
-}
-
-#[inline]
-fn whole<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize>(
-    backend: Backend,
-    output: &mut [Q],
-    kernel: K,
-    past_caches: bool,
-) {
-    // A constant too, so that there is no such kernel where none is run.
-    if const { Q::Layout::STREAMS } && past_caches {
-        backend.run(Stream { output, kernel });
-    } else {
-        backend.run(Sweep { output, kernel });
-    }
+    backend.share(GRAIN, (output, 1), &|first, (output, _): (&mut [Q], usize)| {
+        let kernel = kernel.part(first..first + output.len());
+        // A constant too, so that there is no such kernel where none is run.
+        if const { Q::Layout::STREAMS } && past_caches {
+            backend.run(Stream { output, kernel });
+        } else {
+            backend.run(Sweep { output, kernel });
+        }
+    });
 }
 
 struct Sweep<'s, Q, K, const D: usize> {

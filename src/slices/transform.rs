@@ -1,14 +1,33 @@
+//! Kernels of one motion for all elements.
+
 use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::Backend;
+use crate::batch;
 use crate::scalar::DualQuat;
+use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
+    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it. Products of
+    /// two slices are [`mul`](Self::mul).
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat};
+    /// let mut poses = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
+    /// let up = DualQuat::from_translation([0.0, 0.0, 2.0]);
+    /// Backend::best().mul_left_in_place(up, &mut poses);
+    /// assert_eq!(poses[2].translation(), [1.0, 0.0, 2.0]);
+    /// ```
+    #[inline]
+    pub fn mul_left_in_place<E: Element<8>>(self, left: DualQuat<Number<E, 8>>, motions: &mut [E]) {
+        sweep(self, motions, ProductByOne(left));
+    }
+
     /// `moved[i]` = R·`points[i]` + t of one unit motion, which becomes a 3×4 matrix once: nine
-    /// multiplications per point.
+    /// multiplications per point; see [`DualQuat::transform_point`].
     ///
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.
@@ -34,7 +53,8 @@ impl Backend {
         sweep(self, points, ByOne::of(motion, Source::Output));
     }
 
-    /// `turned[i]` = R·`vectors[i]`: directions and differences, which do not translate.
+    /// `turned[i]` = R·`vectors[i]`: directions and differences, which do not translate; see
+    /// [`DualQuat::transform_vector`].
     ///
     /// # Errors
     /// If the slices differ in length; `turned` is untouched.
@@ -46,11 +66,8 @@ impl Backend {
         turned: &mut [P],
     ) -> Result<(), ShapeError> {
         same_length("turned", turned.len(), vectors.len())?;
-        sweep(
-            self,
-            turned,
-            ByOne::of(DualQuat::from_rotation(motion.rotation()), Source::Slice(vectors)),
-        );
+        let turn = DualQuat::from_rotation(motion.rotation());
+        sweep(self, turned, ByOne::of(turn, Source::Slice(vectors)));
         Ok(())
     }
 
@@ -65,7 +82,23 @@ impl Backend {
     }
 }
 
-/// By the rows of one matrix.
+struct ProductByOne<R>(DualQuat<R>);
+
+impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
+    fn reads_output(&self) -> bool {
+        true
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn compute<V: Level>(&self, level: V, output: &[E], tile: Tile) -> Things<E, V, 8> {
+        let left = batch::DualQuat::splat(level, self.0);
+        Some((left * motions(level, output, tile)?).to_array())
+    }
+    fn part(&self, _: Range<usize>) -> Self {
+        Self(self.0)
+    }
+}
+
+/// The rows of one matrix, for points.
 struct ByOne<'s, P: Element<3>> {
     rows: [[Number<P, 3>; 4]; 3],
     from: Source<'s, P>,

@@ -1,5 +1,5 @@
+use super::element::Tile;
 use super::element::{Element, Layout, sealed};
-use super::tile::Tile;
 use crate::number::Scalar;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level, Native, Row};

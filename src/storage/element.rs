@@ -1,10 +1,67 @@
 //! [`Layout`] and [`Element`], which name each other: a layout has elements of any number of
 //! components, and an element has a layout.
 
-use super::tile::Tile;
 use crate::number::Scalar;
 use core::fmt::Debug;
+use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level};
+
+/// The things that a register reads: register `register` of the block `element`; or, where a record
+/// is one thing, those at `element`, `element + stride`, `element + 2·stride`, … one in each
+/// lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Tile {
+    pub(crate) element: usize,
+    pub(crate) register: usize,
+    /// `None` is 1, which the compiler can see.
+    pub(crate) stride: Option<usize>,
+}
+
+impl Tile {
+    /// The lanes of one register of the block `element`, or as many records as it reads from there
+    /// on.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    #[must_use]
+    pub fn at(element: usize, register: usize) -> Self {
+        Self { element, register, stride: None }
+    }
+
+    /// The same, of plain records that lie `stride` records apart; of blocks, the register alone
+    /// counts.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    #[must_use]
+    pub fn strided(self, stride: usize) -> Self {
+        Self { stride: Some(stride), ..self }
+    }
+}
+
+/// The filling of lanes without a thing: the motion, rotation or matrix that changes nothing, and
+/// zero for vectors and numbers. Computing with it is never slow, as it is with garbage.
+#[cfg_attr(not(opt_level_0), inline(always))]
+#[must_use]
+pub fn identity<R: Scalar, const C: usize>() -> [R; C] {
+    Identity::<R, C>::RECORD
+}
+
+/// A constant, so that nothing is built where it is passed on.
+struct Identity<R, const C: usize>(PhantomData<R>);
+
+impl<R: Scalar, const C: usize> Identity<R, C> {
+    const RECORD: [R; C] = {
+        // Ones lie this far apart, from this place on.
+        let (mut one, apart) = match C {
+            4 | 7 | 8 => (3, C),
+            12 | 16 => (0, 5),
+            _ => (C, 1),
+        };
+        let mut record = [R::ZERO; C];
+        while one < C {
+            record[one] = R::ONE;
+            one += apart;
+        }
+        record
+    };
+}
 
 /// The form in which things of any number of components lie in memory, and the registers that read
 /// them: [`Aos`](super::Aos) or [`AoSoA`](super::AoSoA). Sealed.

@@ -6,6 +6,8 @@
 //! with a register for each component, a thing in each lane. So a block is read as it is, the
 //! fastest way, and plain records are transposed in registers.
 //!
+#![doc = include_str!("blocks.svg")]
+//!
 //! | `C` | what | one record |
 //! |---|---|---|
 //! | 1 | a number | `R` |
@@ -15,12 +17,14 @@
 //! | 6 | a line, `[lx, ly, lz, mx, my, mz]` | [`Line<R>`](crate::Line) |
 //! | 6 | a twist, `[ωx, ωy, ωz, vx, vy, vz]` | [`Twist<R>`](crate::Twist) |
 //! | 6 | a twist, `[vx, vy, vz, ωx, ωy, ωz]` | [`LinearFirst<R>`](LinearFirst) |
-//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | [`RotationTranslation<R>`](crate::representation::RotationTranslation) |
+//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | [`RotationTranslation<R>`] |
 //! | 8 | a motion, `[px, py, pz, pw, qx, qy, qz, qw]` | [`DualQuat<R>`](crate::DualQuat) |
 //! | 12 | a 3×4 matrix | `[[R; 4]; 3]` |
 //! | 16 | a 4×4 matrix | `[[R; 4]; 4]` |
 //! | 36 | a 6×6 matrix of twists, a covariance, angular first | `[[R; 6]; 6]` |
 //! | 36 | the same, linear first | `[`[`LinearFirst<R>`](LinearFirst)`; 6]` |
+//!
+//! [`RotationTranslation<R>`]: crate::representation::RotationTranslation
 //!
 //! `[R; C]` is a record of any number of components, and [`Block<R, N, C>`](Block) holds `N` of
 //! them. [`Element<C>`](Element) is the one bound that generic code needs: it says what a slice is
@@ -47,22 +51,17 @@
 pub(crate) mod aos;
 mod blocks;
 mod element;
-mod linear_first;
 mod packing;
-mod padding;
+pub(crate) mod palette_entry;
 pub(crate) mod shape;
 mod source;
-mod tile;
 
-pub use aos::Aos;
+pub use aos::{Aos, LinearFirst};
 pub use blocks::{AoSoA, Block};
-pub use element::{Element, Layout, Number, Register, tiles};
-pub use linear_first::LinearFirst;
+pub use element::{Element, Layout, Number, Register, Tile, identity, tiles};
 #[cfg(feature = "alloc")]
 pub(crate) use packing::{Pack, Unpack, blocks_for};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};
-pub use padding::identity;
-pub(crate) use source::Source;
-pub use tile::Tile;
-
+pub(crate) use palette_entry::{MatrixOrder, PaletteEntry};
 pub use shape::{same_length, whole_instances};
+pub(crate) use source::{Motions, Source, motions};

@@ -1,6 +1,6 @@
 //! [`ShapeError`]: slices that do not fit each other, and the checks that return it.
 
-use crate::errors::{Count, errors};
+use crate::macros::{Count, errors};
 use core::ops::Range;
 
 errors! {

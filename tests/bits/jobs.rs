@@ -11,9 +11,10 @@ use dq8::hierarchy::{
 };
 use dq8::ik::Limb;
 use dq8::law::{Nlerp, NlerpLerp, Sclerp};
+use dq8::internal::{for_each_kernel, record};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
-use dq8::{Backend, DualQuat, Hierarchy, Twist};
+use dq8::{Backend, DualQuat, Hierarchy};
 
 pub(super) type M = DualQuat<R>;
 type Motions = Block<R, 8>;
@@ -60,7 +61,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
     let logs: [[R; 6]; N] = [(); N].map(|()| random.numbers());
     slices(k, say, [&a, &b, &c, &any], &t, &points, &logs);
     packed(k, say, &t);
-    trajectories(k, say, &a, &t);
+    series(k, say, &a);
     hierarchies(k, say, [&a, &b, &c], &t);
     robots(k, say, [&a, &b], &mut random);
     solutions(k, say, &mut random.clone());
@@ -71,7 +72,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
 
 /// A job over plain things and over blocks.
 macro_rules! both {
-    ($say:ident $name:literal, $to:ident: $zero:expr, $plain:expr, $blocked:expr) => {{
+    ($say:ident $name:expr, $to:ident: $zero:expr, $plain:expr, $blocked:expr) => {{
         let mut $to = $zero;
         $plain.expect("lengths fit");
         $say(concat!($name, ", plain"), hash(&$to));
@@ -81,6 +82,75 @@ macro_rules! both {
     }};
 }
 
+/// The inputs of kernels.
+struct Given {
+    a: [[R; 8]; N],
+    b: [[R; 8]; N],
+    any: [[R; 8]; N],
+    t: [[R; 1]; N],
+    points: [[R; 3]; N],
+    planes: [[R; 4]; N],
+    /// Lines, twists and logarithms.
+    six: [[R; 6]; N],
+}
+
+/// The kernels of the list.
+macro_rules! of_each {
+    ($(
+        $(#[doc = $brief:literal])+
+        $name:ident $(as $c:literal)? [$($types:tt)*]
+        ($($input:ident: $kind:ident $I:ident),+ $(; $parameter:ident)?)
+            -> $output:ident: $result:ident $Q:ident $(, in place $in_place:ident)? = $one:expr, {
+            $($more:tt)*
+        }
+    )*) => {
+        fn of_each(k: Backend, say: &mut dyn FnMut(&str, u64), x: &Given) {$(
+            both!(say stringify!($name), to: [[0.0; record!($result)]; N],
+                k.$name($(given!(x $input $kind),)+ $(given!(x $parameter),)? &mut to),
+                k.$name($(&blocks(given!(x $input $kind)),)+ $(given!(x $parameter),)? &mut to));
+        )*}
+    };
+}
+
+/// The input of that name and kind, and the parameter of that name.
+macro_rules! given {
+    ($x:ident t) => {
+        $x.t[0][0]
+    };
+    ($x:ident dt) => {
+        $x.t[1][0]
+    };
+    ($x:ident a $kind:ident) => {
+        &$x.a
+    };
+    ($x:ident b unit) => {
+        &$x.b
+    };
+    ($x:ident $name:ident any) => {
+        &$x.any
+    };
+    ($x:ident $name:ident unit) => {
+        &$x.a
+    };
+    ($x:ident $name:ident number) => {
+        &$x.t
+    };
+    ($x:ident $name:ident point) => {
+        &$x.points
+    };
+    ($x:ident $name:ident vector) => {
+        &$x.points
+    };
+    ($x:ident $name:ident plane) => {
+        &$x.planes
+    };
+    ($x:ident $name:ident $six:ident) => {
+        &$x.six
+    };
+}
+
+for_each_kernel!(of_each);
+
 fn slices(
     k: Backend,
     say: &mut dyn FnMut(&str, u64),
@@ -89,59 +159,29 @@ fn slices(
     points: &[[R; 3]; N],
     logs: &[[R; 6]; N],
 ) {
-    let (ba, bb, bc, bany) = (blocks(a), blocks(b), blocks(c), blocks(any));
-    let (bt, bp, bl) = (blocks::<1, _>(&t.map(|t| [t])), blocks(points), blocks(logs));
-    let (zero, six) = ([M::IDENTITY; N], [[0.0; 6]; N]);
-    both!(say "mul", to: zero, k.mul(a, any, &mut to), k.mul(&ba, &bany, &mut to));
-    both!(say "normalize", to: zero, k.normalize(any, &mut to), k.normalize(&bany, &mut to));
-    both!(say "inverse", to: zero, k.inverse(any, &mut to), k.inverse(&bany, &mut to));
-    both!(say "conjugate", to: zero, k.conjugate(any, &mut to), k.conjugate(&bany, &mut to));
-    both!(say "nlerp_each", to: zero, k.nlerp_each(a, b, t, &mut to), k.nlerp_each(&ba, &bb, &bt, &mut to));
-    both!(say "sclerp_each", to: zero, k.sclerp_each(a, b, t, &mut to), k.sclerp_each(&ba, &bb, &bt, &mut to));
-    both!(say "nlerp", to: zero, k.nlerp(a, b, t[0], &mut to), k.nlerp(&ba, &bb, t[0], &mut to));
-    both!(say "sclerp", to: zero, k.sclerp(a, b, t[0], &mut to), k.sclerp(&ba, &bb, t[0], &mut to));
-    both!(say "slerp_lerp_each", to: zero, k.slerp_lerp_each(a, b, t, &mut to), k.slerp_lerp_each(&ba, &bb, &bt, &mut to));
-    both!(say "slerp_lerp", to: zero, k.slerp_lerp(a, b, t[0], &mut to), k.slerp_lerp(&ba, &bb, t[0], &mut to));
-    both!(say "pow_each", to: zero, k.pow_each(a, t, &mut to), k.pow_each(&ba, &bt, &mut to));
-    both!(say "dlb", to: zero, k.dlb([(&a[..], &t[..]), (b, t), (c, t)], &mut to),
+    let planes = logs.map(|[x, y, z, d, ..]| [x, y, z, d]);
+    let [first, second, any] = [a, b, any].map(|motions| motions.map(M::to_array));
+    let t_each = t.map(|t| [t]);
+    of_each(
+        k,
+        say,
+        &Given { a: first, b: second, any, t: t_each, points: *points, planes, six: *logs },
+    );
+    let (ba, bb, bc, bt, bp) =
+        (blocks(a), blocks(b), blocks(c), blocks::<1, _>(&t_each), blocks(points));
+    both!(say "dlb", to: [M::IDENTITY; N],
+        k.dlb([(&a[..], &t[..]), (b, t), (c, t)], &mut to),
         k.dlb([(&ba[..], &bt[..]), (&bb, &bt), (&bc, &bt)], &mut to));
-    both!(say "exp", to: zero, k.exp(logs, &mut to), k.exp(&bl, &mut to));
-    both!(say "from_twist", to: zero, k.from_twist(logs, &mut to), k.from_twist(&bl, &mut to));
-    both!(say "integrate_body", to: zero, k.integrate_body(a, logs, t[1], &mut to),
-        k.integrate_body(&ba, &bl, t[1], &mut to));
-    both!(say "log", to: six, k.log(a, &mut to), k.log(&ba, &mut to));
-    both!(say "to_twist", to: six, k.to_twist(a, &mut to), k.to_twist(&ba, &mut to));
-    both!(say "angles", to: [[0.0]; N], k.angles(a, b, &mut to), k.angles(&ba, &bb, &mut to));
-    both!(say "distances", to: [[0.0]; N], k.distances(a, b, &mut to), k.distances(&ba, &bb, &mut to));
     both!(say "matrices", to: [[[0.0; 4]; 3]; N], k.matrices(a, MatrixOrder::Rows, &mut to),
         k.matrices(&ba, MatrixOrder::Rows, &mut to));
     both!(say "transform_points", to: *points, k.transform_points(a[0], points, &mut to),
         k.transform_points(a[0], &bp, &mut to));
     both!(say "transform_vectors", to: *points, k.transform_vectors(a[0], points, &mut to),
         k.transform_vectors(a[0], &bp, &mut to));
-    both!(say "transform_points_each", to: *points, k.transform_points_each(a, points, &mut to),
-        k.transform_points_each(&ba, &bp, &mut to));
-    both!(say "transform_vectors_each", to: *points, k.transform_vectors_each(a, points, &mut to),
-        k.transform_vectors_each(&ba, &bp, &mut to));
-    let planes: [[R; 4]; N] = logs.map(|[x, y, z, d, ..]| [x, y, z, d]);
-    let bplanes = blocks(&planes);
-    both!(say "transform_lines_each", to: six, k.transform_lines_each(a, logs, &mut to),
-        k.transform_lines_each(&ba, &bl, &mut to));
-    both!(say "transform_planes_each", to: planes, k.transform_planes_each(a, &planes, &mut to),
-        k.transform_planes_each(&ba, &bplanes, &mut to));
-    both!(say "transform_twists_each", to: six, k.transform_twists_each(a, logs, &mut to),
-        k.transform_twists_each(&ba, &bl, &mut to));
 }
 
-fn trajectories(k: Backend, say: &mut dyn FnMut(&str, u64), a: &[M; N], t: &[R; N]) {
+fn series(k: Backend, say: &mut dyn FnMut(&str, u64), a: &[M; N]) {
     let mut to = [M::IDENTITY; N];
-    let times: [R; N] = core::array::from_fn(|i| i as R);
-    k.resample(&times, a, &t.map(|t| t * N as R), &mut to).expect("times rise");
-    say("resample", hash(&to));
-    let mut twists = [Twist::ZERO; N];
-    let at = t.map(|t| t * N as R);
-    k.resample_with_twists(&times, a, &at, &mut to, &mut twists).expect("times rise");
-    say("resample_with_twists", hash(&twists));
     let mut matrices = [[[0.0; 4]; 3]; N];
     k.matrices(a, MatrixOrder::Rows, &mut matrices).expect("lengths fit");
     k.from_matrices(&matrices, MatrixOrder::Rows, &mut to).expect("lengths fit");

@@ -155,16 +155,9 @@ fn all_cores_compute_the_bits_of_one_of_slices() {
 }
 
 #[test]
-fn trajectories_have_the_bits_of_one_thread_on_all() {
-    let poses = poses(1000);
-    let times: Vec<_> = (0..poses.len()).map(|i| i as f32).collect();
-    let at: Vec<_> = (0..7000).map(|i| (i * 37 % 5003) as f32 * 0.99).collect();
-    let [mut one, mut all] = [(); 2].map(|()| vec![DualQuat::IDENTITY; at.len()]);
+fn means_of_windows_have_the_bits_of_one_thread_on_all() {
     let best = Backend::best();
-    best.resample(&times, &poses, &at, &mut one).expect("they fit");
-    best.threads(3).resample(&times, &poses, &at, &mut all).expect("they fit");
-    assert!(one == all);
-    let near: Vec<_> = poses.iter().map(|pose| pose.pow(0.1)).collect();
+    let near: Vec<_> = poses(1000).iter().map(|pose| pose.pow(0.1)).collect();
     let weights = [1.0, 2.0, 1.0];
     let [mut one, mut all] = [(); 2].map(|()| vec![DualQuat::IDENTITY; near.len() - 2]);
     let means = [(best, &mut one), (best.threads(2), &mut all)].map(|(backend, means)| {

@@ -6,9 +6,10 @@ use crate::memory::{Memory, lay, read, round};
 use crate::records::{entries, equal, is_finite, same_bits};
 use crate::scene::rounded;
 use crate::subject::for_every_subject;
+use dq8::hierarchy::MatrixOrder;
+use dq8::internal::{for_each_kernel, record};
 use dq8::storage::Aos;
-use dq8::{Backend, DualQuat, Line, Plane, ShapeError, Twist};
-use dq8::{geometry::DualVector, hierarchy::MatrixOrder};
+use dq8::{Backend, DualQuat, ShapeError};
 
 type Answer = Result<Vec<Vec<f64>>, ShapeError>;
 
@@ -16,7 +17,7 @@ type Answer = Result<Vec<Vec<f64>>, ShapeError>;
 pub(crate) struct Kernel<L: Memory> {
     pub(crate) name: &'static str,
     /// What its errors call the slices that are to be as long as the first one, the output last.
-    as_long: &'static str,
+    as_long: &'static [&'static str],
     run: fn(Backend, &Given<L>) -> Answer,
     in_place: Option<fn(Backend, &Given<L>) -> Answer>,
     by_the_book: fn(&One) -> Vec<f64>,
@@ -39,23 +40,32 @@ struct Given<L: Memory> {
     room: usize,
 }
 
-/// Element `i` of [`Inputs`].
+/// Element `i` of [`Inputs`], under the names of [`Given`].
 struct One {
-    a: DualQuat<f64>,
-    b: DualQuat<f64>,
+    a: [f64; 8],
+    b: [f64; 8],
+    long: [f64; 8],
+    t: [f64; 1],
+    vectors: [f64; 3],
+    planes: [f64; 4],
+    twists: [f64; 6],
     one: DualQuat<f64>,
-    t: f64,
     between: f64,
-    vector: [f64; 3],
-    plane: [f64; 4],
-    twist: [f64; 6],
 }
 
 impl One {
     fn new(inputs: &Inputs, i: usize, between: f64) -> Self {
-        let [a, b, one] = [inputs.a[i], inputs.b[i], inputs.one].map(DualQuat::from_array);
-        let (t, vector) = (inputs.t[i][0], inputs.vectors[i]);
-        Self { a, b, one, t, between, vector, plane: inputs.planes[i], twist: inputs.twists[i] }
+        Self {
+            a: inputs.a[i],
+            b: inputs.b[i],
+            long: inputs.a[i].map(|c| LONG * c),
+            t: inputs.t[i],
+            vectors: inputs.vectors[i],
+            planes: inputs.planes[i],
+            twists: inputs.twists[i],
+            one: DualQuat::from_array(inputs.one),
+            between,
+        }
     }
 }
 
@@ -119,16 +129,15 @@ impl<L: Memory> Given<L> {
 impl<L: Memory> Kernel<L> {
     const fn new(
         name: &'static str,
-        as_long: &'static str,
+        as_long: &'static [&'static str],
         run: fn(Backend, &Given<L>) -> Answer,
         by_the_book: fn(&One) -> Vec<f64>,
     ) -> Self {
         Self { name, as_long, run, in_place: None, by_the_book }
     }
 
-    const fn in_place(mut self, run: fn(Backend, &Given<L>) -> Answer) -> Self {
-        self.in_place = Some(run);
-        self
+    const fn in_place(self, in_place: Option<fn(Backend, &Given<L>) -> Answer>) -> Self {
+        Self { in_place, ..self }
     }
 
     /// What it makes of inputs, in place too.
@@ -166,102 +175,117 @@ impl<L: Memory> Kernel<L> {
                 }
             }
         }
-        assert_eq!(named.join(" "), self.as_long, "{}, {}", self.name, L::name());
+        assert_eq!(named, self.as_long, "{}, {}", self.name, L::name());
     }
 }
 
-fn numbers(motion: DualQuat<f64>) -> Vec<f64> {
-    motion.to_array().to_vec()
+/// The kernels that are declared in the list: their methods, and the same formula of single things.
+macro_rules! of_each {
+    ($(
+        $(#[doc = $brief:literal])+
+        $name:ident $(as $c:literal)? [$($types:tt)*]
+        ($input:ident: $kind:ident $I:ident $(, $other:ident: $others:ident $O:ident)* $(; $parameter:ident)?)
+            -> $output:ident: $result:ident $Q:ident $(, in place $in_place:ident)? = $one:expr, {
+            $($more:tt)*
+        }
+    )*) => {
+        fn of_each<L: Memory>() -> Vec<Kernel<L>> {
+            vec![$(
+                Kernel::new(
+                    stringify!($name),
+                    &[$(stringify!($other),)* stringify!($output)],
+                    |k, x| x.to::<{ record!($result) }>(|to| {
+                        $(let $parameter = x.between;)?
+                        let $input = given!(x $input $kind);
+                        k.$name($input, $(given!(x $other $others),)* $($parameter,)? to)
+                    }),
+                    |x| {
+                        let $input = record!($kind from *given!(x $input $kind));
+                        $(let $other = record!($others from *given!(x $other $others));)*
+                        $(let $parameter = x.between;)?
+                        record!($result of $one).to_vec()
+                    },
+                )
+                .in_place(in_place!($($in_place)? of $input $kind $(, $other $others)*)),
+            )*]
+        }
+    };
 }
 
-fn halves([a, b, c, d, e, f]: [f64; 6]) -> ([f64; 3], [f64; 3]) {
-    ([a, b, c], [d, e, f])
+/// The input of that name and kind.
+macro_rules! given {
+    ($x:ident motions any) => {
+        &$x.long
+    };
+    ($x:ident b $kind:ident) => {
+        &$x.b
+    };
+    ($x:ident $name:ident any) => {
+        &$x.a
+    };
+    ($x:ident $name:ident unit) => {
+        &$x.a
+    };
+    ($x:ident $name:ident number) => {
+        &$x.t
+    };
+    ($x:ident $name:ident point) => {
+        &$x.vectors
+    };
+    ($x:ident $name:ident vector) => {
+        &$x.vectors
+    };
+    ($x:ident $name:ident plane) => {
+        &$x.planes
+    };
+    // Lines, twists and logarithms.
+    ($x:ident $name:ident $six:ident) => {
+        &$x.twists
+    };
 }
+
+/// The call in place, if there is one; without other slices it cannot fail.
+macro_rules! in_place {
+    (of $($inputs:tt)*) => { None };
+    ($name:ident of $input:ident $kind:ident) => {
+        Some(|k, x| x.over(given!(x $input $kind), |to| { k.$name(to); Ok(()) }))
+    };
+    ($name:ident of $input:ident $kind:ident $(, $other:ident $others:ident)+) => {
+        Some(|k, x| x.over(given!(x $input $kind), |to| k.$name(to $(, given!(x $other $others))+)))
+    };
+}
+
+for_each_kernel!(of_each);
 
 /// Every kernel over slices whose elements do not see each other.
 #[rustfmt::skip]
 pub(crate) fn kernels<L: Memory>() -> Vec<Kernel<L>> {
     use MatrixOrder::{Columns, Rows};
-    vec![
-        Kernel::new("mul", "b products", |k, x| x.to(|o| k.mul(&x.a, &x.b, o)), |x| numbers(x.a * x.b))
-            .in_place(|k, x| x.over(&x.a, |o| k.mul_in_place(o, &x.b))),
-        Kernel::new("mul_left_in_place", "", |k, x| x.over(&x.b, |o| { k.mul_left_in_place(x.one, o); Ok(()) }),
-            |x| numbers(x.one * x.b)),
-        Kernel::new("normalize", "units", |k, x| x.to(|o| k.normalize(&x.long, o)), |x| numbers(x.a))
-            .in_place(|k, x| x.over(&x.long, |o| { k.normalize_in_place(o); Ok(()) })),
-        Kernel::new("inverse", "inverses", |k, x| x.to(|o| k.inverse(&x.long, o)),
-            |x| numbers(x.a.conjugate().scale(1.0 / LONG)))
-            .in_place(|k, x| x.over(&x.long, |o| { k.inverse_in_place(o); Ok(()) })),
-        Kernel::new("conjugate", "conjugates", |k, x| x.to(|o| k.conjugate(&x.a, o)),
-            |x| numbers(x.a.conjugate()))
-            .in_place(|k, x| x.over(&x.a, |o| { k.conjugate_in_place(o); Ok(()) })),
-        Kernel::new("nlerp", "b between", |k, x| x.to(|o| k.nlerp(&x.a, &x.b, x.between, o)),
-            |x| numbers(x.a.nlerp(x.b, x.between))),
-        Kernel::new("nlerp_each", "b t between", |k, x| x.to(|o| k.nlerp_each(&x.a, &x.b, &x.t, o)),
-            |x| numbers(x.a.nlerp(x.b, x.t))),
-        Kernel::new("sclerp", "b between", |k, x| x.to(|o| k.sclerp(&x.a, &x.b, x.between, o)),
-            |x| numbers(x.a.sclerp(x.b, x.between))),
-        Kernel::new("sclerp_each", "b t between", |k, x| x.to(|o| k.sclerp_each(&x.a, &x.b, &x.t, o)),
-            |x| numbers(x.a.sclerp(x.b, x.t))),
-        Kernel::new("slerp_lerp", "b between", |k, x| x.to(|o| k.slerp_lerp(&x.a, &x.b, x.between, o)),
-            |x| numbers(x.a.slerp_lerp(x.b, x.between))),
-        Kernel::new("slerp_lerp_each", "b t between", |k, x| x.to(|o| k.slerp_lerp_each(&x.a, &x.b, &x.t, o)),
-            |x| numbers(x.a.slerp_lerp(x.b, x.t))),
-        Kernel::new("dlb", "influence influence weights weights",
-            |k, x| x.to(|o| k.dlb([(&x.a[..], &x.heavier[..]), (&x.b, &x.t)], o)),
-            |x| numbers(DualQuat::dlb(&[(x.a, HEAVIER), (x.b, x.t)]).expect("two"))),
-        Kernel::new("log", "logs", |k, x| x.to::<6>(|o| k.log(&x.a, o)),
-            |x| [x.a.log().real, x.a.log().dual].concat()),
-        Kernel::new("exp", "motions", |k, x| x.to::<8>(|o| k.exp(&x.twists, o)), |x| {
-            let (real, dual) = halves(x.twist);
-            numbers(DualQuat::exp(DualVector { real, dual }))
+    let mut all = of_each();
+    all.extend([
+        Kernel::new("mul_left_in_place", &[], |k, x| x.over(&x.b, |o| { k.mul_left_in_place(x.one, o); Ok(()) }),
+            |x| (x.one * DualQuat::from_array(x.b)).to_array().to_vec()),
+        Kernel::new("dlb", &["influence", "influence", "weights", "weights"],
+            |k, x| x.to(|o| k.dlb([(&x.a[..], &x.heavier[..]), (&x.b, &x.t)], o)), |x| {
+            let [a, b] = [x.a, x.b].map(DualQuat::from_array);
+            DualQuat::dlb(&[(a, HEAVIER), (b, x.t[0])]).expect("two").to_array().to_vec()
         }),
-        Kernel::new("to_twist", "twists", |k, x| x.to::<6>(|o| k.to_twist(&x.a, o)),
-            |x| x.a.to_twist().to_array().to_vec()),
-        Kernel::new("from_twist", "motions", |k, x| x.to::<8>(|o| k.from_twist(&x.twists, o)),
-            |x| numbers(DualQuat::from_twist(Twist::from_array(x.twist)))),
-        Kernel::new("pow_each", "t powers", |k, x| x.to(|o| k.pow_each(&x.a, &x.t, o)), |x| numbers(x.a.pow(x.t))),
-        Kernel::new("integrate_body", "twists later", |k, x| x.to(|o| k.integrate_body(&x.a, &x.twists, x.between, o)),
-            |x| numbers(x.a.integrate_body(Twist::from_array(x.twist), x.between))),
-        Kernel::new("angles", "b angles", |k, x| x.to::<1>(|o| k.angles(&x.a, &x.b, o)), |x| vec![x.a.angle_to(x.b)]),
-        Kernel::new("distances", "b distances", |k, x| x.to::<1>(|o| k.distances(&x.a, &x.b, o)),
-            |x| vec![x.a.distance_to(x.b)]),
-        Kernel::new("transform_points", "moved", |k, x| x.to(|o| k.transform_points(x.one, &x.vectors, o)),
-            |x| x.one.transform_point(x.vector).to_vec())
-            .in_place(|k, x| x.over(&x.vectors, |o| { k.transform_points_in_place(x.one, o); Ok(()) })),
-        Kernel::new("transform_vectors", "turned", |k, x| x.to(|o| k.transform_vectors(x.one, &x.vectors, o)),
-            |x| x.one.transform_vector(x.vector).to_vec())
-            .in_place(|k, x| x.over(&x.vectors, |o| { k.transform_vectors_in_place(x.one, o); Ok(()) })),
-        Kernel::new("transform_points_each", "points moved",
-            |k, x| x.to::<3>(|o| k.transform_points_each(&x.a, &x.vectors, o)),
-            |x| x.a.transform_point(x.vector).to_vec()),
-        Kernel::new("transform_vectors_each", "vectors turned",
-            |k, x| x.to::<3>(|o| k.transform_vectors_each(&x.a, &x.vectors, o)),
-            |x| x.a.transform_vector(x.vector).to_vec()),
-        Kernel::new("transform_lines_each", "lines moved",
-            |k, x| x.to::<6>(|o| k.transform_lines_each(&x.a, &x.twists, o)), |x| {
-            let (direction, moment) = halves(x.twist);
-            let line = x.a.transform_line(Line { direction, moment });
-            [line.direction, line.moment].concat()
-        }),
-        Kernel::new("transform_planes_each", "planes moved",
-            |k, x| x.to::<4>(|o| k.transform_planes_each(&x.a, &x.planes, o)), |x| {
-            let [a, b, c, offset] = x.plane;
-            let plane = x.a.transform_plane(Plane { normal: [a, b, c], offset });
-            [&plane.normal[..], &[plane.offset]].concat()
-        }),
-        Kernel::new("transform_twists_each", "twists moved",
-            |k, x| x.to::<6>(|o| k.transform_twists_each(&x.a, &x.twists, o)),
-            |x| x.a.adjoint(Twist::from_array(x.twist)).to_array().to_vec()),
-        Kernel::new("matrices, 3 by 4, rows", "matrices", |k, x| x.to::<12>(|o| k.matrices(&x.a, Rows, o)),
-            |x| entries(x.a, Rows, 12)),
-        Kernel::new("matrices, 3 by 4, columns", "matrices", |k, x| x.to::<12>(|o| k.matrices(&x.a, Columns, o)),
-            |x| entries(x.a, Columns, 12)),
-        Kernel::new("matrices, 4 by 4, rows", "matrices", |k, x| x.to::<16>(|o| k.matrices(&x.a, Rows, o)),
-            |x| entries(x.a, Rows, 16)),
-        Kernel::new("matrices, 4 by 4, columns", "matrices", |k, x| x.to::<16>(|o| k.matrices(&x.a, Columns, o)),
-            |x| entries(x.a, Columns, 16)),
-    ]
+        Kernel::new("transform_points", &["moved"], |k, x| x.to(|o| k.transform_points(x.one, &x.vectors, o)),
+            |x| x.one.transform_point(x.vectors).to_vec())
+            .in_place(Some(|k, x| x.over(&x.vectors, |o| { k.transform_points_in_place(x.one, o); Ok(()) }))),
+        Kernel::new("transform_vectors", &["turned"], |k, x| x.to(|o| k.transform_vectors(x.one, &x.vectors, o)),
+            |x| x.one.transform_vector(x.vectors).to_vec())
+            .in_place(Some(|k, x| x.over(&x.vectors, |o| { k.transform_vectors_in_place(x.one, o); Ok(()) }))),
+        Kernel::new("matrices, 3 by 4, rows", &["matrices"], |k, x| x.to::<12>(|o| k.matrices(&x.a, Rows, o)),
+            |x| entries(DualQuat::from_array(x.a), Rows, 12)),
+        Kernel::new("matrices, 3 by 4, columns", &["matrices"], |k, x| x.to::<12>(|o| k.matrices(&x.a, Columns, o)),
+            |x| entries(DualQuat::from_array(x.a), Columns, 12)),
+        Kernel::new("matrices, 4 by 4, rows", &["matrices"], |k, x| x.to::<16>(|o| k.matrices(&x.a, Rows, o)),
+            |x| entries(DualQuat::from_array(x.a), Rows, 16)),
+        Kernel::new("matrices, 4 by 4, columns", &["matrices"], |k, x| x.to::<16>(|o| k.matrices(&x.a, Columns, o)),
+            |x| entries(DualQuat::from_array(x.a), Columns, 16)),
+    ]);
+    all
 }
 
 #[test]

@@ -18,10 +18,13 @@ use pyo3::types::{PyDict, PyList, PyTuple};
 
 /// A joint hierarchy: the parent of every joint.
 ///
-/// Parameters ---------- parents : sequence of int, length n, or dict ``parents[j]`` is the parent
-/// of joint j, or −1 or None for a root; in any order. A dict has the name of each joint and that
-/// of its parent. names : sequence of str, length n, optional Names of the joints, where `parents`
-/// is no dict.
+/// Parameters
+/// ----------
+/// parents : sequence of int, length n, or dict
+///     ``parents[j]`` is the parent of joint j, or −1 or None for a root; in any order. A dict
+///     has the name of each joint and that of its parent.
+/// names : sequence of str, length n, optional
+///     Names of the joints, where `parents` is no dict.
 ///
 /// Examples
 /// --------

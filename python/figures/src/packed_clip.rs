@@ -17,13 +17,19 @@ use pyo3::types::PyBytes;
 /// An animation clip in 8 bytes for each track that moves, and frame: 16 bits for each number of a
 /// rotation or a translation; what keeps still is kept once.
 ///
-/// Parameters ---------- frames : array_like, shape (frames, joints, 8) Unit dual quaternions at
-/// equal distances in time: the pose of each joint in its parent. Where a joint turns by 60° or
-/// more from one frame to the next, all joints get one to three frames between. rate : float,
-/// optional Frames a second: times are seconds. Without, times are frames. loops : bool Whether the
-/// clip begins again where it ends: its last frame is the first one once more. angle, length :
-/// float What a rotation (in radians) and a translation may move and still be kept as one: they
-/// keep still.
+/// Parameters
+/// ----------
+/// frames : array_like, shape (frames, joints, 8)
+///     Unit dual quaternions at equal distances in time: the pose of each joint in its parent.
+///     Where a joint turns by 60° or more from one frame to the next, all joints get one to three
+///     frames between.
+/// rate : float, optional
+///     Frames a second: times are seconds. Without, times are frames.
+/// loops : bool
+///     Whether the clip begins again where it ends: its last frame is the first one once more.
+/// angle, length : float
+///     What a rotation (in radians) and a translation may move and still be kept as one: they keep
+///     still.
 ///
 /// Examples
 /// --------
@@ -122,9 +128,13 @@ impl PackedClip {
 
     /// Poses of the joints in their parents at any times.
     ///
-    /// Parameters ---------- at : array_like, shape (...) Times from the first frame, in seconds if
-    /// the clip has a rate, otherwise in frames. Beyond the clip are its ends, or other rounds if
-    /// it loops; for NaN all numbers are NaN. out : ndarray, optional Where to write the result.
+    /// Parameters
+    /// ----------
+    /// at : array_like, shape (...)
+    ///     Times from the first frame, in seconds if the clip has a rate, otherwise in frames.
+    ///     Beyond the clip are its ends, or other rounds if it loops; for NaN all numbers are NaN.
+    /// out : ndarray, optional
+    ///     Where to write the result.
     ///
     /// Returns
     /// -------

@@ -34,30 +34,43 @@ use std::sync::OnceLock;
 /// ``'mix'``, both by a number s for each vertex: ``(1 − s) lbs + s dlb`` of points, normals and
 /// tangents. Against the bulge of ``'dlb'`` at bent joints.
 ///
-/// Parameters ---------- points : array_like, shape (vertices, 3) Where the vertices are at rest;
-/// any unit of length, that of the palette. joints : array_like of int, shape (vertices,
-/// influences) Which joints move a vertex. weights : array_like, shape (vertices, influences) How
-/// much each does, not negative; fill unused influences with any joint and weight 0. Those of a
-/// vertex sum to one: ``'dlb'`` divides by the sum, ``'lbs'`` and ``'mix'`` refuse one that is off
-/// by more than 0.001. uint8 and uint16 are divided by 255 and 65535, as glTF's normalized ones;
-/// other integers are numbers as they are. palette : array_like, shape (..., joints, 8), (...,
-/// joints, 3, 4) or (..., joints, 4, 4) What takes each joint from the mesh at rest to the posed
-/// mesh, pose · inverse(bind pose): unit dual quaternions, or matrices for column vectors, whose
-/// last row is 0 0 0 1. Leading dimensions are poses. method : {'dlb', 'lbs', 'mix'} The blend.
-/// shares : array_like, shape (vertices,), where the method is ``'mix'`` The share s of ``'dlb'``,
-/// in [0, 1]. normals, tangents : array_like, shape (vertices, 3), optional Unit normals and unit
-/// tangents at rest; tangents without the sign of the bitangent. out : ndarray, or a tuple of those
-/// where there are normals or tangents, optional Where to write the result: arrays that do not
-/// overlap each other. Untouched where the arguments are wrong.
+/// Parameters
+/// ----------
+/// points : array_like, shape (vertices, 3)
+///     Where the vertices are at rest; any unit of length, that of the palette.
+/// joints : array_like of int, shape (vertices, influences)
+///     Which joints move a vertex.
+/// weights : array_like, shape (vertices, influences)
+///     How much each does, not negative; fill unused influences with any joint and weight 0. Those
+///     of a vertex sum to one: ``'dlb'`` divides by the sum, ``'lbs'`` and ``'mix'`` refuse one
+///     that is off by more than 0.001. uint8 and uint16 are divided by 255 and 65535, as glTF's
+///     normalized ones; other integers are numbers as they are.
+/// palette : array_like, shape (..., joints, 8), (..., joints, 3, 4) or (..., joints, 4, 4)
+///     What takes each joint from the mesh at rest to the posed mesh, pose · inverse(bind pose):
+///     unit dual quaternions, or matrices for column vectors, whose last row is 0 0 0 1. Leading
+///     dimensions are poses.
+/// method : {'dlb', 'lbs', 'mix'}
+///     The blend.
+/// shares : array_like, shape (vertices,), where the method is ``'mix'``
+///     The share s of ``'dlb'``, in [0, 1].
+/// normals, tangents : array_like, shape (vertices, 3), optional
+///     Unit normals and unit tangents at rest; tangents without the sign of the bitangent.
+/// out : ndarray, or a tuple of those where there are normals or tangents, optional
+///     Where to write the result: arrays that do not overlap each other. Untouched where the
+///     arguments are wrong.
 ///
-/// Returns ------- ndarray, shape (..., vertices, 3), or a tuple of those where there are normals
-/// or tangents The posed points, then unit normals, then unit tangents, of what there is. float32
-/// if all arrays but `joints` are, otherwise float64.
+/// Returns
+/// -------
+/// ndarray, shape (..., vertices, 3), or a tuple of those where there are normals or tangents
+///     The posed points, then unit normals, then unit tangents, of what there is. float32 if all
+///     arrays but `joints` are, otherwise float64.
 ///
-/// References ---------- L. Kavan, S. Collins, J. Žára, C. O'Sullivan, "Geometric Skinning with
-/// Approximate Dual Quaternion Blending", ACM Trans. Graph. 27(4), 2008. N. Magnenat-Thalmann, R.
-/// Laperrière, D. Thalmann, "Joint-Dependent Local Deformations for Hand Animation and Object
-/// Grasping", Graphics Interface 1988.
+/// References
+/// ----------
+/// L. Kavan, S. Collins, J. Žára, C. O'Sullivan, "Geometric Skinning with Approximate Dual
+/// Quaternion Blending", ACM Trans. Graph. 27(4), 2008. N. Magnenat-Thalmann, R. Laperrière, D.
+/// Thalmann, "Joint-Dependent Local Deformations for Hand Animation and Object Grasping", Graphics
+/// Interface 1988.
 ///
 /// Examples
 /// --------

@@ -27,18 +27,26 @@ use pyo3::types::{PyBytes, PyTuple, PyType};
 /// revolute and prismatic ones have one, planar ones x, y and the angle, floating ones the rotation
 /// (qx, qy, qz, qw), of any length but zero, and the translation.
 ///
-/// Parameters ---------- parents : sequence of int, length n ``parents[j]`` is the link that
-/// carries link j, or −1 for the base. Parents come before their children. kinds : str or
-/// sequence of str, length n ``"fixed"``, ``"revolute"``, ``"prismatic"``, ``"planar"`` or
-/// ``"floating"``, for all or for each. axes : array_like, shape (n, 3) or (3,) Unit axes in the
-/// frames of the joints; normals of planar ones. Others do not read them. placements : array_like,
-/// shape (n, 8) or (8,) Unit dual quaternions: the pose of each link in its parent where the joint
-/// is at zero. limits : array_like, shape (n, 2) or (2,), optional The least and the largest value
-/// of each joint, ``[-inf, inf]`` for none. ``reach`` keeps to them; poses are computed of any
-/// values. links : sequence of str, length n, optional Names of the links and their joints; by
-/// default numbers. velocity_limits, effort_limits : array_like, shape (n,) or (), optional The
-/// greatest speed, and torque or force, of each joint; ``inf`` for none. Nothing here asks for
-/// them.
+/// Parameters
+/// ----------
+/// parents : sequence of int, length n
+///     ``parents[j]`` is the link that carries link j, or −1 for the base. Parents come before
+///     their children.
+/// kinds : str or sequence of str, length n
+///     ``"fixed"``, ``"revolute"``, ``"prismatic"``, ``"planar"`` or ``"floating"``, for all or for
+///     each.
+/// axes : array_like, shape (n, 3) or (3,)
+///     Unit axes in the frames of the joints; normals of planar ones. Others do not read them.
+/// placements : array_like, shape (n, 8) or (8,)
+///     Unit dual quaternions: the pose of each link in its parent where the joint is at zero.
+/// limits : array_like, shape (n, 2) or (2,), optional
+///     The least and the largest value of each joint, ``[-inf, inf]`` for none. ``reach`` keeps to
+///     them; poses are computed of any values.
+/// links : sequence of str, length n, optional
+///     Names of the links and their joints; by default numbers.
+/// velocity_limits, effort_limits : array_like, shape (n,) or (), optional
+///     The greatest speed, and torque or force, of each joint; ``inf`` for none. Nothing here asks
+///     for them.
 ///
 /// Examples
 /// --------
@@ -101,8 +109,11 @@ impl Mechanism {
     /// order of the file as far as parents come first. Joints that mimic have no value of their
     /// own. What says where links are and cannot be expressed is an error, never left out.
     ///
-    /// Parameters ---------- source : str, bytes or os.PathLike The file, in any encoding that it
-    /// declares; or its bytes; or its text, if the first thing in it is ``<``.
+    /// Parameters
+    /// ----------
+    /// source : str, bytes or os.PathLike
+    ///     The file, in any encoding that it declares; or its bytes; or its text, if the first
+    ///     thing in it is ``<``.
     ///
     /// Returns
     /// -------
@@ -209,12 +220,16 @@ impl Mechanism {
     /// The motion of a joint is ``exp(½ξq)`` of its axis ξ and its value q, if it has one; that
     /// of planar and floating ones is the translation and the rotation that their values are.
     ///
-    /// Parameters ---------- values : array_like, shape (..., values), or columns by name
-    /// Configurations: radians and lengths. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶
-    /// (float64) give NaN. The columns of a dict, a data frame, a table or a record array are put
-    /// in the order of `Mechanism.values`; those names and no others must be there. links : str,
-    /// int, or sequence of these, optional Which links. What carries none of them is not computed.
-    /// out : ndarray, optional Where to write the result.
+    /// Parameters
+    /// ----------
+    /// values : array_like, shape (..., values), or columns by name
+    ///     Configurations: radians and lengths. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶
+    ///     (float64) give NaN. The columns of a dict, a data frame, a table or a record array are
+    ///     put in the order of `Mechanism.values`; those names and no others must be there.
+    /// links : str, int, or sequence of these, optional
+    ///     Which links. What carries none of them is not computed.
+    /// out : ndarray, optional
+    ///     Where to write the result.
     ///
     /// Returns
     /// -------
@@ -239,19 +254,26 @@ impl Mechanism {
 
     /// The Jacobian of a link: ``twist = J · rates``.
     ///
-    /// Parameters ---------- values : array_like, shape (..., values), or columns by name
-    /// Configurations: radians and lengths. link : str or int Which link. frame : {'world', 'body',
-    /// 'aligned'} ``'world'``: the axes of the base, about its origin, the spatial twist (Lynch &
-    /// Park, *Modern Robotics*, 2017, eq. 5.11). ``'body'``: the axes of the link, about its origin
-    /// (eq. 5.18). ``'aligned'``: the axes of the base, about the origin of the link. out :
-    /// ndarray, optional Where to write the result. ``np.empty((..., rates, 6)).swapaxes(-1, -2)``
-    /// is written without a copy, and this is how new ones lie in memory.
+    /// Parameters
+    /// ----------
+    /// values : array_like, shape (..., values), or columns by name
+    ///     Configurations: radians and lengths.
+    /// link : str or int
+    ///     Which link.
+    /// frame : {'world', 'body', 'aligned'}
+    ///     ``'world'``: the axes of the base, about its origin, the spatial twist (Lynch & Park,
+    ///     *Modern Robotics*, 2017, eq. 5.11). ``'body'``: the axes of the link, about its origin
+    ///     (eq. 5.18). ``'aligned'``: the axes of the base, about the origin of the link.
+    /// out : ndarray, optional
+    ///     Where to write the result. ``np.empty((..., rates, 6)).swapaxes(-1, -2)`` is written
+    ///     without a copy, and this is how new ones lie in memory.
     ///
     /// Returns
     /// -------
     /// ndarray, shape (..., 6, rates)
     #[doc = common_dtype!()]
-    ///     Rows are ``[ωx, ωy, ωz, vx, vy, vz]``, angular first. Columns of joints that do not carry the link are zero.
+    ///     Rows are ``[ωx, ωy, ωz, vx, vy, vz]``, angular first. Columns of joints that do not
+    ///     carry the link are zero.
     ///
     /// Examples
     /// --------
@@ -291,24 +313,37 @@ impl Mechanism {
     /// times as long as others; ``restarts=False`` gives up sooner. Ctrl-C waits for the
     /// configurations that are being computed.
     ///
-    /// Parameters ---------- targets : array_like, shape (..., 8), or (..., links, 8) for a
-    /// sequence of links Unit dual quaternions: the poses that links should have, in the frame of
-    /// the base. values : array_like, shape (..., values), or columns by name Configurations to
-    /// start from. Leading dimensions broadcast with those of `targets`. links : str, int, or
-    /// sequence of these Which links. weights : array_like, shape (6,), or (links, 6) for a
-    /// sequence of links, optional How much the components of the error weigh where not all vanish:
-    /// rotation, then position, in the axes of the target. Zero leaves one free: ``[0, 0, 0, 1, 1,
-    /// 1]`` asks for the position alone. By default all are 1. posture : array_like, shape
-    /// (values,), or numbers by name, optional A configuration to be near to, where the targets
-    /// leave freedom. angular_tolerance, linear_tolerance : float The errors that may be left:
-    /// radians, and the robot's unit. max_iterations : int The most steps and restarts together.
-    /// length_per_radian : float, optional The distance that weighs as much as a radian, more than
-    /// 0; by default an eighth of the robot's reach, or where something floats or slides without
-    /// end, of the longer way that it has to go. max_step : float The most that a joint turns in
-    /// one step, radians, more than 0. damping : float λ of the least squares at the target,
-    /// radians; more than 0 for machines that follow a target. restarts : bool False keeps to the
-    /// start: to follow a target that moves. out : ndarray, optional Where to write the values; may
-    /// be `values`.
+    /// Parameters
+    /// ----------
+    /// targets : array_like, shape (..., 8), or (..., links, 8) for a sequence of links
+    ///     Unit dual quaternions: the poses that links should have, in the frame of the base.
+    /// values : array_like, shape (..., values), or columns by name
+    ///     Configurations to start from. Leading dimensions broadcast with those of `targets`.
+    /// links : str, int, or sequence of these
+    ///     Which links.
+    /// weights : array_like, shape (6,), or (links, 6) for a sequence of links, optional
+    ///     How much the components of the error weigh where not all vanish: rotation, then
+    ///     position, in the axes of the target. Zero leaves one free: ``[0, 0, 0, 1, 1, 1]`` asks
+    ///     for the position alone. By default all are 1.
+    /// posture : array_like, shape (values,), or numbers by name, optional
+    ///     A configuration to be near to, where the targets leave freedom.
+    /// angular_tolerance, linear_tolerance : float
+    ///     The errors that may be left: radians, and the robot's unit.
+    /// max_iterations : int
+    ///     The most steps and restarts together.
+    /// length_per_radian : float, optional
+    ///     The distance that weighs as much as a radian, more than 0; by default an eighth of the
+    ///     robot's reach, or where something floats or slides without end, of the longer way that
+    ///     it has to go.
+    /// max_step : float
+    ///     The most that a joint turns in one step, radians, more than 0.
+    /// damping : float
+    ///     λ of the least squares at the target, radians; more than 0 for machines that follow a
+    ///     target.
+    /// restarts : bool
+    ///     False keeps to the start: to follow a target that moves.
+    /// out : ndarray, optional
+    ///     Where to write the values; may be `values`.
     ///
     /// Returns
     /// -------

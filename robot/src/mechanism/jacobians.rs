@@ -1,21 +1,64 @@
-//! Jacobians of links for many configurations.
-
-use super::Job;
-#[cfg(doc)]
-use super::Mechanism;
-use super::frame::{Frame, JacobianFrame};
-use super::group::Group;
-use super::job::things;
-use super::poses::{carries, first_carried, place_of, repeat};
-use super::step::Step;
-use super::values::JointValues;
-use super::walk::{Joined, Task};
+use super::job::{Job, carries, first_carried, place_of, repeat, things};
+use super::step::{JointScrews, Step};
+use super::tree::Mechanism;
+use super::values::{Group, JointValues};
+use super::walk::{LinkFrames, Task};
+use core::fmt::Debug;
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
-use dq8::seams::Rows;
+use dq8::internal::Rows;
 use dq8::storage::{Element, Layout, Number, Tile, identity, same_length};
-use dq8::{Scalar, ShapeError};
+use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level};
+
+/// In which axes, and about which point, the columns of a Jacobian are: [`World`], [`Body`] or
+/// [`WorldAligned`]. The type of a column says which part comes first: `[R; 6]` and
+/// [`Twist`](dq8::Twist) have the angular part first, [`LinearFirst`](dq8::storage::LinearFirst)
+/// the linear one. Sealed.
+pub trait JacobianFrame: Copy + Debug + sealed::Sealed {
+    #[doc(hidden)]
+    const FRAME: Frame;
+}
+
+/// The axes of the base, about its origin: spatial twists, J_s (Lynch & Park, *Modern Robotics*,
+/// 2017, eq. 5.11).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct World;
+/// The axes of the link, about its origin: body twists, J_b (eq. 5.18).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Body;
+/// The axes of the base, about the origin of the link: the velocity of that point, which most
+/// controllers ask for.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct WorldAligned;
+
+/// The same as values, for code that is written once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(hidden)]
+pub enum Frame {
+    World,
+    Body,
+    WorldAligned,
+}
+
+impl JacobianFrame for World {
+    const FRAME: Frame = Frame::World;
+}
+impl JacobianFrame for Body {
+    const FRAME: Frame = Frame::Body;
+}
+impl JacobianFrame for WorldAligned {
+    const FRAME: Frame = Frame::WorldAligned;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::World {}
+    impl Sealed for super::Body {}
+    impl Sealed for super::WorldAligned {}
+}
+
+// Jacobians of links for many configurations.
 
 impl<R: Scalar> Job<'_, R, &[usize]> {
     /// The geometric Jacobians of some links, and their poses, for many configurations in one pass:
@@ -151,7 +194,7 @@ where
         level: V,
         group: Group,
         step: &Step<Number<E, 8>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
         (): &(),
         (): &mut (),
     ) {
@@ -182,7 +225,7 @@ where
         }
         if let Some(index) = place_of(self.links, link) {
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
-            E::store(joined.pose.to_motion(), self.poses, tile);
+            E::store(joined.link.to_motion(), self.poses, tile);
         }
     }
 
@@ -233,4 +276,75 @@ where
             }
         }
     }
+}
+
+impl<R: Real> Mechanism<'_, R> {
+    /// The distance of a link from where it cannot move in every direction: w = √det(J Jᵀ), the
+    /// volume of the twists that rates of length one give it, but for a constant factor (Yoshikawa,
+    /// *Manipulability of Robotic Mechanisms*, 1985, eq. 9), from the whole Jacobian of six rows;
+    /// radians, and lengths cubed. It is the same in every [frame](super::JacobianFrame). Zero
+    /// where the link is singular, but for rounding, and always where there are fewer than six
+    /// rates; NaN if its pose is. It is computed in the memory of `columns`, which may hold
+    /// anything.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Twist};
+    /// use dq8_robot::{Joint, OwnedMechanism};
+    /// // Three slides, and three hinges that meet in a point: singular where the second lays the third along the first.
+    /// let [x, y, z] = [[1.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let here = DualQuat::IDENTITY;
+    /// let wrist = OwnedMechanism::new(&[
+    ///     Joint::prismatic(None, here, x),
+    ///     Joint::prismatic(Some(0), here, y),
+    ///     Joint::prismatic(Some(1), here, z),
+    ///     Joint::revolute(Some(2), here, z),
+    ///     Joint::revolute(Some(3), here, y),
+    ///     Joint::revolute(Some(4), here, z),
+    /// ])?;
+    /// let mut columns = [Twist::ZERO; 6];
+    /// let mut at = |bend: f64| {
+    ///     wrist.view().manipulability(&[0.1, 0.2, 0.3, 0.4, bend, 0.5], 5, &mut columns)
+    /// };
+    /// assert!((at(0.3)? - 0.3_f64.sin()).abs() < 1e-15);
+    /// assert!(at(0.0)? < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there are not as many values and columns as the mechanism has, or there is no such link;
+    /// `columns` is untouched.
+    pub fn manipulability(
+        &self,
+        values: &[R],
+        link: usize,
+        columns: &mut [Twist<R>],
+    ) -> Result<R, ShapeError> {
+        self.link_jacobian(WorldAligned, values, link, columns)?;
+        Ok(volume(columns))
+    }
+}
+
+/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six
+/// rows, each without what lies along those before it (Gram–Schmidt). Near singularities the
+/// product J Jᵀ would have lost half of the digits.
+fn volume<R: Real>(columns: &mut [Twist<R>]) -> R {
+    // Six rows of fewer columns are never independent.
+    let mut volume = if columns.len() < 6 { R::ZERO } else { R::ONE };
+    for first in 0..6 {
+        let dot = |columns: &[Twist<R>], row: usize| {
+            let rows = columns.iter().map(|column| column.to_array());
+            rows.fold(R::ZERO, |sum, column| sum + column[first] * column[row])
+        };
+        let square = dot(columns, first);
+        volume = volume * square.sqrt();
+        for row in first + 1..6 {
+            let along = dot(columns, row) / square;
+            for column in columns.iter_mut().filter(|_| square > R::ZERO) {
+                let mut rows = column.to_array();
+                rows[row] = rows[row] - along * rows[first];
+                *column = Twist::from_array(rows);
+            }
+        }
+    }
+    volume
 }

@@ -1,9 +1,23 @@
+use super::step::Step;
 use super::tree::Mechanism;
-use super::values::JointValues;
-use super::walk::{Task, Walk};
-use dq8::seams::{Choice, Outputs};
-use dq8::storage::Layout;
-use dq8::{Scalar, ShapeError};
+use super::values::{Group, JointValues};
+use super::walk::{LinkFrames, Task, Walk};
+#[cfg(feature = "alloc")]
+use super::{Dh, DhConvention, Joint, MechanismError};
+#[cfg(feature = "alloc")]
+use alloc::{vec, vec::Vec};
+use core::ops::Range;
+use dq8::batch::{Quat, vector};
+#[cfg(feature = "alloc")]
+use dq8::geometry::Screw;
+#[cfg(feature = "alloc")]
+use dq8::internal::brief;
+use dq8::internal::{Choice, Outputs};
+#[cfg(feature = "alloc")]
+use dq8::scalar::DualQuat;
+use dq8::storage::{Element, Layout, Number, whole_instances};
+use dq8::{Real, Scalar, ShapeError};
+use dq8_simd::{Level, Records};
 
 /// A run over many configurations of a mechanism, as many at a time as there are lanes, with
 /// options that all have a default.
@@ -62,7 +76,7 @@ impl<R: Copy> Job<'_, R, &[usize]> {
 }
 
 impl<R, S> Job<'_, R, S> {
-    dq8::seams::options!();
+    dq8::internal::options!();
 }
 
 impl<R: Scalar, S: Sync> Job<'_, R, S> {
@@ -95,4 +109,483 @@ impl<R: Scalar, S: Sync> Job<'_, R, S> {
 /// `all` where that is none.
 pub(crate) fn things<E>(part: &[E], width: usize, all: usize) -> usize {
     part.len().checked_div(width).unwrap_or(all)
+}
+
+// Poses of links for many configurations.
+
+impl<R: Scalar> Job<'_, R> {
+    /// The poses of all links of many configurations, in the frame of the base: what
+    /// [`Mechanism::link_poses`] gives for one, on lanes.
+    ///
+    /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]`
+    /// in plain numbers for both, or a slice of plain numbers for each value, or
+    /// `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
+    /// or 2⁴⁶ rad (`f64`) give NaN.
+    ///
+    /// # Errors
+    /// If `poses` holds no whole number of configurations or `values` another number of them;
+    /// `poses` is untouched.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// use dq8_robot::{Joint, OwnedMechanism};
+    /// let out = DualQuat::from_translation([1.0_f32, 0.0, 0.0]);
+    /// let joints = [
+    ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
+    ///     Joint::revolute(Some(0), out, [0.0, 0.0, 1.0]),
+    ///     Joint::fixed(Some(1), out),
+    /// ];
+    /// let arm = OwnedMechanism::new(&joints)?;
+    /// // 1,000 configurations of two angles.
+    /// let values: Vec<f32> = (0..2000).map(|i| 0.001 * i as f32).collect();
+    /// let mut poses = vec![DualQuat::IDENTITY; 3000];
+    /// arm.job().poses(&values, &mut poses)?;
+    /// let [x, y, _] = poses[2999].translation();
+    /// let (a, b) = (1.998_f32, 1.998 + 1.999_f32);
+    /// assert!((x - (a.cos() + b.cos())).abs() + (y - (a.sin() + b.sin())).abs() < 1e-6);
+    /// // The same from a column for each angle.
+    /// let columns = [0, 1].map(|first| values.iter().skip(first).step_by(2).copied().collect::<Vec<_>>());
+    /// let mut same = vec![DualQuat::IDENTITY; 3000];
+    /// arm.job().poses(&[&columns[0][..], &columns[1]], &mut same)?;
+    /// assert_eq!(same, poses);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        self.write::<T, E, true>(&[], self.mechanism.links(), values, poses)
+    }
+}
+
+impl<R: Scalar> Job<'_, R, &[usize]> {
+    /// The poses of some links: `poses` is `[configuration][i]` for the links that the job names,
+    /// and else as for all links.
+    ///
+    /// # Errors
+    /// If there is no such link, `poses` holds no whole number of configurations or `values`
+    /// another number of them; `poses` is untouched.
+    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        self.check_links()?;
+        self.write::<T, E, false>(self.links, self.links.len(), values, poses)?;
+        repeat(self.links, poses);
+        Ok(())
+    }
+}
+
+impl<R: Scalar, S: Sync> Job<'_, R, S> {
+    fn write<T, E, const ALL: bool>(
+        &self,
+        links: &[usize],
+        count: usize,
+        values: &[T],
+        poses: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        let elements = self.mechanism.configurations::<E::Layout, T>(values, count, poses.len())?;
+        self.walk(values, (poses, count), |_, (poses, _): (&mut [E], usize)| {
+            (things(poses, count, elements), Poses::<E, ALL> { poses, links, count })
+        });
+        Ok(())
+    }
+}
+
+/// Where a link is asked for more than once, its pose to the other places.
+pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
+    for (again, &link) in links.iter().enumerate() {
+        let Some(first) = place_of(links, link) else { continue };
+        if first == again {
+            continue;
+        }
+        for of_one in poses.chunks_exact_mut(links.len()) {
+            let pose = of_one.get(first).copied();
+            if let (Some(pose), Some(slot)) = (pose, of_one.get_mut(again)) {
+                *slot = pose;
+            }
+        }
+    }
+}
+
+/// The first place of a link.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
+    links.iter().position(
+        #[cfg_attr(not(opt_level_0), inline(always))]
+        |&other| other == link,
+    )
+}
+
+/// The poses of all links, or of some.
+struct Poses<'s, E, const ALL: bool> {
+    poses: &'s mut [E],
+    links: &'s [usize],
+    count: usize,
+}
+
+impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
+    type State<V: Level> = ();
+    type Carried<V: Level> = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn start<V: Level>(&self, _: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn base<V: Level>(_: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
+        !(ALL || carries(steps, position, self.links))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        step: &Step<Number<E, 8>>,
+        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
+        (): &(),
+        (): &mut (),
+    ) {
+        let (link, count) = (step.link as usize, self.count);
+        if ALL {
+            let tile = group.tile::<E::Layout, V>(link, count);
+            E::store(joined.link.to_motion(), self.poses, tile);
+            group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
+        } else if let Some(index) = place_of(self.links, link) {
+            // The first place only, of a link that is asked for more than once: a loop around the
+            // registers of a pose would keep them in memory, which takes half as long again.
+            let tile = group.tile::<E::Layout, V>(index, self.links.len());
+            E::store(joined.link.to_motion(), self.poses, tile);
+        }
+    }
+}
+
+/// Whether the link of a step, or one that it carries, is among `links`.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
+    first_carried(steps, position, links).is_some()
+}
+
+/// The first place in `links` of one that is the link of a step, or that this carries.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn first_carried<R>(
+    steps: &[Step<R>],
+    position: usize,
+    links: &[usize],
+) -> Option<usize> {
+    let step = steps.get(position)?;
+    for (index, &link) in links.iter().enumerate() {
+        if (steps.get(link)?.position as usize).wrapping_sub(position) < step.size as usize {
+            return Some(index);
+        }
+    }
+    None
+}
+
+// Points that links carry: spheres of a collision model, feet, sensors.
+
+/// A link, and a point in its frame.
+pub(crate) type Point<R> = (usize, [R; 3]);
+
+/// Points, of which those of one link are looked for after the other.
+#[derive(Clone, Copy)]
+pub(crate) struct PointsByLink<'p, R> {
+    pub(crate) points: &'p [Point<R>],
+    in_order: bool,
+    /// Where those of the next link are likely to begin.
+    next: usize,
+}
+
+impl<'p, R> PointsByLink<'p, R> {
+    pub(crate) fn new(points: &'p [Point<R>]) -> Self {
+        let in_order = points.is_sorted_by(|(a, _), (b, _)| a <= b);
+        Self { points, in_order, next: 0 }
+    }
+
+    /// Those of a link are among these.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
+        if !self.in_order {
+            return 0..self.points.len();
+        }
+        let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
+        let mut end = self.next;
+        // `next` is where the points of the last link ended, so never in the middle of a link's
+        // own.
+        if !is_of(self.points.get(end)) {
+            end = self.points.partition_point(|(of, _)| *of < link);
+        }
+        let start = end;
+        while is_of(self.points.get(end)) {
+            end += 1;
+        }
+        self.next = end;
+        start..end
+    }
+}
+
+impl<R: Real> Mechanism<'_, R> {
+    pub(crate) fn check_points(&self, points: &[Point<R>]) -> Result<(), ShapeError> {
+        let links = self.links();
+        match points.iter().find(|(link, _)| *link >= links) {
+            Some(&(link, _)) => Err(ShapeError::NoLink { link, links }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl<R: Scalar> Job<'_, R> {
+    /// Where points on links are for many configurations, in one pass and without poses in memory:
+    /// what [`Mechanism::link_points`] gives for one.
+    ///
+    /// `places` is `[configuration][point]` in the order of `points`: `[R; 3]`, or blocks.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// use dq8_robot::{Joint, OwnedMechanism};
+    /// let up = DualQuat::from_translation([0.0_f32, 0.0, 1.0]);
+    /// let lift = OwnedMechanism::new(&[Joint::prismatic(None, up, [0.0, 0.0, 1.0])])?;
+    /// let mut places = [[0.0; 3]; 4];
+    /// lift.job().points(&[(0, [0.0; 3]), (0, [0.5, 0.0, 0.0])], &[0.0, 2.0], &mut places)?;
+    /// assert_eq!(places[3], [0.5, 0.0, 3.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there is no such link, `places` holds no whole number of configurations or `values`
+    /// another number of them; `places` is untouched.
+    pub fn points<T, E>(
+        &self,
+        points: &[(usize, [R; 3])],
+        values: &[T],
+        places: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        E: Element<3, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        let mechanism = self.mechanism;
+        mechanism.check_points(points)?;
+        let elements = whole_instances("places", points.len(), places.len())?;
+        T::check("values", values, mechanism.values, elements)?;
+        self.walk(values, (places, points.len()), |_, (places, count): (&mut [E], usize)| {
+            (things(places, count, elements), Points { places, found: PointsByLink::new(points) })
+        });
+        Ok(())
+    }
+}
+
+struct Points<'s, E: Element<3>> {
+    places: &'s mut [E],
+    found: PointsByLink<'s, Number<E, 3>>,
+}
+
+/// Places of points that follow each other. Three numbers of a point are no register that can be
+/// written at once, but the twelve of four points are three: a quarter of the stores, which are
+/// most of the time where places lie plainly.
+struct PointQuad<L> {
+    first: usize,
+    count: usize,
+    places: [[L; 3]; FOUR],
+}
+
+/// As many points wait.
+const FOUR: usize = 4;
+
+type Register<E, V> = <<E as Element<3>>::Layout as Layout>::Register<V>;
+
+impl<E: Element<3>> Points<'_, E> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn write<V: Level>(&mut self, level: V, group: Group, waiting: &mut PointQuad<Register<E, V>>) {
+        let (all, first) = (self.found.points.len(), waiting.first);
+        let count = core::mem::take(&mut waiting.count);
+        group.prefetch_next::<E::Layout, V, E>(level, self.places, first..first + count, all);
+        let plain = E::plain_mut(self.places).map(<[_]>::as_flattened_mut);
+        let start = 3 * (group.first * all + first);
+        let row = plain.and_then(|plain| plain.get_mut(start..));
+        if let (FOUR, Some(row)) = (count, row) {
+            let [[a, b, c], [d, e, f], [g, h, i], [j, k, l]] = waiting.places;
+            let quads = [[a, b, c, d], [e, f, g, h], [i, j, k, l]];
+            if Register::<E, V>::store_rows(quads, row, 3 * all) {
+                return;
+            }
+        }
+        for (ahead, place) in waiting.places.iter().enumerate().take(count) {
+            E::store(*place, self.places, group.tile::<E::Layout, V>(first + ahead, all));
+        }
+    }
+}
+
+impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
+    type State<V: Level> = PointQuad<Register<E, V>>;
+    type Carried<V: Level> = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn start<V: Level>(&self, level: V) -> Self::State<V> {
+        let zero = vector::splat(level, [Number::<E, 3>::default(); 3]);
+        PointQuad { first: 0, count: 0, places: [zero; FOUR] }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn base<V: Level>(_: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        step: &Step<Number<E, 3>>,
+        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
+        (): &(),
+        waiting: &mut Self::State<V>,
+    ) {
+        let (link, points) = (step.link as usize, self.found.points);
+        let some = self.found.of(link);
+        if some.is_empty() {
+            return;
+        }
+        let [hx, hy, hz] = joined.link.half;
+        let origin = [hx + hx, hy + hy, hz + hz];
+        let [a, b, c] = Quat::from_array(joined.link.rotation).to_matrix3();
+        let columns = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
+        for index in some {
+            let Some(&(of, point)) = points.get(index) else { return };
+            if of != link {
+                continue;
+            }
+            let [x, y, z] = vector::splat(level, point);
+            let place = vector::scale_onto(columns[2], z, origin);
+            let place = vector::scale_onto(columns[1], y, place);
+            let place = vector::scale_onto(columns[0], x, place);
+            if !E::Layout::transposes::<V>() {
+                let tile = group.tile::<E::Layout, V>(index, points.len());
+                E::store(place, self.places, tile);
+                continue;
+            }
+            if index != waiting.first + waiting.count {
+                self.write::<V>(level, group, waiting);
+            }
+            if waiting.count == 0 {
+                waiting.first = index;
+            }
+            waiting.places[waiting.count % FOUR] = place;
+            waiting.count += 1;
+            if waiting.count == FOUR {
+                self.write::<V>(level, group, waiting);
+            }
+        }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn end<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        _: &[Step<Number<E, 3>>],
+        waiting: &mut Self::State<V>,
+    ) {
+        self.write::<V>(level, group, waiting);
+    }
+}
+
+/// A [`Mechanism`] with memory of its own.
+///
+/// ```
+/// use dq8_robot::{Joint, OwnedMechanism};
+/// use dq8::DualQuat;
+/// let up = DualQuat::from_translation([0.0_f32, 0.0, 1.0]);
+/// let joints = [None, Some(0), Some(1)].map(|parent| Joint::revolute(parent, up, [1.0, 0.0, 0.0]));
+/// let arm = OwnedMechanism::new(&joints)?;
+/// let tool = arm.link_pose(&[0.0; 3], 2)?;
+/// assert_eq!(tool.translation(), [0.0, 0.0, 3.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[cfg(feature = "alloc")]
+#[derive(Clone)]
+pub struct OwnedMechanism<R> {
+    steps: Vec<Step<R>>,
+    values: usize,
+    rates: usize,
+}
+
+#[cfg(feature = "alloc")]
+brief!([R] OwnedMechanism<R>: OwnedMechanism |it| {
+    links: it.steps.len(), values: it.values, rates: it.rates,
+});
+
+#[cfg(feature = "alloc")]
+impl<R: Real> OwnedMechanism<R> {
+    /// See [`Mechanism::new`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
+        Self::of(joints.len(), |steps| Mechanism::new(joints, steps))
+    }
+
+    /// See [`Mechanism::from_screws`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_screws(
+        screws: &[(Screw<R>, [R; 2])],
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        Self::of(screws.len() + 1, |steps| Mechanism::from_screws(screws, tool, steps))
+    }
+
+    /// See [`Mechanism::from_dh`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_dh(
+        rows: &[Dh<R>],
+        convention: DhConvention,
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        Self::of(rows.len() + 1, |steps| Mechanism::from_dh(rows, convention, tool, steps))
+    }
+
+    fn of(
+        count: usize,
+        make: impl for<'s> FnOnce(&'s mut [Step<R>]) -> Result<Mechanism<'s, R>, MechanismError>,
+    ) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); count];
+        let Mechanism { values, rates, .. } = make(&mut steps)?;
+        Ok(Self { steps, values, rates })
+    }
+
+    /// A run over many configurations: [`Mechanism::job`].
+    pub fn job(&self) -> Job<'_, R>
+    where
+        R: Copy,
+    {
+        self.view().job()
+    }
+
+    /// See [`Mechanism::link_pose`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
+        self.view().link_pose(values, link)
+    }
+
+    /// See [`Mechanism::link_poses`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
+        self.view().link_poses(values, poses)
+    }
+
+    /// The same, borrowed: everything else is asked of it.
+    #[must_use]
+    pub fn view(&self) -> Mechanism<'_, R> {
+        Mechanism { steps: &self.steps, values: self.values, rates: self.rates }
+    }
 }

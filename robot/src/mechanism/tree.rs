@@ -1,10 +1,9 @@
-use super::error::MechanismError;
-use super::joint::Joint;
-use super::limits::endless;
-use super::plan::plan;
-use super::step::{NONE, Step};
+use super::joint::{Joint, JointKind, MechanismError};
+use super::step::{NONE, Step, finite, plan, unit, unlimited};
 use super::values::JointValues;
-use dq8::seams::brief;
+use dq8::geometry::{Line, Screw};
+use dq8::internal::brief;
+use dq8::scalar::{DualQuat, Quat, vector};
 use dq8::storage::{Layout, same_length, whole_instances};
 use dq8::{Real, ShapeError};
 
@@ -57,9 +56,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// unit or not finite, limits are not in order, what should be mimicked has not one value of
     /// its own, or there are fewer steps than joints. `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
-        let steps = room(steps, joints.len())?;
+        let steps = step_memory(steps, joints.len())?;
         let counts = check(joints, steps)?;
-        Ok(planned(steps, counts))
+        Ok(finish(steps, counts))
     }
 }
 
@@ -84,7 +83,7 @@ impl<R: Real> Mechanism<'_, R> {
     /// If there are not as many limits as values; nothing is written.
     pub fn value_limits(&self, limits: &mut [[R; 2]]) -> Result<(), ShapeError> {
         same_length("limits", limits.len(), self.values)?;
-        limits.fill(endless());
+        limits.fill(unlimited());
         let slots = |step: &Step<R>| step.value as usize..step.value as usize + step.kind.values();
         for step in self.steps.iter().filter(|step| !step.mimics) {
             if let (Some(own), Some(slots)) = (step.limits, limits.get_mut(slots(step))) {
@@ -93,7 +92,7 @@ impl<R: Real> Mechanism<'_, R> {
         }
         for step in self.steps.iter().filter(|step| step.mimics) {
             if let Some(slot) = limits.get_mut(step.value as usize) {
-                *slot = step.narrows(*slot).unwrap_or(*slot);
+                *slot = step.narrowed(*slot).unwrap_or(*slot);
             }
         }
         Ok(())
@@ -211,7 +210,7 @@ impl<R: Copy> Mechanism<'_, R> {
 }
 
 /// As many steps as there are joints.
-pub(crate) fn room<R>(
+pub(crate) fn step_memory<R>(
     steps: &mut [Step<R>],
     joints: usize,
 ) -> Result<&mut [Step<R>], MechanismError> {
@@ -222,7 +221,7 @@ pub(crate) fn room<R>(
 
 /// Writes the step of joint number `index`, but for what it mimics, with the next of the values and
 /// rates that have been counted. Steps are large: none is copied on the stack.
-pub(crate) fn numbered<R: Real>(
+pub(crate) fn write_step<R: Real>(
     joint: &Joint<R>,
     index: usize,
     (values, rates): &mut (usize, usize),
@@ -251,14 +250,14 @@ fn check<R: Real>(
 ) -> Result<(usize, usize), MechanismError> {
     let mut counts = (0, 0);
     for (index, (joint, slot)) in joints.iter().zip(steps.iter_mut()).enumerate() {
-        numbered(joint, index, &mut counts, slot)?;
+        write_step(joint, index, &mut counts, slot)?;
     }
     for (index, joint) in joints.iter().enumerate() {
         let Some(mimic) = joint.mimic else { continue };
         let error = MechanismError::Mimic { joint: index, other: mimic.joint };
         let other = joints.get(mimic.joint).filter(|other| other.mimic.is_none());
         let leader = steps.get(mimic.joint).map(|leader| (leader.value, leader.rate));
-        let range = other.and_then(|other| other.limits).unwrap_or(endless());
+        let range = other.and_then(|other| other.limits).unwrap_or(unlimited());
         let (Some(other), Some(leader)) = (other, leader) else {
             return Err(error);
         };
@@ -268,7 +267,7 @@ fn check<R: Real>(
         if let Some(step) = steps.get_mut(index) {
             (step.value, step.rate) = leader;
             // What leaves nothing of the leader's range is not meant.
-            if step.narrows(range).is_none() {
+            if step.narrowed(range).is_none() {
                 step.limits = None;
             }
         }
@@ -277,7 +276,7 @@ fn check<R: Real>(
 }
 
 /// The mechanism of steps in the order of the joints, which have so many values and rates.
-pub(crate) fn planned<R: Real>(
+pub(crate) fn finish<R: Real>(
     steps: &mut [Step<R>],
     (values, rates): (usize, usize),
 ) -> Mechanism<'_, R> {
@@ -337,5 +336,231 @@ fn order<R>(steps: &mut [Step<R>]) {
         if let Some(of_link) = steps.get_mut(link as usize) {
             of_link.position = position as u32;
         }
+    }
+}
+
+// A serial arm from the screws of its joints, for which no frames have to be laid into the links.
+
+impl<'a, R: Real> Mechanism<'a, R> {
+    /// A serial arm as a product of exponentials, exp(½ξ₁q₁) … exp(½ξ_N q_N) tool
+    /// (Brockett 1984; Lynch & Park, *Modern Robotics*, 2017, eq. 4.14): a joint for each of N
+    /// screws, the one at the base first, each on the one before, and as link N the tool, fixed to
+    /// the last. `steps` are N + 1.
+    ///
+    /// A screw says how a joint moves what hangs on it, for a value of 1, in the frame of the base,
+    /// where all values are zero. With the angle 1 and no slide it is a hinge; with the angle 1, a
+    /// thread that slides so far for each radian; with the angle 0 and the slide 1, a slide along
+    /// the direction of its axis, wherever that is. (What of the moment lies along the axis is
+    /// rounding, and left out.) Beside it are the limits of the joint, infinite where there are
+    /// none. `tool` is the pose of the tool where all values are zero. Axes and tool are made
+    /// exactly unit, so that numbers with four decimals will do.
+    ///
+    /// The frames of links are parallel to the base where all values are zero, that of a hinge at
+    /// the point of its axis that is nearest to the frame before: so
+    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the ways from axis to axis.
+    ///
+    /// ```
+    /// use dq8::geometry::Screw;
+    /// use dq8_robot::{Mechanism, Step};
+    /// use dq8::{DualQuat, Line};
+    /// // Two links of length 1 in a plane.
+    /// let hinge = |x| {
+    ///     let axis = Line::from_point_direction([x, 0.0, 0.0], [0.0_f64, 0.0, 1.0]);
+    ///     (Screw { axis, angle: 1.0, slide: 0.0 }, [-3.0, 3.0])
+    /// };
+    /// let (tool, mut steps) = (DualQuat::from_translation([2.0, 0.0, 0.0]), [Step::default(); 3]);
+    /// let arm = Mechanism::from_screws(&[hinge(0.0), hinge(1.0)], tool, &mut steps)?;
+    /// let [x, y, _] = arm.link_pose(&[0.0, core::f64::consts::FRAC_PI_2], 2)?.translation();
+    /// assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If an axis or the tool, as that of joint N, is farther than 10⁻³ from unit or not finite,
+    /// a screw is none of the three, limits are not in order, or there are fewer steps than N + 1.
+    /// `steps` may have been written.
+    // A frame of its own, so that it does not lie under that of a search.
+    #[inline(never)]
+    pub fn from_screws(
+        screws: &[(Screw<R>, [R; 2])],
+        tool: DualQuat<R>,
+        steps: &'a mut [Step<R>],
+    ) -> Result<Self, MechanismError> {
+        let count = screws.len();
+        let steps = step_memory(steps, count.saturating_add(1))?;
+        let tool = Step::of(&Joint::fixed(None, tool), count)?.placement();
+        let mut at = first_frame(screws, tool)?;
+        let (mut before, mut counts) = ([R::ZERO; 3], (0, 0));
+        let joints = screws.iter().map(Some).chain([None]);
+        for ((index, screw), slot) in joints.enumerate().zip(steps.iter_mut()) {
+            let back = DualQuat::from_translation(vector::scale(before, -R::ONE));
+            let parent = index.checked_sub(1);
+            let joint = if let Some((screw, limits)) = screw {
+                let (kind, axis) = checked(screw, index)?;
+                if !matches!(kind, JointKind::Prismatic { .. }) {
+                    at = axis.closest_point(at);
+                }
+                let placement = back * DualQuat::from_translation(at);
+                Joint::new(parent, placement, kind).with_limits(*limits)
+            } else {
+                Joint::fixed(parent, back * tool)
+            };
+            write_step(&joint, index, &mut counts, slot)?;
+            before = at;
+        }
+        Ok(finish(steps, counts))
+    }
+}
+
+/// Where the first joint is: on the axis that is the first of a hinge or a thread. Slides are
+/// anywhere, so those before it are there too, and the way to it is no part of what the arm spans.
+fn first_frame<R: Real>(
+    screws: &[(Screw<R>, [R; 2])],
+    tool: DualQuat<R>,
+) -> Result<[R; 3], MechanismError> {
+    for (index, (screw, _)) in screws.iter().enumerate() {
+        let (kind, axis) = checked(screw, index)?;
+        if !matches!(kind, JointKind::Prismatic { .. }) {
+            return Ok(axis.closest_point_to_origin());
+        }
+    }
+    Ok(tool.translation())
+}
+
+/// What a screw is, with an axis that is exactly unit.
+fn checked<R: Real>(
+    screw: &Screw<R>,
+    joint: usize,
+) -> Result<(JointKind<R>, Line<R>), MechanismError> {
+    let Screw { axis: Line { direction, moment }, angle, slide } = *screw;
+    let axis = unit(direction, joint)?;
+    let moment = vector::over_norm(moment, vector::norm(direction));
+    let kind = if angle == R::ZERO && slide == R::ONE {
+        JointKind::Prismatic { axis }
+    } else if angle != R::ONE || !slide.is_finite() {
+        return Err(MechanismError::Screw { joint, angle: angle.into(), slide: slide.into() });
+    } else if slide == R::ZERO {
+        JointKind::Revolute { axis }
+    } else {
+        JointKind::Screw { axis, pitch: slide }
+    };
+    // A slide is the same wherever its axis is.
+    if angle == R::ONE {
+        for number in moment {
+            finite(number, "moment", joint)?;
+        }
+    }
+    Ok((kind, Line { direction: axis, moment }))
+}
+
+// A serial arm from a table of Denavit and Hartenberg.
+
+/// A row of a table of Denavit and Hartenberg: θ and d along and about z, a and α along and about
+/// x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dh<R> {
+    /// What is added to the value of a hinge, radians; the fixed angle of a slide.
+    pub theta: R,
+    /// What is added to the value of a slide; the fixed offset of a hinge.
+    pub d: R,
+    /// The length of the link.
+    pub a: R,
+    /// Its twist, radians.
+    pub alpha: R,
+    /// Whether the value is d, and not θ.
+    pub slides: bool,
+    /// The least and the largest value of the joint.
+    pub limits: Option<[R; 2]>,
+}
+
+/// In which order a row acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DhConvention {
+    /// z, then x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit & Hartenberg 1955; Paul; Spong).
+    Standard,
+    /// x, then z: A = Rx(α) Tx(a) Rz(θ) Tz(d), with the a and α of the link before (Craig,
+    /// *Introduction to Robotics*).
+    Modified,
+}
+
+impl<R: Real> Dh<R> {
+    /// A hinge without limits.
+    #[must_use]
+    pub fn hinge(theta: R, d: R, a: R, alpha: R) -> Self {
+        Self { theta, d, a, alpha, slides: false, limits: None }
+    }
+
+    /// A slide without limits.
+    #[must_use]
+    pub fn slide(theta: R, d: R, a: R, alpha: R) -> Self {
+        Self { slides: true, ..Self::hinge(theta, d, a, alpha) }
+    }
+
+    /// The same row with limits.
+    #[must_use]
+    pub fn with_limits(self, limits: [R; 2]) -> Self {
+        Self { limits: Some(limits), ..self }
+    }
+
+    fn about_z(&self) -> DualQuat<R> {
+        let turn = Quat::from_axis_angle([R::ZERO, R::ZERO, R::ONE], self.theta);
+        DualQuat::from_rotation_translation(turn, [R::ZERO, R::ZERO, self.d])
+    }
+
+    fn about_x(&self) -> DualQuat<R> {
+        let turn = Quat::from_axis_angle([R::ONE, R::ZERO, R::ZERO], self.alpha);
+        DualQuat::from_rotation_translation(turn, [self.a, R::ZERO, R::ZERO])
+    }
+}
+
+impl<'a, R: Real> Mechanism<'a, R> {
+    /// A serial arm of N rows, A₁ … A_N tool: joint j turns or slides along its z, and link N
+    /// is the tool, fixed to the last; with the identity it is the last frame of the table. `steps`
+    /// are N + 1.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// use dq8_robot::{Dh, DhConvention, Mechanism, Step};
+    /// // Two links of length 1 in a plane.
+    /// let (rows, mut steps) = ([Dh::hinge(0.0_f64, 0.0, 1.0, 0.0); 2], [Step::default(); 3]);
+    /// let arm = Mechanism::from_dh(&rows, DhConvention::Standard, DualQuat::IDENTITY, &mut steps)?;
+    /// let [x, y, _] = arm.link_pose(&[0.0, core::f64::consts::FRAC_PI_2], 2)?.translation();
+    /// assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If a number is not finite (in the standard form, a and α are those of the joint after),
+    /// limits are not in order, the tool, as that of joint N, is farther than 10⁻³ from unit, or
+    /// there are fewer steps than N + 1. `steps` may have been written.
+    pub fn from_dh(
+        rows: &[Dh<R>],
+        convention: DhConvention,
+        tool: DualQuat<R>,
+        steps: &'a mut [Step<R>],
+    ) -> Result<Self, MechanismError> {
+        let steps = step_memory(steps, rows.len().saturating_add(1))?;
+        let (mut before, mut counts) = (DualQuat::IDENTITY, (0, 0));
+        let axis = [R::ZERO, R::ZERO, R::ONE];
+        let joints = rows.iter().map(Some).chain([None]);
+        for ((index, row), slot) in joints.enumerate().zip(steps.iter_mut()) {
+            let parent = index.checked_sub(1);
+            let mut joint = Joint::fixed(parent, before * tool);
+            if let Some(row) = row {
+                // What is along z is the same before the motion of the joint as after it.
+                let along_x = match convention {
+                    DhConvention::Standard => core::mem::replace(&mut before, row.about_x()),
+                    DhConvention::Modified => row.about_x(),
+                };
+                joint.placement = along_x * row.about_z();
+                joint.limits = row.limits;
+                joint.kind = match row.slides {
+                    true => JointKind::Prismatic { axis },
+                    false => JointKind::Revolute { axis },
+                };
+            }
+            write_step(&joint, index, &mut counts, slot)?;
+        }
+        Ok(finish(steps, counts))
     }
 }

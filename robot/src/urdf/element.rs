@@ -1,10 +1,7 @@
 //! An element of the file: what it holds is read by name. Everything else in it is an error if it
 //! matters or is meant to be something that does, and a warning if not.
 
-use super::error::UrdfError;
-use super::place::{JOINT, Place};
-use super::spelling::meant;
-use super::warning::UrdfWarning;
+use super::error::{UrdfError, UrdfWarning};
 use roxmltree::Node;
 
 /// The text of a file, and where its lines begin.
@@ -197,4 +194,162 @@ impl<'f> Element<'f> {
 /// What is said of a name that is probably meant to be another.
 fn instead(name: &str, meant: &str) -> String {
     if name == meant { String::new() } else { format!("; is {meant:?} meant?") }
+}
+
+// What matters at each place of a file: what is read there, and what would say where links are if
+// it were read.
+
+/// A kind of element. A name that is not read there is an error if it is one of those that matter,
+/// or [close] to one; anything else says nothing about places.
+///
+/// [close]: super::spelling::meant
+pub(crate) struct Place {
+    /// Attributes that are read, words between spaces, as in all of these.
+    pub(crate) attributes: &'static str,
+    /// Elements that are read.
+    pub(crate) elements: &'static str,
+    /// Attributes and elements that are not read, and that say something about places.
+    pub(crate) unread: &'static str,
+    /// Parts of the format that say nothing about places: nobody needs to be told that they are not
+    /// read.
+    pub(crate) known: &'static str,
+    /// Whether there is one element of each name, of which others count the first.
+    pub(crate) once: bool,
+    /// Whether it has numbers, which text in it may be meant to be.
+    pub(crate) numbers: bool,
+}
+
+const NOTHING: Place =
+    Place { attributes: "", elements: "", unread: "", known: "", once: false, numbers: false };
+const NUMBERS: Place = Place { numbers: true, ..NOTHING };
+
+/// A `<loop_joint>` would tie the values of joints to each other; a tree of links stands without
+/// it.
+pub(crate) const ROBOT: Place =
+    Place { attributes: "version", elements: "link joint", known: "name material", ..NOTHING };
+
+pub(crate) const LINK: Place = Place {
+    attributes: "name",
+    unread: "link joint",
+    known: "visual collision inertial",
+    ..NOTHING
+};
+
+const PARTS: &str = "origin parent child axis limit mimic";
+
+pub(crate) const JOINT: Place =
+    Place { attributes: "name type", elements: PARTS, known: "dynamics", once: true, ..NOTHING };
+
+/// `<parent>` and `<child>`.
+pub(crate) const END: Place = Place { attributes: "link", unread: PARTS, ..NUMBERS };
+
+pub(crate) const ORIGIN: Place = Place {
+    attributes: "xyz rpy",
+    unread: "x y z roll pitch yaw quat quat_xyzw quat_wxyz quaternion",
+    ..NUMBERS
+};
+
+pub(crate) const AXIS: Place = Place { attributes: "xyz", unread: "x y z", ..NUMBERS };
+
+/// The other attributes of the format are about speeds and forces.
+pub(crate) const LIMIT: Place = Place {
+    attributes: "lower upper",
+    unread: "min max",
+    known: "effort velocity acceleration deceleration jerk",
+    ..NUMBERS
+};
+
+pub(crate) const MIMIC: Place = Place { attributes: "joint multiplier offset", ..NUMBERS };
+
+impl Place {
+    /// All names that matter.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let all = [self.attributes, self.elements, self.unread].into_iter();
+        all.flat_map(|all| all.split_terminator(' '))
+    }
+
+    /// Whether an attribute is read here, or need not be.
+    pub(crate) fn has_attribute(&self, name: &str) -> bool {
+        [self.attributes, self.known].into_iter().any(|all| has(all, name))
+    }
+
+    /// The same of an element.
+    pub(crate) fn has_element(&self, name: &str) -> bool {
+        [self.elements, self.known].into_iter().any(|all| has(all, name))
+    }
+}
+
+fn has(all: &str, name: &str) -> bool {
+    all.split_terminator(' ').any(|word| word == name)
+}
+
+// Names that are probably meant to be others.
+
+/// Words near those of the format that are words of their own.
+const OTHER_WORDS: [&str; 3] = ["line", "point", "power"];
+
+/// Which of these names is probably meant: one that differs in case, in the order of its letters,
+/// or in few of them (lost, added, changed, or exchanged with their neighbours): none of one or two
+/// letters, one of up to five, two of more.
+pub(crate) fn meant(
+    found: &str,
+    names: impl IntoIterator<Item = &'static str>,
+) -> Option<&'static str> {
+    let found = found.to_ascii_lowercase();
+    let letters: Vec<char> = found.chars().collect();
+    let own_word = OTHER_WORDS.contains(&found.as_str());
+    names.into_iter().find(|name| *name == found || !own_word && near(&letters, name))
+}
+
+fn near(found: &[char], name: &str) -> bool {
+    let name: Vec<char> = name.chars().collect();
+    let allowed = match name.len() {
+        ..=2 => 0,
+        3..=5 => 1,
+        _ => 2,
+    };
+    let sorted = |letters: &[char]| {
+        let mut letters = letters.to_vec();
+        letters.sort_unstable();
+        letters
+    };
+    found.len().abs_diff(name.len()) <= allowed
+        && (distance(found, &name) <= allowed || sorted(found) == sorted(&name))
+}
+
+/// How many letters must be added, removed, changed or exchanged with the next one (optimal string
+/// alignment).
+fn distance(a: &[char], b: &[char]) -> usize {
+    // Row i: the distances of the first i letters of `a` from all beginnings of `b`.
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let changed = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut least = changed.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    fn meant(found: &str) -> Option<&'static str> {
+        let names = "lower upper origin axis limit mimic multiplier xyz rpy x link";
+        super::meant(found, names.split(' '))
+    }
+
+    #[test]
+    fn other_words_are_not() {
+        let all = "power effort velocity damping friction stiffness dont_collapse type line xx lower_limit_switch \
+                   orientation dynamics physics joint_properties unit";
+        for found in all.split_whitespace().chain([""]) {
+            assert_eq!(meant(found), None, "{found}");
+        }
+    }
 }

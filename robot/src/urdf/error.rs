@@ -1,5 +1,6 @@
 use crate::MechanismError;
-use dq8::seams::errors;
+use dq8::internal::errors;
+use std::fmt;
 
 errors! {
     /// A file that does not describe a robot, or describes one that a mechanism cannot express.
@@ -94,5 +95,25 @@ errors! {
             source: MechanismError = "Why. Its own number of the joint is that of the link."
         } from source
             => "line {line}: <joint name={joint:?}>: {source}";
+    }
+}
+
+/// Something in a file that is not read, because it says nothing about where links are; or limits
+/// of a joint that mimics another, where they narrow the range of that one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct UrdfWarning {
+    /// The line on which the element begins, counted from one.
+    pub line: u32,
+    /// The element that is not read, or the one that holds the attribute or text.
+    pub element: String,
+    /// What is not read.
+    pub text: String,
+}
+
+impl fmt::Display for UrdfWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { line, element, text } = self;
+        write!(f, "line {line}: {element}: {text}")
     }
 }

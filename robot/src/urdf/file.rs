@@ -1,10 +1,7 @@
 //! What a file says about where links are, with what it leaves out.
 
-use super::drive::Drive;
-use super::element::{Element, Lines};
-use super::error::UrdfError;
-use super::place::{AXIS, END, JOINT, LIMIT, LINK, MIMIC, ORIGIN, ROBOT};
-use super::warning::UrdfWarning;
+use super::element::{AXIS, END, Element, JOINT, LIMIT, LINK, Lines, MIMIC, ORIGIN, ROBOT};
+use super::error::{UrdfError, UrdfWarning};
 use super::xml;
 use crate::{Joint, JointKind};
 use dq8::{DualQuat, Quat};
@@ -239,5 +236,29 @@ impl MimicElement {
             multiplier: mimic.number("multiplier")?.unwrap_or(1.0),
             offset: mimic.number("offset")?.unwrap_or(0.0),
         })
+    }
+}
+
+/// How fast and how hard a joint may move, as `velocity` and `effort` of its `<limit>` say;
+/// infinite where they say nothing, or no number from zero on. Poses and inverse kinematics do not
+/// ask for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive {
+    /// The greatest speed: radians, or the unit of length, in a second.
+    pub velocity: f64,
+    /// The greatest torque or force: newton metres or newtons.
+    pub effort: f64,
+}
+
+impl Drive {
+    /// Without limits.
+    pub const FREE: Self = Self { velocity: f64::INFINITY, effort: f64::INFINITY };
+
+    pub(super) fn of(limit: Element<'_>) -> Self {
+        let greatest = |name| {
+            let number = limit.node.attribute(name).and_then(|text| text.trim().parse().ok());
+            number.filter(|&number| number >= 0.0).unwrap_or(f64::INFINITY)
+        };
+        Self { velocity: greatest("velocity"), effort: greatest("effort") }
     }
 }

@@ -84,22 +84,13 @@
 //! elements more than 500 deep in each other, more than 1,000 attributes of an element, and names
 //! with more than 1,000 prefixes.
 
-mod changed;
-mod drive;
 mod element;
-mod encoding;
 mod error;
 mod file;
-mod mimics;
-mod place;
 mod robot;
-mod spelling;
 mod tree;
-mod warning;
 mod xml;
 
-pub use changed::ChangeError;
-pub use drive::Drive;
-pub use error::UrdfError;
-pub use robot::Robot;
-pub use warning::UrdfWarning;
+pub use error::{UrdfError, UrdfWarning};
+pub use file::Drive;
+pub use robot::{ChangeError, Robot};

@@ -3,12 +3,79 @@
 use crate::argument::{Of, Read, Written, count, one_of, passes, reads, writes};
 use crate::element::{Element, SCALED};
 use dq8::hierarchy::MatrixOrder;
+use dq8::internal::{for_each_kernel, record};
 use dq8::storage::{self, Block, Layout};
-use dq8::{Backend, DualQuat};
-use dq8_capi::{Status, chain, lines, metric, packing, slices, trajectory, twists};
+use dq8::{Backend, DualQuat, Scalar};
+use dq8_capi::{Status, chain, packing, slices, trajectory};
+use dq8_trajectory::{Time, Trajectory, TrajectoryError};
 
 fn order(order: i32) -> MatrixOrder {
     if order == 0 { MatrixOrder::Rows } else { MatrixOrder::Columns }
+}
+
+/// Kernels of the list: `n` elements, plain or in blocks of so many lanes.
+macro_rules! of_each {
+    ($list:ident $R:ident $of:ident $lanes:tt $n:ident $best:ident, $(
+        $(#[doc = $brief:literal])+
+        $name:ident $(as $c:literal)? [$($types:tt)*]
+        ($input:ident: $kind:ident $I:ident $(, $other:ident: $others:ident $O:ident)* $(; $parameter:ident)?)
+            -> $output:ident: $result:ident $Q:ident $(, in place $in_place:ident)? = $one:expr, {
+            $($more:tt)*
+        }
+    )*) => {$(
+        of_each! { @ $list $R $lanes $of $name [$name $($c)?] (
+            $input: input!($kind $n), $($other: input!($others $n),)* $($parameter: passes(0.3),)?
+            out: to::<{ record!($result) }>($n) $(.over(over!($in_place $input)))?, count: count($n),
+        ) => $best.$name($input, $($other,)* $($parameter,)? out) }
+    )*};
+    (@ $list:ident $R:ident [] $of:ident $name:ident [$($c:tt)+] ($($arguments:tt)*) => $rust:expr) => {
+        functions! { $list: concat!("dq8_", name!($($c)+), "_", stringify!($R)),
+            slices::$of::$name = ($($arguments)*) => $rust; }
+    };
+    (@ $list:ident $R:ident [$lanes:literal] $of:ident $name:ident [$($c:tt)+]
+        ($($arguments:tt)*) => $rust:expr) => {
+        functions! { $list: concat!("dq8_blocks_", name!($($c)+), "_", stringify!($R)),
+            slices::$of::blocks::$name = (lanes: crate::argument::lanes::<$R>($lanes), $($arguments)*)
+                => $rust; }
+    };
+}
+
+/// The name in C, without `dq8_` and the number type.
+macro_rules! name {
+    ($name:ident) => {
+        stringify!($name)
+    };
+    ($name:ident $c:literal) => {
+        $c
+    };
+}
+
+macro_rules! input {
+    (any $n:ident) => {
+        scaled($n)
+    };
+    ($kind:ident $n:ident) => {
+        of::<{ record!($kind) }>($n)
+    };
+}
+
+macro_rules! over {
+    ($in_place:ident $input:ident) => {
+        stringify!($input)
+    };
+}
+
+/// Poses on the trajectory, which is of doubles whatever the numbers are.
+fn resampled<R: Scalar + Time>(
+    times: &[R],
+    poses: &[DualQuat<R>],
+    at: &[R],
+    out: &mut [DualQuat<R>],
+) -> Result<(), TrajectoryError> {
+    let stamps: Vec<f64> = times.iter().map(|&time| time.into()).collect();
+    let double = |pose: &DualQuat<R>| DualQuat::from_array(pose.to_array().map(Into::into));
+    let poses: Vec<_> = poses.iter().map(double).collect();
+    Trajectory::new(&stamps, &poses)?.job().sample(at, out)
 }
 
 macro_rules! layout {
@@ -26,62 +93,20 @@ macro_rules! layout {
         let n = $shape.count.div_ceil(<$L as Layout>::THINGS);
         let best = Backend::best();
         let orders = || one_of([0, 1]).wrong(2, Status::UnknownValue).wrong(-1, Status::UnknownValue);
+        for_each_kernel!(of_each, $list $R $of [$($lanes)?] n best);
         of_arrays! { $list $R $of [$($lanes)?]:
-            slices mul blocks_mul (a: of::<8>(n), b: of::<8>(n), out: to::<8>(n).over("a"), count: count(n))
-                => best.mul(a, b, out);
-            slices normalize blocks_normalize (motions: scaled(n), out: to::<8>(n).over("motions"), count: count(n))
-                => best.normalize(motions, out);
-            slices inverse blocks_inverse (motions: scaled(n), out: to::<8>(n).over("motions"), count: count(n))
-                => best.inverse(motions, out);
-            slices conjugate blocks_conjugate (motions: of::<8>(n), out: to::<8>(n).over("motions"), count: count(n))
-                => best.conjugate(motions, out);
-            slices nlerp blocks_nlerp (a: of::<8>(n), b: of::<8>(n), t: passes(0.3), out: to::<8>(n), count: count(n))
-                => best.nlerp(a, b, t, out);
-            slices nlerp_each blocks_nlerp_each
-                (a: of::<8>(n), b: of::<8>(n), t: of::<1>(n), out: to::<8>(n), count: count(n))
-                => best.nlerp_each(a, b, t, out);
-            slices sclerp blocks_sclerp (a: of::<8>(n), b: of::<8>(n), t: passes(0.3), out: to::<8>(n), count: count(n))
-                => best.sclerp(a, b, t, out);
-            slices sclerp_each blocks_sclerp_each
-                (a: of::<8>(n), b: of::<8>(n), t: of::<1>(n), out: to::<8>(n), count: count(n))
-                => best.sclerp_each(a, b, t, out);
             slices points blocks_points
                 (motion: reads::<DualQuat<$R>>(1), points: of::<3>(n), out: to::<3>(n).over("points"), count: count(n))
                 => best.transform_points(motion[0], points, out);
             slices vectors blocks_vectors
                 (motion: reads::<DualQuat<$R>>(1), vectors: of::<3>(n), out: to::<3>(n).over("vectors"), count: count(n))
                 => best.transform_vectors(motion[0], vectors, out);
-            slices points_each blocks_points_each
-                (motions: of::<8>(n), points: of::<3>(n), out: to::<3>(n), count: count(n))
-                => best.transform_points_each(motions, points, out);
-            slices vectors_each blocks_vectors_each
-                (motions: of::<8>(n), vectors: of::<3>(n), out: to::<3>(n), count: count(n))
-                => best.transform_vectors_each(motions, vectors, out);
             slices matrices_3x4 blocks_matrices_3x4
                 (motions: of::<8>(n), by: orders(), out: to::<12>(n), count: count(n))
                 => best.matrices(motions, order(by), out);
             slices matrices_4x4 blocks_matrices_4x4
                 (motions: of::<8>(n), by: orders(), out: to::<16>(n), count: count(n))
                 => best.matrices(motions, order(by), out);
-            lines lines_each blocks_lines_each (motions: of::<8>(n), lines: of::<6>(n), out: to::<6>(n), count: count(n))
-                => best.transform_lines_each(motions, lines, out);
-            lines planes_each blocks_planes_each
-                (motions: of::<8>(n), planes: of::<4>(n), out: to::<4>(n), count: count(n))
-                => best.transform_planes_each(motions, planes, out);
-            twists twists_each blocks_twists_each
-                (motions: of::<8>(n), twists: of::<6>(n), out: to::<6>(n), count: count(n))
-                => best.transform_twists_each(motions, twists, out);
-            twists integrate_body blocks_integrate_body
-                (motions: of::<8>(n), twists: of::<6>(n), dt: passes(0.3), out: to::<8>(n), count: count(n))
-                => best.integrate_body(motions, twists, dt, out);
-            twists log blocks_log (motions: of::<8>(n), logs: to::<6>(n), count: count(n)) => best.log(motions, logs);
-            twists exp blocks_exp (logs: of::<6>(n), out: to::<8>(n), count: count(n)) => best.exp(logs, out);
-            twists pow_each blocks_pow_each (motions: of::<8>(n), t: of::<1>(n), out: to::<8>(n), count: count(n))
-                => best.pow_each(motions, t, out);
-            metric angles blocks_angles (a: of::<8>(n), b: of::<8>(n), out: to::<1>(n), count: count(n))
-                => best.angles(a, b, out);
-            metric distances blocks_distances (a: of::<8>(n), b: of::<8>(n), out: to::<1>(n), count: count(n))
-                => best.distances(a, b, out);
             chain chain_products blocks_chain_products
                 (links: of::<8>(n), out: to::<8>(n).over("links"), count: count(n))
                 => best.chain_products(links, out);
@@ -103,7 +128,7 @@ macro_rules! layout {
                 out: writes::<DualQuat<$R>>(at),
                 count: count(at),
                 bad_time: crate::argument::names(),
-            ) => Backend::best().resample(times, poses, at, out).map_err(|_| Status::Length);
+            ) => resampled(times, poses, at, out).map_err(|_| Status::Length);
         }
     };
     (@rest $shape:ident $list:ident $R:ident $of:ident [$lanes:literal]) => {

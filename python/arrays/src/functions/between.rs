@@ -36,8 +36,10 @@ function! {
         t: [],
     ) -> [8]
     ///
-    /// References ---------- L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for
-    /// Rigid Transformation Blending", Trinity College Dublin, 2006.
+    /// References
+    /// ----------
+    /// L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for Rigid Transformation
+    /// Blending", Trinity College Dublin, 2006.
     ///
     /// Examples
     /// --------

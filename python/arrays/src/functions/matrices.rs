@@ -25,10 +25,15 @@ const TOLERANCE: f64 = 1e-3;
 /// rotation in ``RRᵀ`` or whose t is not finite. Nearer ones are not made rotations first;
 /// `RigidTransform.from_matrix` makes them so, and takes any R of positive determinant.
 ///
-/// Parameters ---------- matrices : array_like, shape (..., 4, 4) or (..., 3, 4) Rigid matrices for
-/// column vectors, t in lengths; the last row may be left out. check : bool, optional False takes
-/// every R of positive determinant for a rotation, and gives NaN where a matrix has NaN. out :
-/// ndarray, optional Where to write the result.
+/// Parameters
+/// ----------
+/// matrices : array_like, shape (..., 4, 4) or (..., 3, 4)
+///     Rigid matrices for column vectors, t in lengths; the last row may be left out.
+/// check : bool, optional
+///     False takes every R of positive determinant for a rotation, and gives NaN where a matrix has
+///     NaN.
+/// out : ndarray, optional
+///     Where to write the result.
 ///
 /// Returns
 /// -------

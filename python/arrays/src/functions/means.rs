@@ -14,12 +14,18 @@ use pyo3::prelude::*;
 /// Dual quaternion linear blending: ``normalize(Σ ±wᵢσᵢ)``, each sign turned toward the
 /// first.
 ///
-/// Parameters ---------- motions : array_like, shape (..., n, 8) Unit dual quaternions, n > 0
-/// influences of each result. weights : array_like, shape (..., n) or (n,), optional Their weights,
-/// the same for all results or their own; equal ones by default. axis : int, optional The dimension
-/// of `motions` with the influences: the last but one, as vertices have them. Of a clip ``(frames,
-/// joints, 8)`` it is 0 that blends frames; by default joints are blended with each other. out :
-/// ndarray, optional Where to write the result.
+/// Parameters
+/// ----------
+/// motions : array_like, shape (..., n, 8)
+///     Unit dual quaternions, n > 0 influences of each result.
+/// weights : array_like, shape (..., n) or (n,), optional
+///     Their weights, the same for all results or their own; equal ones by default.
+/// axis : int, optional
+///     The dimension of `motions` with the influences: the last but one, as vertices have them. Of
+///     a clip ``(frames, joints, 8)`` it is 0 that blends frames; by default joints are blended
+///     with each other.
+/// out : ndarray, optional
+///     Where to write the result.
 ///
 /// Returns
 /// -------
@@ -52,22 +58,33 @@ pub fn dlb<'py>(
 /// The mean of moved motions is the moved mean, from the left and from the right.
 /// (`RigidTransform.mean` is SciPy's: the mean of the rotations and that of the translations.)
 ///
-/// Parameters ---------- motions : array_like, shape (..., n, 8) Unit dual quaternions, n > 0
-/// influences of each result. weights : array_like, shape (..., n) or (n,), optional Their weights,
-/// the same for all results or their own; equal ones by default. axis : int, optional The dimension
-/// of `motions` with the influences: the last but one, as vertices have them. Of a clip ``(frames,
-/// joints, 8)`` it is 0 that blends frames; by default joints are blended with each other.
-/// tolerance : float, optional The largest step that counts as none: radians, and lengths relative
-/// to the longest dual part. By default 1e-14, of float32 1e-6. max_iterations : int, optional The
-/// most steps. out : ndarray, optional Where to write the result.
+/// Parameters
+/// ----------
+/// motions : array_like, shape (..., n, 8)
+///     Unit dual quaternions, n > 0 influences of each result.
+/// weights : array_like, shape (..., n) or (n,), optional
+///     Their weights, the same for all results or their own; equal ones by default.
+/// axis : int, optional
+///     The dimension of `motions` with the influences: the last but one, as vertices have them. Of
+///     a clip ``(frames, joints, 8)`` it is 0 that blends frames; by default joints are blended
+///     with each other.
+/// tolerance : float, optional
+///     The largest step that counts as none: radians, and lengths relative to the longest dual
+///     part. By default 1e-14, of float32 1e-6.
+/// max_iterations : int, optional
+///     The most steps.
+/// out : ndarray, optional
+///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
 #[doc = common_dtype!()]
 ///
-/// References ---------- L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for
-/// Rigid Transformation Blending", Trinity College Dublin, 2006, algorithm 3 (DIB).
+/// References
+/// ----------
+/// L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for Rigid Transformation
+/// Blending", Trinity College Dublin, 2006, algorithm 3 (DIB).
 ///
 /// Examples
 /// --------

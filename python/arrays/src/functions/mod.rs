@@ -11,7 +11,6 @@ pub mod matrices;
 pub mod means;
 pub mod screws;
 pub mod squad;
-pub mod trajectory;
 pub mod windows;
 
 use dq8::{Lanes, batch};

@@ -59,8 +59,8 @@ function! {
         /// Unit dual quaternions.
         motions: [8],
     ) -> [6]
-    ///     ``[ωx, ωy, ωz, vx, vy, vz]``: the rotation vector in radians, of at most π, and the velocity of
-    ///     the point at the origin, in lengths.
+    ///     ``[ωx, ωy, ωz, vx, vy, vz]``: the rotation vector in radians, of at most π, and the
+    ///     velocity of the point at the origin, in lengths.
     ///
     /// Examples
     /// --------
@@ -120,9 +120,9 @@ function! {
         /// Unit dual quaternions.
         motions: [8],
     ) -> [8]
-    ///     ``[lx, ly, lz, mx, my, mz, θ, d]``: direction of length one and moment of the axis (Plücker), the
-    ///     angle in [0, π] radians, the length of the slide. A pure translation has angle and moment 0 and
-    ///     its own direction; the identity has the direction (1, 0, 0).
+    ///     ``[lx, ly, lz, mx, my, mz, θ, d]``: direction of length one and moment of the axis
+    ///     (Plücker), the angle in [0, π] radians, the length of the slide. A pure translation
+    ///     has angle and moment 0 and its own direction; the identity has the direction (1, 0, 0).
     ///
     /// References
     /// ----------
@@ -218,8 +218,10 @@ function! {
     ) -> [6, 6]
     ///     Rows and columns are angular, then linear.
     ///
-    /// References ---------- T. D. Barfoot, *State Estimation for Robotics*, 2017, eq. 7.85, there
-    /// with the translation first.
+    /// References
+    /// ----------
+    /// T. D. Barfoot, *State Estimation for Robotics*, 2017, eq. 7.85, there with the translation
+    /// first.
     ///
     /// Examples
     /// --------

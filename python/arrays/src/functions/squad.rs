@@ -53,8 +53,10 @@ impl OfMany<4> for Squad {
 /// ndarray, shape (..., 8)
 #[doc = common_dtype!()]
 ///
-/// References ---------- K. Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course
-/// notes, 1987, with `sclerp` for slerp.
+/// References
+/// ----------
+/// K. Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course notes, 1987, with
+/// `sclerp` for slerp.
 ///
 /// Examples
 /// --------
@@ -98,9 +100,13 @@ impl OfMany<3> for Control {
 /// the key after. At the ends of a path give the key itself for the neighbour it has not. Keys
 /// evenly spaced along a screw are their own controls.
 ///
-/// Parameters ---------- previous, current, next : array_like, shape (..., 8) Unit dual
-/// quaternions: key poses σ₋, σ and σ₊, one after the other; leading dimensions broadcast.
-/// out : ndarray, optional Where to write the result.
+/// Parameters
+/// ----------
+/// previous, current, next : array_like, shape (..., 8)
+///     Unit dual quaternions: key poses σ₋, σ and σ₊, one after the other; leading
+///     dimensions broadcast.
+/// out : ndarray, optional
+///     Where to write the result.
 ///
 /// Returns
 /// -------

@@ -18,13 +18,22 @@ use pyo3::prelude::*;
 /// log(b*σᵢ₊ⱼ) = 0``. The weights are the same for all windows; [1, 2, 1] counts the pose in
 /// the middle twice.
 ///
-/// Parameters ---------- motions : array_like, shape (n, ..., 8) Unit dual quaternions, one after
-/// the other. weights : array_like, shape (w,) The weights of a window of w > 0 motions. axis :
-/// int, optional The dimension of time: the first, as in a clip ``(frames, joints, 8)``. (It was
-/// the last but one, so a call on more than two dimensions without it says so.) tolerance : float,
-/// optional The largest step that counts as none: radians, and lengths relative to the longest dual
-/// part. By default 1e-14, of float32 1e-6. max_iterations : int, optional The most steps. out :
-/// ndarray, optional Where to write the result.
+/// Parameters
+/// ----------
+/// motions : array_like, shape (n, ..., 8)
+///     Unit dual quaternions, one after the other.
+/// weights : array_like, shape (w,)
+///     The weights of a window of w > 0 motions.
+/// axis : int, optional
+///     The dimension of time: the first, as in a clip ``(frames, joints, 8)``. (It was the last but
+///     one, so a call on more than two dimensions without it says so.)
+/// tolerance : float, optional
+///     The largest step that counts as none: radians, and lengths relative to the longest dual
+///     part. By default 1e-14, of float32 1e-6.
+/// max_iterations : int, optional
+///     The most steps.
+/// out : ndarray, optional
+///     Where to write the result.
 ///
 /// Returns
 /// -------
@@ -32,8 +41,10 @@ use pyo3::prelude::*;
 #[doc = common_dtype!()]
 ///     One for each whole window; none where n < w.
 ///
-/// References ---------- L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for
-/// Rigid Transformation Blending", Trinity College Dublin, 2006, algorithm 3 (DIB).
+/// References
+/// ----------
+/// L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for Rigid Transformation
+/// Blending", Trinity College Dublin, 2006, algorithm 3 (DIB).
 ///
 /// Examples
 /// --------

@@ -1,4 +1,0 @@
-//! Other representations of rotations, on lanes: see [`representation`](crate::representation).
-
-mod axis_angle;
-mod directions;

@@ -1,0 +1,357 @@
+//! The map that brings points to points with least squares: rigid, about one axis, or with a scale.
+//!
+//! ```
+//! use dq8::fit::PointPairs;
+//! // Three marks of a plan, and where a survey found them: turned by a quarter, and shifted.
+//! let plan = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+//! let survey = [[10.0, 5.0, 1.0], [10.0, 9.0, 1.0], [7.0, 5.0, 1.0_f64]];
+//! let pairs = PointPairs::new(&plan, &survey)?;
+//! let fit = pairs.rigid()?;
+//! let [x, y, z] = fit.motion.transform_point([4.0, 3.0, 0.0]);
+//! assert!((x - 7.0).abs() + (y - 9.0).abs() + (z - 1.0).abs() < 1e-14);
+//! // How well it fits, and how well the points tell it: marks in a plane have the rank 2.
+//! let quality = pairs.quality(&fit);
+//! assert!(quality.rms < 1e-14 && quality.rank == 2 && quality.condition < 5.0);
+//! # Ok::<(), dq8::fit::FitError>(())
+//! ```
+
+use crate::macros::errors;
+use crate::number::Real;
+use crate::representation::polar::{best_rotation, singular_values};
+use crate::scalar::{DualQuat, Quat, vector};
+
+/// Points x and where they went, y, each pair with a weight w ≥ 0; lengths in one unit.
+///
+/// The sums that every fit needs are taken once, of differences from the weighted means, so points
+/// far from the origin lose nothing that their coordinates have.
+#[derive(Clone, Copy, Debug)]
+pub struct PointPairs<'a, R> {
+    pairs: Weighted<'a, R>,
+    /// The weighted means of x and of y.
+    centers: [[R; 3]; 2],
+    /// Σ w y xᵀ, each from its mean.
+    products: [[R; 3]; 3],
+    /// Σ w|x|², from the mean.
+    squares: R,
+    /// The most that rounding adds to a sum of elements of `products`.
+    rounding: R,
+}
+
+/// The map p ↦ s·r (p − c) r* + d of least squares; s is 1 but for [`PointPairs::similarity`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Fit<R> {
+    /// The rotation r, w ≥ 0 but for [`PointPairs::about`], then the translation d − s·r c r*:
+    /// p ↦ s·r p r* + t, so a point is first multiplied by the scale and then moved.
+    pub motion: DualQuat<R>,
+    /// s > 0.
+    pub scale: R,
+    /// c, the weighted mean of the points.
+    pub from: [R; 3],
+    /// d, the weighted mean of the moved points.
+    pub to: [R; 3],
+}
+
+impl<R: Real> Fit<R> {
+    /// The place that the map brings a point to: s·r (p − c) r* + d. Far from the origin it
+    /// keeps digits that [`motion`](Self::motion) rounds away, whose translation may be long.
+    #[must_use]
+    pub fn transform_point(&self, point: [R; 3]) -> [R; 3] {
+        vector::add(self.to, self.turned(point))
+    }
+
+    /// s·r (p − c) r*
+    fn turned(&self, point: [R; 3]) -> [R; 3] {
+        let point = vector::scale(vector::sub(point, self.from), self.scale);
+        self.motion.rotation().rotate(point)
+    }
+}
+
+/// The quality of a map's fit, and how well the pairs tell a rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Quality<R> {
+    /// √(Σ w|y − f(x)|² / Σ w) of the map f, a length.
+    pub rms: R,
+    /// The number of singular values of Σ w y xᵀ, from the means, are more than rounding: 3 for
+    /// points in space, 2 in a plane, 1 on a line, 0 in a point.
+    pub rank: usize,
+    /// (σ₁ + σ₂)/(σ₂ ± σ₃) of these singular values, minus where the determinant is
+    /// negative: how many times more stiffly the pairs hold against the turn that they hold against
+    /// most than against the one that they hold against least. It is infinite where many rotations
+    /// fit equally well.
+    pub condition: R,
+}
+
+impl<'a, R: Real> PointPairs<'a, R> {
+    /// Pairs that weigh the same.
+    ///
+    /// # Errors
+    /// If the lengths differ, there is no pair, a coordinate is not finite, or a square of a
+    /// distance overflows.
+    pub fn new(points: &'a [[R; 3]], moved: &'a [[R; 3]]) -> Result<Self, FitError> {
+        Self::sums(Weighted { points, moved, weights: None, heaviest: R::ONE })
+    }
+
+    /// Pairs with weights, of which only the ratios matter. Whole numbers are as pairs that are
+    /// repeated; a pair without weight has no influence.
+    ///
+    /// ```
+    /// use dq8::fit::{FitError, PointPairs};
+    /// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0_f32]];
+    /// // The last one was measured wrongly.
+    /// let moved = [[0.0, 0.0, 2.0], [1.0, 0.0, 2.0], [0.0, 1.0, 2.0], [9.0, 9.0, 9.0]];
+    /// let fit = PointPairs::weighted(&points, &moved, &[1.0, 1.0, 1.0, 0.0])?.rigid()?;
+    /// let [x, y, z] = fit.motion.translation();
+    /// assert!(x.abs() + y.abs() + (z - 2.0).abs() < 1e-6);
+    /// let negative = PointPairs::weighted(&points, &moved, &[1.0, -1.0, 1.0, 0.0]);
+    /// assert_eq!(negative.unwrap_err(), FitError::Weight { index: 1, value: -1.0 });
+    /// # Ok::<(), FitError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); or if a weight is negative or not finite, or all are zero. Points
+    /// without weight must be finite too.
+    pub fn weighted(
+        points: &'a [[R; 3]],
+        moved: &'a [[R; 3]],
+        weights: &'a [R],
+    ) -> Result<Self, FitError> {
+        same_length("weights", weights.len(), points.len())?;
+        let bad = |weight: R| !weight.is_finite() || weight < R::ZERO;
+        if let Some((index, &value)) = weights.iter().enumerate().find(|(_, w)| bad(**w)) {
+            return Err(FitError::Weight { index, value: value.into() });
+        }
+        let heaviest = weights.iter().fold(R::ZERO, |most, weight| most.max_or_nan(*weight));
+        Self::sums(Weighted { points, moved, weights: Some(weights), heaviest })
+    }
+
+    fn sums(pairs: Weighted<'a, R>) -> Result<Self, FitError> {
+        same_length("moved", pairs.moved.len(), pairs.points.len())?;
+        finite("points", pairs.points)?;
+        finite("moved", pairs.moved)?;
+        let (first, _) = pairs.iter().next().ok_or(FitError::Empty)?;
+        let away = |pair: [[R; 3]; 2]| [0, 1].map(|side| vector::sub(pair[side], first[side]));
+        // The means are taken of differences from a point among them: sums of the coordinates
+        // themselves would lose the digits that points far from the origin have in common.
+        let (mut count, mut total) = (R::ZERO, R::ZERO);
+        let (mut sums, mut furthest) = ([[R::ZERO; 3]; 2], [R::ZERO; 2]);
+        for (pair, weight) in pairs.iter() {
+            let away = away(pair);
+            count += R::ONE;
+            total += weight;
+            sums = [0, 1].map(|side| vector::add(sums[side], vector::scale(away[side], weight)));
+            furthest = [0, 1].map(|side| furthest[side].max_or_nan(vector::largest(pair[side])));
+        }
+        let means = sums.map(|sum| sum.map(|c| c / total));
+        let (mut products, mut squares) = ([[R::ZERO; 3]; 3], [R::ZERO; 2]);
+        for (pair, weight) in pairs.iter() {
+            let away = away(pair);
+            let [x, y] = [0, 1].map(|side| vector::sub(away[side], means[side]));
+            let heavy = [x, y].map(|side| vector::scale(side, weight));
+            for (row, y) in products.iter_mut().zip(y) {
+                *row = vector::add(*row, vector::scale(heavy[0], y));
+            }
+            squares =
+                [squares[0] + vector::dot(x, heavy[0]), squares[1] + vector::dot(y, heavy[1])];
+        }
+        // Coordinates are rounded by as much as they are far from the origin, and sums as often as
+        // there are pairs; the last term is for squares that are no normal numbers in `f32`.
+        let lengths = squares.map(Real::sqrt);
+        let of_points = furthest[0] * lengths[1] + furthest[1] * lengths[0];
+        let of_sums = R::from(8.0) * count.sqrt() * lengths[0] * lengths[1];
+        let rounding = R::EPSILON * (R::TWO * total.sqrt() * of_points + of_sums);
+        let rounding = rounding + R::from(1e-37) * total;
+        let centers = [0, 1].map(|side| vector::add(first[side], means[side]));
+        if !rounding.is_finite() {
+            return Err(FitError::Overflow);
+        }
+        Ok(Self { pairs, centers, products, squares: squares[0], rounding })
+    }
+
+    /// The motion with least Σ w|y − f(x)|² (Horn 1987; Umeyama 1991). Where the best
+    /// orthogonal matrix mirrors, as noise makes it for half of all sets in a plane, the smallest
+    /// axis is turned over and the answer is a rotation all the same.
+    ///
+    /// # Errors
+    /// If many rotations fit equally well within rounding: one of the sets is on a line or in a
+    /// point, as fewer than three always are, or the points mirror and their two smaller singular
+    /// values are the same. In `f32`, points closer than about 1e-18 count as one. Or if the map
+    /// overflows.
+    pub fn rigid(&self) -> Result<Fit<R>, FitError> {
+        self.best_of_all(false)
+    }
+
+    /// The same with a scale, s = (σ₁ + σ₂ ± σ₃)/Σ w|x|² (Umeyama 1991, equation 42).
+    ///
+    /// ```
+    /// use dq8::fit::PointPairs;
+    /// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0_f64]];
+    /// let fit = PointPairs::new(&points, &points.map(|p| p.map(|c| 2.5 * c)))?.similarity()?;
+    /// assert!((fit.scale - 2.5).abs() < 1e-14);
+    /// # Ok::<(), dq8::fit::FitError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`rigid`](Self::rigid).
+    pub fn similarity(&self) -> Result<Fit<R>, FitError> {
+        self.best_of_all(true)
+    }
+
+    /// The motion with least squares of those that turn about the direction `axis`, of any length
+    /// but zero, and shift in any direction: [0, 0, 1] for the yaw of what knows which way is down.
+    /// The angle is atan2(a·Σ w x×y, Σ w x·y across the axis a).
+    ///
+    /// ```
+    /// use dq8::fit::PointPairs;
+    /// // Two points are enough.
+    /// let pairs = PointPairs::new(
+    ///     &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
+    ///     &[[5.0, 0.0, 0.0], [5.0, 1.0, 0.1_f64]],
+    /// )?;
+    /// let (_, angle) = pairs.about([0.0, 0.0, 1.0])?.motion.rotation().to_axis_angle();
+    /// assert!((angle - core::f64::consts::FRAC_PI_2).abs() < 1e-14);
+    /// # Ok::<(), dq8::fit::FitError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the axis has no direction; if one of the sets is in a point, seen along the axis, within
+    /// rounding; or if the map overflows.
+    pub fn about(&self, axis: [R; 3]) -> Result<Fit<R>, FitError> {
+        let length = vector::norm(axis);
+        if !length.is_finite() || length == R::ZERO {
+            return Err(FitError::Axis { length: length.into() });
+        }
+        let axis = vector::direction(axis, length);
+        // The sum of the products depends on the angle ψ by (uMu + vMv) cos ψ + (vMu − uMv) sin
+        // ψ, in coordinates u, v across the axis, so what lies along it cannot drown them.
+        let u = vector::any_across(axis);
+        let v = vector::cross(axis, u);
+        let [to_u, to_v] = [u, v].map(|of| self.products.map(|row| vector::dot(row, of)));
+        let cosine = vector::dot(u, to_u) + vector::dot(v, to_v);
+        let sine = vector::dot(v, to_u) - vector::dot(u, to_v);
+        let gap = vector::norm([cosine, sine]);
+        let rotation = Quat::from_axis_angle(axis, sine.atan2(cosine));
+        self.fit(rotation, gap, R::ONE)
+    }
+
+    /// The root of the mean square of what a fit of these pairs leaves, and what rank and condition
+    /// the pairs have for a rotation about any axis.
+    #[must_use]
+    pub fn quality(&self, fit: &Fit<R>) -> Quality<R> {
+        let (mut total, mut sum) = (R::ZERO, R::ZERO);
+        for ([x, y], weight) in self.pairs.iter() {
+            let left = vector::sub(vector::sub(y, fit.to), fit.turned(x));
+            total += weight;
+            sum += weight * vector::dot(left, left);
+        }
+        let [first, second, third] = singular_values(self.products);
+        let gap = second + third;
+        let condition = if gap > self.rounding { (first + second) / gap } else { R::ONE / R::ZERO };
+        Quality { rms: (sum / total).sqrt(), rank: self.rank(), condition }
+    }
+
+    fn rank(&self) -> usize {
+        let values = singular_values(self.products);
+        values.into_iter().filter(|value| value.abs() > self.rounding).count()
+    }
+
+    fn best_of_all(&self, scaled: bool) -> Result<Fit<R>, FitError> {
+        // Only the mixed term of Σ w|y − s·r x r*|² depends on the rotation: the sum of the
+        // products of its elements and these, which is to be largest.
+        let (rotation, [sum, gap]) = best_rotation(self.products).map_err(|_| self.ambiguous())?;
+        self.fit(rotation, gap, if scaled { sum / self.squares } else { R::ONE })
+    }
+
+    /// The map with the rotation, if others fit less by the gap.
+    fn fit(&self, rotation: Quat<R>, gap: R, scale: R) -> Result<Fit<R>, FitError> {
+        // False for NaN too.
+        let clear = gap > self.rounding;
+        if !clear {
+            return Err(self.ambiguous());
+        }
+        let [from, to] = self.centers;
+        let shift = rotation.rotate(vector::scale(from, scale));
+        let motion = DualQuat::from_rotation_translation(rotation, vector::sub(to, shift));
+        if !(motion.is_finite() && scale.is_finite()) {
+            return Err(FitError::Overflow);
+        }
+        Ok(Fit { motion, scale, from, to })
+    }
+
+    fn ambiguous(&self) -> FitError {
+        FitError::Ambiguous { pairs: self.pairs.iter().count(), rank: self.rank() }
+    }
+}
+
+/// The pairs and weights that were given.
+#[derive(Clone, Copy, Debug)]
+struct Weighted<'a, R> {
+    points: &'a [[R; 3]],
+    moved: &'a [[R; 3]],
+    weights: Option<&'a [R]>,
+    heaviest: R,
+}
+
+impl<R: Real> Weighted<'_, R> {
+    /// The pairs with a weight, and it as a share of the largest one, so that no sum of weights
+    /// overflows or vanishes.
+    fn iter(&self) -> impl Iterator<Item = ([[R; 3]; 2], R)> {
+        let pairs = self.points.iter().zip(self.moved).enumerate();
+        let weight = |index| match self.weights {
+            Some(weights) => weights.get(index).map_or(R::ZERO, |weight| *weight / self.heaviest),
+            None => R::ONE,
+        };
+        let weighed = pairs.map(move |(index, (x, y))| ([*x, *y], weight(index)));
+        weighed.filter(|(_, weight)| *weight > R::ZERO)
+    }
+}
+
+fn same_length(what: &'static str, found: usize, expected: usize) -> Result<(), FitError> {
+    if found == expected { Ok(()) } else { Err(FitError::Length { what, found, expected }) }
+}
+
+fn finite<R: Real>(what: &'static str, points: &[[R; 3]]) -> Result<(), FitError> {
+    let coordinates = points.iter().enumerate().flat_map(|(i, p)| p.iter().map(move |c| (i, *c)));
+    match { coordinates }.find(|(_, c)| !c.is_finite()) {
+        Some((index, value)) => Err(FitError::NotFinite { what, index, value: value.into() }),
+        None => Ok(()),
+    }
+}
+
+errors! {
+    /// Points that have no best map, or many.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    FitError {
+        /// Slices that go together have different lengths.
+        Length {
+            what: &'static str = "`moved` or `weights`.",
+            found: usize = "Its length.",
+            expected: usize = "The number of points."
+        }
+            => "{what} has the length {found}, for {expected} points";
+        /// A coordinate is not finite.
+        NotFinite {
+            what: &'static str = "`points` or `moved`.",
+            index: usize = "The number of the point.",
+            value: f64 = "The coordinate."
+        }
+            => "point {index} of {what} is not finite: a coordinate is {value}";
+        /// A weight is negative or not finite.
+        Weight { index: usize = "The number of the pair.", value: f64 = "The weight." }
+            => "the weight of pair {index} is {value}: it must be finite and not negative";
+        /// There is no pair, or all weights are zero.
+        Empty => "no pair of points has a weight";
+        /// An axis has no direction.
+        Axis { length: f64 = "Its length." } => "the axis has no direction: its length is {length}";
+        /// Many rotations fit equally well within rounding.
+        Ambiguous {
+            pairs: usize = "The number of pairs whose weight is not zero.",
+            rank: usize = "The rank of Σ w y xᵀ: 0 where one of the sets is in a point, 1 where one is on a line."
+        }
+            => "{pairs} pairs do not say how the points turned: the rank is {rank}, and many rotations fit equally well";
+        /// A square of a distance, or the map itself, overflows.
+        Overflow => "the points are too far apart: a square of a distance overflows";
+    }
+}

@@ -1,0 +1,97 @@
+//! Inverse kinematics of two bones: hip, knee and ankle to a point, by the triangle of the bones
+//! and the way to the target. For robots and other chains of joints there is `Reach` of the crate
+//! `dq8-robot`.
+
+pub use crate::scalar::two_bone::{LimbError, Span, TwoBone};
+
+use crate::batch;
+use crate::macros::errors;
+use crate::number::{Real, Scalar};
+use crate::storage::shape::ShapeError;
+use dq8_simd::{Lanes, Mask};
+
+/// Three joints of a skeleton that are a limb: hip, knee and ankle, or shoulder, elbow and wrist.
+///
+/// [`Job::two_bone`](crate::Job::two_bone) bends it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limb<R> {
+    /// The joint at the root, its child, and the child of that.
+    pub joints: [usize; 3],
+    /// The axis of the hinge, in the frame of the second joint, of any length: a positive turn
+    /// about it bends the limb. Of a character that looks along z and stands on y up, with joints
+    /// that have these axes too, it is x for a knee. What of it is along a bone does not count.
+    pub hinge: [R; 3],
+}
+
+impl<R: Real> Limb<R> {
+    /// Checks that each joint is a child of the one before.
+    pub(crate) fn check(&self, parent: impl Fn(usize) -> Option<usize>) -> Result<(), LimbsError> {
+        let [hip, knee, foot] = self.joints;
+        for (joint, before) in [(knee, hip), (foot, knee)] {
+            if parent(joint) != Some(before) {
+                return Err(LimbsError::NotChild { joint, parent: before });
+            }
+        }
+        for (index, value) in self.hinge.into_iter().enumerate() {
+            if !value.is_finite() {
+                return Err(LimbsError::Hinge { index, value: value.into() });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Roots, lengths, targets and poles on lanes.
+pub(crate) type Asked<L> = ([L; 3], [L; 2], [L; 3], [L; 3]);
+
+/// The first of these limbs that is refused, and why; `first` is the number of the one in the first
+/// lane. Lanes ask, and what they find is looked at once more one by one, which says what is wrong.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn fault<L: Lanes<Real: Scalar>>(asked: Asked<L>, first: usize) -> Option<LimbsError> {
+    let (root, lengths, target, pole) = asked;
+    if !batch::TwoBone::refuses(root, lengths, target, pole).any() {
+        return None;
+    }
+    let numbers = [
+        root[0], root[1], root[2], lengths[0], lengths[1], target[0], target[1], target[2],
+        pole[0], pole[1], pole[2],
+    ];
+    one_by_one(numbers.map(Lanes::to_array), first)
+}
+
+#[cold]
+#[inline(never)]
+fn one_by_one<R: Real, A: AsRef<[R]>>(lanes: [A; 11], first: usize) -> Option<LimbsError> {
+    (0..dq8_simd::MAX_LANES).find_map(|lane| {
+        let mut numbers = [R::ZERO; 11];
+        for (number, lanes) in numbers.iter_mut().zip(&lanes) {
+            *number = *lanes.as_ref().get(lane)?;
+        }
+        let [rx, ry, rz, a, b, x, y, z, px, py, pz] = numbers;
+        let error: LimbError =
+            TwoBone::check([rx, ry, rz], [a, b], [x, y, z], [px, py, pz]).err()?;
+        Some(LimbsError::Limb { limb: first + lane, error })
+    })
+}
+
+errors! {
+    /// Limbs that cannot be bent, or slices that do not fit. Nothing has been written.
+    #[derive(Clone, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    LimbsError {
+        /// The slices do not fit each other.
+        Shape(error: ShapeError) => "{error}";
+        /// A limb cannot be bent.
+        Limb {
+            limb: usize = "Which, the first one; in blocks, things are counted one after the other.",
+            error: LimbError = "The fault."
+        } from error
+            => "limb {limb}: {error}";
+        /// Joints of a skeleton that are no limb.
+        NotChild { joint: usize = "The joint.", parent: usize = "The joint that should be its parent." }
+            => "joint {joint} is no child of joint {parent}";
+        /// A hinge that is no axis.
+        Hinge { index: usize = "The coordinate.", value: f64 = "Its value." }
+            => "the hinge is not finite: coordinate {index} is {value}";
+    }
+}

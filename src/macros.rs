@@ -1,0 +1,96 @@
+//! Macros that write implementations from a list: errors, conversions, and a short `Debug`.
+
+/// An enum of errors. Each has documentation and a message, and fields, documented too, that the
+/// message names; one that has another error as its cause holds it, is made from it, and has it as
+/// its source; so has one that says `from` one of its fields.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __errors {
+    ($(#[$of:meta])* $name:ident {$(
+        $(#[$doc:meta])*
+        $variant:ident $({ $($field:ident: $type:ty = $says:literal),+ })? $(($cause:ident: $other:ty))? $(from $named:ident)?
+            => $message:literal $(, $part:expr)*;
+    )*}) => {
+        $(#[$of])*
+        #[non_exhaustive]
+        pub enum $name {$(
+            $(#[$doc])*
+            $variant $({ $(#[doc = $says] $field: $type),+ })? $(($other))?,
+        )*}
+
+        impl core::fmt::Display for $name {
+            #[allow(unused_variables, reason = "not every message names all")]
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                match self {$(
+                    Self::$variant $({ $($field),+ })? $(($cause))? => write!(f, $message $(, $part)*),
+                )*}
+            }
+        }
+        impl core::error::Error for $name {
+            #[allow(unused_variables, reason = "most have no cause")]
+            fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+                match self {$(
+                    Self::$variant $({ $($field),+ })? $(($cause))? => {
+                        $(return Some($cause);)?
+                        $(return Some($named);)?
+                        #[allow(unreachable_code, reason = "those with a cause have returned")]
+                        None
+                    }
+                )*}
+            }
+        }
+        $($(impl From<$other> for $name {
+            fn from(cause: $other) -> Self {
+                Self::$variant(cause)
+            }
+        })?)*
+    };
+}
+pub use __errors as errors;
+
+/// A number of things, by their name: "1 element", "2 elements".
+pub(crate) struct Count(pub(crate) usize, pub(crate) &'static str);
+
+impl core::fmt::Display for Count {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self(number, name) = self;
+        write!(f, "{number} {name}{}", if *number == 1 { "" } else { "s" })
+    }
+}
+
+/// [`From`] as a list, one conversion a line: `from => to: |value| made`, where `Self` in `made` is
+/// the type behind the arrow.
+macro_rules! conversions {
+    ($($(#[$of:meta])* [$($number:tt)*] $from:ty => $to:ty: |$value:pat_param| $made:expr;)*) => {$(
+        $(#[$of])*
+        impl<$($number)*> From<$from> for $to {
+            #[inline]
+            fn from($value: $from) -> Self {
+                $made
+            }
+        }
+    )*};
+}
+pub(crate) use conversions;
+
+/// `Debug` of what holds many numbers: one line that says how many there are, and of what.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __brief {
+    ($([$($generics:tt)*] $Type:ty $(, where [$($bounds:tt)*])?: $name:ident |$it:ident| {
+        $($field:ident: $value:expr),+ $(,)?
+    })*) => {$(
+        impl<$($generics)*> core::fmt::Debug for $Type $(where $($bounds)*)? {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                let $it = self;
+                f.debug_struct(stringify!($name))$(.field(stringify!($field), &$value))+.finish()
+            }
+        }
+    )*};
+}
+pub use __brief as brief;
+
+/// The promise that a struct is numbers and nothing else, which makes it `bytemuck::Pod`. Its proof
+/// and its `unsafe` are in `dq8_simd`; the rooms that hold such structs know no more of the lanes
+/// than this.
+pub(crate) use dq8_simd::pod;

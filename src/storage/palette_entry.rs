@@ -1,0 +1,64 @@
+//! [`PaletteEntry`]: the forms in which motions are handed out, and [`MatrixOrder`].
+
+use super::element::Element;
+use crate::batch;
+use dq8_simd::Lanes;
+
+/// In which order the numbers of a matrix lie in memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MatrixOrder {
+    /// Row after row: HLSL `row_major`, C arrays, `[[R; 4]; 3]` as used everywhere in this crate.
+    #[default]
+    Rows,
+    /// Column after column: GLSL, WGSL, glam and nalgebra. For matrices that others read: dq8
+    /// itself reads rows.
+    Columns,
+}
+
+/// An element of a skinning palette: a motion (`C` = 8), a 3×4 matrix (12), or a 4×4 matrix with
+/// the row 0 0 0 1 (16); one thing or a block of them, as the models are. Sealed, like [`Element`].
+///
+/// Plain matrices are `[[f32; 4]; 3]` and `[[f32; 4]; 4]` by rows. By columns a 4×4 matrix is
+/// `[[f32; 4]; 4]` too; for the twelve numbers of a 3×4 matrix take `[f32; 12]`, so that nobody
+/// reads them as rows.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no entry of a palette",
+    note = "motions (`DualQuat`), 3×4 matrices (`[[f32; 4]; 3]` by rows, `[f32; 12]` by columns) and 4×4 matrices \
+            (`[[f32; 4]; 4]`) are, and blocks of them",
+    note = "a slice of `glam::Mat4` becomes one by `dq8::interop::glam_034::mat4s_mut`, with `MatrixOrder::Columns`"
+)]
+pub trait PaletteEntry<const C: usize>: Element<C> {
+    /// The numbers of a unit motion in this form.
+    #[doc(hidden)]
+    #[must_use]
+    fn of<L: Lanes>(motion: batch::DualQuat<L>, order: MatrixOrder) -> [L; C];
+}
+
+impl<E: Element<8>> PaletteEntry<8> for E {
+    #[inline(always)]
+    fn of<L: Lanes>(motion: batch::DualQuat<L>, _: MatrixOrder) -> [L; 8] {
+        motion.to_array()
+    }
+}
+
+impl<E: Element<12>> PaletteEntry<12> for E {
+    #[inline(always)]
+    fn of<L: Lanes>(motion: batch::DualQuat<L>, order: MatrixOrder) -> [L; 12] {
+        let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = motion.to_matrix3x4();
+        match order {
+            MatrixOrder::Rows => [a, b, c, d, e, f, g, h, i, j, k, l],
+            MatrixOrder::Columns => [a, e, i, b, f, j, c, g, k, d, h, l],
+        }
+    }
+}
+
+impl<E: Element<16>> PaletteEntry<16> for E {
+    #[inline(always)]
+    fn of<L: Lanes>(motion: batch::DualQuat<L>, order: MatrixOrder) -> [L; 16] {
+        let [[a, b, c, d], [e, f, g, h], [i, j, k, l], [m, n, o, p]] = motion.to_matrix4();
+        match order {
+            MatrixOrder::Rows => [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p],
+            MatrixOrder::Columns => [a, e, i, m, b, f, j, n, c, g, k, o, d, h, l, p],
+        }
+    }
+}
