@@ -301,7 +301,7 @@ pub(crate) struct Passed<T> {
     marker: PhantomData<T>,
 }
 
-/// Any of these.
+/// A number that may be any of these values.
 pub(crate) fn one_of<T: 'static>(values: impl IntoIterator<Item = T>) -> Passed<T> {
     let values = values.into_iter().map(|value| Value::Scalar(Rc::new(value))).collect();
     Passed { scalar: Scalar { values, wrong: Vec::new() }, marker: PhantomData }
@@ -320,7 +320,7 @@ pub(crate) fn count(count: usize) -> Passed<usize> {
 pub(crate) fn lanes<R>(lanes: usize) -> Passed<usize> {
     let none = [0, 5, size_of::<R>() * 2 - 4, usize::MAX];
     let passed = none.into_iter().fold(passes(lanes), |all, none| all.wrong(none, Status::Lanes));
-    // Those of the other number type.
+    // Blocks of the other number type may have these.
     passed.wrong(if size_of::<R>() == 4 { 4 } else { 16 }, Status::Lanes)
 }
 

@@ -160,8 +160,8 @@ pub(crate) fn refuses(call: &Call<'_>, wrong: Wrong) {
     }
 }
 
-/// Outputs lie apart from all inputs, from each other, and from what inputs point to; where a
-/// function says so, on an input, or anywhere.
+/// Outputs must not overlap inputs, each other, or memory that inputs point to. A function may
+/// allow that an output is exactly an input, or that it overlaps inputs.
 pub(crate) fn lies_apart(call: &Call<'_>) {
     let function = call.function;
     let arrays = || function.arrays().filter(|(_, array)| array.bytes > 0);
@@ -179,7 +179,7 @@ pub(crate) fn lies_apart(call: &Call<'_>) {
     }
 }
 
-/// From just before an output to just behind it.
+/// Tries each place of an output relative to another array, from just before that to just after it.
 fn slides(call: &Call<'_>, (other, array): (usize, &Array), (output, to): (usize, &Array)) {
     let (function, over) = (call.function, call.function.over(to));
     let [own, bytes, step] = [array.bytes, to.bytes, array.align].map(|bytes| bytes as isize);

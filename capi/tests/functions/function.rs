@@ -6,9 +6,9 @@ use dq8_capi::Status;
 type Run<S> = Box<dyn Fn(&[Value]) -> S>;
 
 pub(crate) struct Function {
-    /// In C.
+    /// The name in C.
     pub(crate) name: &'static str,
-    /// In Rust.
+    /// The path in Rust.
     pub(crate) path: &'static str,
     pub(crate) arguments: Vec<Argument>,
     pub(crate) c: Run<Status>,

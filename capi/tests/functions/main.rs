@@ -82,7 +82,7 @@ fn the_table_has_every_function_of_the_header() {
     let declared: BTreeSet<_> = header
         .split("static inline")
         .enumerate()
-        // What is written out in the header is no function of the library.
+        // Functions that are defined in the header itself are not in the library.
         .flat_map(|(at, text)| {
             if at == 0 { text } else { text.split_once("\n}\n").expect("an end").1 }.lines()
         })

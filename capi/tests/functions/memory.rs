@@ -11,11 +11,10 @@ use std::ptr::null_mut;
 /// A cache line: no array is aligned to more.
 const LINE: usize = 64;
 
-/// Behind an array of a call that is not random: as much as a wrong length may say that it has
-/// more.
+/// The bytes after an array of a call that is not random: as many as a wrong length may add.
 const BEHIND: usize = 4096;
 
-/// So many bytes, and memory before them, or around.
+/// The memory of an array of `bytes` bytes, with memory before it, and perhaps after it.
 struct Room {
     layout: Layout,
     base: *mut u8,
@@ -61,7 +60,7 @@ impl Drop for Room {
 pub(crate) struct Call<'f> {
     pub(crate) function: &'f Function,
     pub(crate) given: Vec<Value>,
-    /// Of each argument; of numbers, nothing.
+    /// The memory of each argument that is an array.
     rooms: Vec<Option<Room>>,
 }
 
@@ -73,7 +72,7 @@ impl<'f> Call<'f> {
             given[at] = scalar.values.first().expect("a number").clone();
         }
         for (at, array) in function.arrays() {
-            // As much is before an array as it is aligned to: it is aligned no more than that.
+            // There are as many bytes before an array as its alignment, so it has no greater one.
             let behind = if random.is_some() { 0 } else { BEHIND };
             let room = Room::new(array.align, array.bytes, behind);
             let contents = random.as_deref_mut().map_or(Contents::Sample(at), Contents::Random);

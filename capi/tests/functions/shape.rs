@@ -167,7 +167,7 @@ impl Shape {
         }
     }
 
-    /// Of all instances.
+    /// The number of poses of all instances.
     pub(crate) fn poses(&self) -> usize {
         self.parents.len() * self.instances
     }

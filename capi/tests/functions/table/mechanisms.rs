@@ -12,7 +12,7 @@ use dq8_capi::{Status, links, mechanism};
 use dq8_robot::{Body, JointKind, OwnedMechanism, World, WorldAligned};
 use std::rc::Rc;
 
-/// A joint as C has it; numbers that the kind does not name are 0.
+/// The joint in C. Numbers that its kind does not have are 0.
 pub(super) fn described<R: Real>(joint: &dq8_robot::Joint<f64>) -> Described<R> {
     let of = R::from_f64;
     let none = [0.0; 3];
@@ -48,7 +48,7 @@ pub(super) struct Scene<R> {
     pub(super) rust: OwnedMechanism<R>,
 }
 
-/// Memory where blocks may lie too.
+/// Memory with the alignment of blocks.
 #[derive(Clone)]
 #[repr(align(64))]
 struct Line(#[expect(dead_code, reason = "C has it")] [u8; 64]);
