@@ -1150,8 +1150,8 @@ dq8_status dq8_clips_to_model_f64(const int32_t *parents,
 dq8_status dq8_motion_line_f32(const float *motion, const float *line, float *out);
 
 /**
- * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and n .
- * p for any point p on it.
+ * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
+ * dot product of n and any point on it.
  */
 dq8_status dq8_motion_plane_f32(const float *motion, const float *plane, float *out);
 
@@ -1193,8 +1193,8 @@ dq8_status dq8_motion_distance_to_f32(const float *a, const float *b, float *dis
 dq8_status dq8_motion_line_f64(const double *motion, const double *line, double *out);
 
 /**
- * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and n .
- * p for any point p on it.
+ * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
+ * dot product of n and any point on it.
  */
 dq8_status dq8_motion_plane_f64(const double *motion, const double *plane, double *out);
 

@@ -17,8 +17,8 @@ macro_rules! functions {
                 })
         }
         export_one! { $R
-            /// Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and n .
-            /// p for any point p on it.
+            /// Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
+            /// dot product of n and any point on it.
             motion::plane(motion: *const $R, plane: *const $R, out: *mut $R) =
                 two(motion, plane, out, |motion: DualQuat<$R>, [x, y, z, offset]: [$R; 4]| {
                     let moved = motion.transform_plane(Plane { normal: [x, y, z], offset });

@@ -77,8 +77,7 @@ impl<'f> Call<'f> {
             let room = Room::new(array.align, array.bytes, behind);
             let contents = random.as_deref_mut().map_or(Contents::Sample(at), Contents::Random);
             (array.fill)(room.start, contents);
-            // What may be null is null where there is nothing: how long it is, another argument
-            // says.
+            // An optional array without elements is passed as null.
             let is_there = array.bytes > 0 || array.group.is_none();
             given[at] = Value::Pointer(if is_there { room.start } else { null_mut() });
             rooms[at] = Some(room);

@@ -114,7 +114,7 @@ mod layouts {
     crate::table::for_all_layouts!(layout);
 }
 
-/// Nothing has limits or mimics another but the joint `at`, which mimics `leader`.
+/// Takes all limits and mimics away, and lets joint `at` mimic `leader`.
 fn mimic<R>(joints: &mut [Described<R>], at: usize, leader: i32) {
     joints.iter_mut().for_each(|joint| (joint.limited, joint.mimics) = (0, 0));
     (joints[at].mimics, joints[at].leader) = (1, leader);
