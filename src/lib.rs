@@ -22,37 +22,47 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! # Where things are
+//! # I have … I use …
 //!
-//! | item | what it is |
+//! | I have | I use |
 //! |---|---|
-//! | [`Motion`] | **the conventions, stated once**, and the laws; the trait of both implementations |
-//! | [`Quaternion`], [`DualNumber`] | the same for what motions are made of |
-//! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, in textbook form |
-//! | [`batch`] | the same names on lanes, of all that kernels ask for |
-//! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
-//! | [`representation`] | Euler angles, rotation and translation, polar decomposition, affine maps |
-//! | [`Line`], [`Plane`], [`geometry`] | what motions act on and are described by: screws, dual vectors |
-//! | [`incidence`] | lines, planes and points together, with typed errors where they are parallel or one |
-//! | [`fit`] | the motion that brings points to points with least squares: any, about one axis, or with a scale |
-//! | [`Twist`], [`geometry::Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
-//! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
-//! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
-//! | [`hierarchy::Plan`], [`Backend::chain_products`] | one instance without a heap, and long chains |
-//! | [`ik`] | inverse kinematics of two bones; robots have a crate of their own, [dq8-robot](https://docs.rs/dq8-robot) |
-//! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |
-//! | [`Backend`], [`slices`] | kernels over slices of motions and points |
-//! | [`storage`] | how slices lie in memory: one thing after the other, or in [blocks](Block) of lanes |
-//! | [`Kernel`], [`Element`] | kernels of your own, for any layout and any instructions |
-//! | [`interop`] | glam, nalgebra, serde and others, each behind a feature |
-//! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
+//! | one motion | [`DualQuat`], [`Quat`], [`representation`] |
+//! | numbers of my own, or derivatives | the same types with any [`Real`], such as [`Dual`] |
+//! | an array of motions, points, lines or twists | [`Backend::best`] and its methods, [`slices`] |
+//! | one skeleton, or many in plain arrays | [`Skeleton`] |
+//! | a skeleton without a heap | [`Hierarchy`], [`hierarchy::Plan`] |
+//! | a crowd that stays in [blocks](Block) | [`Crowd`], [`storage`] |
+//! | animation clips | [`hierarchy::Clip`], [`hierarchy::PackedClip`], [`hierarchy::Layered`] |
+//! | a palette to write for the GPU | [`Job::palette`] |
+//! | a mesh on the CPU | [`skinning::Skin`] |
+//! | limbs of two bones that reach for a place | [`ik`] |
+//! | a robot, or a URDF file | the crate [dq8-robot] |
+//! | a trajectory, or a scan to deskew | the crate [dq8-trajectory] |
+//! | pairs of points to fit a motion to | [`fit`] |
+//! | lines, planes, screws, twists | [`Line`], [`Plane`], [`Twist`], [`geometry`], [`incidence`] |
+//! | types of glam, nalgebra, mint, serde | [`interop`] |
+//! | a kernel of my own | [`Kernel`], [`Element`], [`batch`], [`simd`] |
+//! | machines in lockstep | [`guide::reproducible`] |
+//! | firmware | [`guide::firmware`] |
 //!
-//! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
-//! kernel](crate::guide::kernel), [clips](crate::guide::clips), [accuracy](crate::guide::accuracy),
-//! [the same bits everywhere](crate::guide::reproducible), [firmware](crate::guide::firmware), and
-//! [coming from another library](crate::guide::migration).
+//! # Guide
 //!
-//! What most programs need is at the root; everything else is in its module alone.
+//! | page | what it answers |
+//! |---|---|
+//! | [conventions](guide::conventions) | the eight numbers, which factor acts first, units |
+//! | [layout](guide::layout) | plain arrays or blocks, how many lanes |
+//! | [kernel](guide::kernel) | kernels of your own |
+//! | [clips](guide::clips) | which form of an animation to keep |
+//! | [skins](guide::skins) | from joints and weights to posed vertices |
+//! | [robots](guide::robots) | from joints to poses of links and back |
+//! | [accuracy](guide::accuracy) | how exact answers are, for which input |
+//! | [reproducible](guide::reproducible) | the same bits everywhere |
+//! | [firmware](guide::firmware) | no heap, no panic, sizes |
+//! | [migration](guide::migration) | coming from another library |
+//!
+//! [`Motion`] states the laws of motions, once for single motions and for lanes; every operation is
+//! a method of the types, so no program needs to import it. What most programs need is at the root;
+//! everything else is in its module alone.
 //!
 //! # Features
 //!
@@ -61,9 +71,15 @@
 //! | `std` | yes | square roots of the standard library; implies `alloc` |
 //! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `Skeleton` |
 //! | `libm` | | what replaces `std` on targets without it |
-//! | `reproducible` | | `Backend::reproducible`: lanes with the [same bits](crate::guide::reproducible) on every machine |
+//! | `reproducible` | | `Backend::reproducible`: lanes with the [same bits] on every machine |
 //! | `rayon` | | `threads` of every job and of [`Backend`]: any number of them, and the same bits |
-//! | `serde`, `rkyv_08`, `mint_05`, `glam_034`, `nalgebra_035`, `approx_05`, `rand_010`, `arbitrary`, `proptest`, `defmt` | | types of other crates: see [`interop`] |
+//! | `serde`, `rkyv_08`, `defmt` | | motions written to files and logs: see [`interop`] |
+//! | `mint_05`, `glam_034`, `nalgebra_035`, `approx_05` | | types of other crates of mathematics |
+//! | `rand_010`, `arbitrary`, `proptest` | | random motions |
+//!
+//! [dq8-robot]: https://docs.rs/dq8-robot
+//! [dq8-trajectory]: https://docs.rs/dq8-trajectory
+//! [same bits]: crate::guide::reproducible
 //!
 //! Unit length is a precondition that nothing checks by default.
 //! `RUSTFLAGS="--cfg dq8_debug_assert_unit"` makes debug builds panic where [`DualQuat`] and
@@ -106,6 +122,8 @@ pub mod guide;
 pub mod hierarchy;
 pub mod ik;
 pub mod incidence;
+#[doc(hidden)]
+pub mod internal;
 pub mod interop;
 pub mod law;
 mod macros;
@@ -113,8 +131,6 @@ mod number;
 mod operators;
 pub mod representation;
 pub mod scalar;
-#[doc(hidden)]
-pub mod seams;
 pub mod skinning;
 pub mod slices;
 pub mod storage;
@@ -131,10 +147,6 @@ struct Readme;
 
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
-
-pub(crate) use macros as brief;
-pub(crate) use macros as errors;
-pub(crate) use storage::palette_entry;
 
 pub use backend::{Backend, Kernel, UnavailableBackend};
 pub use contract::{DualNumber, Motion, Quaternion};

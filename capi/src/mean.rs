@@ -4,7 +4,7 @@ use crate::memory::{Input, Output};
 use crate::screw::finite;
 use crate::span::apart;
 use crate::status::{Done, Status};
-use dq8::{DualQuat, Real, seams};
+use dq8::{DualQuat, Real, internal};
 
 /// Motions, and how each of them weighs.
 struct Influences<R> {
@@ -36,7 +36,7 @@ unsafe fn mean<R: Real>(
     let influences = motions.iter().enumerate();
     let influences =
         influences.map(|(at, &motion)| (motion, weights.get(at).copied().unwrap_or(R::ONE)));
-    let mean = seams::dib(influences, tolerance, max_iterations).ok_or(Status::NoInfluences)?;
+    let mean = internal::dib(influences, tolerance, max_iterations).ok_or(Status::NoInfluences)?;
     let motion = finite(mean.motion)?;
     // SAFETY: promised, and nothing is read any more.
     unsafe {

@@ -6,7 +6,7 @@ use crate::status::{Done, Status};
 use dq8::{
     DualQuat, Line, Real,
     geometry::{DualVector, Screw},
-    seams,
+    internal,
 };
 
 pub(crate) fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status> {
@@ -25,7 +25,7 @@ unsafe fn blend<R: Real>(motions: *const R, weights: *const R, count: usize, out
     // SAFETY: promised, and nothing is written before they are read.
     let (motions, weights) = unsafe { (motions.slice(), weights.slice()) };
     let influences = motions.iter().copied().zip(weights.iter().copied());
-    let sum = seams::weighted_sum(influences).ok_or(Status::NoInfluences)?;
+    let sum = internal::weighted_sum(influences).ok_or(Status::NoInfluences)?;
     // SAFETY: promised, and nothing is read any more.
     unsafe { out.write(sum.try_normalize()?) };
     Ok(())

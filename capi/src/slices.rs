@@ -3,7 +3,7 @@
 
 use crate::status::{Done, Status};
 use dq8::hierarchy::MatrixOrder;
-use dq8::seams::{for_each_kernel, record};
+use dq8::internal::{for_each_kernel, record};
 use dq8::storage::{AoSoA, Aos, Layout};
 
 /// In which order the numbers of a matrix lie in memory.

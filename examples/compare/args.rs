@@ -13,8 +13,8 @@ usage: compare [JOB ...] [--quick] [--json OUT] [--svg OUT] [--md OUT]
 
   --quick     few rounds, and only what fits into the first caches: seconds, not minutes
   --json OUT  write all times and the machine's limits
-  --svg OUT   draw them as bars
-  --md OUT    write the best of each kind as a table for documents
+  --svg OUT   draw the best of each kind, as times of glam's
+  --md OUT    write a page: the best of each kind, and all contenders
 ";
 
 #[derive(Debug, Default, PartialEq)]

@@ -1,146 +1,208 @@
-//! The results as a picture, 800 pixels wide: a panel a contest, a bar a contender.
+//! The results as a picture, 700 pixels wide: a row a contest, a mark for each kind of contender, at
+//! its time over that of glam.
 
-mod bars;
-mod panel;
-
-use crate::results::Results;
+use crate::best::Best;
 use dq8_fixtures::legible::wrapped;
-use panel::Panel;
 use std::fmt::{self, Write};
 
-const WIDTH: f64 = 800.0;
-const COLUMNS: usize = 2;
+const WIDTH: f64 = 700.0;
 const MARGIN: f64 = 16.0;
-const GAP: f64 = 28.0;
-/// How wide a panel is.
-const PANEL: f64 = (WIDTH - 2.0 * MARGIN - (COLUMNS - 1) as f64 * GAP) / COLUMNS as f64;
 /// From one line of a text to the next, and how large its letters are.
-const LINE: f64 = 14.0;
-const SIZE: f64 = 11.0;
+const LINE: f64 = 15.0;
+const SIZE: f64 = 12.0;
+/// Names of contests end before the scale, what dq8 gains stands behind it.
+const SCALE: [f64; 2] = [270.0, 620.0];
+/// The times of glam that the scale ends at, as powers of two.
+const ENDS: [f64; 2] = [-3.0, 2.0];
+const TICKS: [&str; 6] = ["⅛", "¼", "½", "1", "2", "4"];
+/// What does not fit into the first caches is in the table.
+const LARGER: [&str; 4] = ["L2", "L3", "DRAM", "64x1024"];
+/// Where glam is among the kinds of [`Best`], and the marks of the others: class, shape, name.
+const GLAM: usize = 2;
+const MARKS: [(&str, &str, &str); 5] = [
+    ("blocks", "m-6 0a6 6 0 1 0 12 0a6 6 0 1 0-12 0z", "dq8, blocks"),
+    ("plain", "m-6 0a6 6 0 1 0 12 0a6 6 0 1 0-12 0z", "dq8, plain"),
+    ("glam", "m0-9v18", "glam"),
+    ("peer", "m0-6l6 6-6 6-6-6z", "nalgebra"),
+    ("lanes", "m0-6l6 6-6 6-6-6z", "peer on lanes"),
+];
 
 const STYLE: &str = "\
-text{font-family:sans-serif;font-size:11px;fill:#222}\
-.title{font-size:20px;font-weight:bold}.caption{font-size:13px;font-weight:bold}\
-.name{text-anchor:end}.own{font-weight:bold}\
-.avx512{fill:#0072b2}.avx2{fill:#56b4e9}.portable{fill:#009e73}.scalar{fill:#a3d9c5}\
-.peer{fill:#bbb}.median{stroke:#222;stroke-width:1.5}.cut{stroke:#fff;stroke-width:3}";
+text{font-family:sans-serif;font-size:12px;fill:#222}\
+.title{font-size:17px;font-weight:bold}.tick{text-anchor:middle;fill:#555}.gain{text-anchor:end;font-weight:bold}\
+.grid{stroke:#ddd}.span{stroke:#999}.glam{stroke:#222;stroke-width:2}\
+.blocks{fill:#0072b2}.plain{fill:#56b4e9}.peer{fill:#888}.lanes{fill:#fff;stroke:#666;stroke-width:1.5}";
 
-const NOTE: &str = "Shorter is better. A bar is the least time of all rounds, the line at its end the median. dq8 in \
-                    colours, by the instructions that it ran with; its peers in grey, with how many times the least time \
-                    of dq8 they take. Numbers are f32, on one thread. J1 and the like are the jobs of the example compare.";
+const TITLE: &str = "Time over that of glam: farther left is quicker";
+const NOTE: &str = "f32, on one thread, data in the first caches. At the right: how many times as quick as glam the \
+                    quicker layout of dq8 is. ScLERP stands beside glam's slerp and lerp.";
 
-pub(crate) fn picture(results: &Results) -> Result<String, fmt::Error> {
+pub(crate) fn picture(contests: &[Best]) -> Result<String, fmt::Error> {
     let mut body = String::new();
-    let top = write_heading(&mut body)?;
-    let mut bottoms = [top; COLUMNS];
-    let mut contests: Vec<_> = results.contests().collect();
-    contests.sort_by_key(|rows| rows[0].job);
-    for rows in &contests {
-        // Into the column that ends first.
-        let column = (0..COLUMNS).min_by(|&a, &b| bottoms[a].total_cmp(&bottoms[b])).unwrap_or(0);
-        let left = MARGIN + column as f64 * (PANEL + GAP);
-        bottoms[column] = Panel::of(rows).write(&mut body, left, bottoms[column])? + GAP;
+    writeln!(body, r#"<text class="title" x="{MARGIN}" y="28">{TITLE}</text>"#)?;
+    let mut y = 32.0;
+    for line in wrapped(NOTE, SIZE, false, WIDTH - 2.0 * MARGIN) {
+        y += LINE;
+        writeln!(body, r#"<text x="{MARGIN}" y="{y}">{line}</text>"#)?;
     }
-    let height = bottoms.into_iter().fold(top, f64::max);
+    y += 24.0;
+    write_legend(&mut body, y)?;
+    y += 34.0;
+    let (top, mut rows) = (y, String::new());
+    for best in contests.iter().filter(|best| is_drawn(best)) {
+        y = write_row(&mut rows, best, y)?;
+    }
+    for (tick, name) in TICKS.iter().enumerate() {
+        let x = place((ENDS[0] + tick as f64).exp2());
+        let class = if *name == "1" { "glam" } else { "grid" };
+        writeln!(body, r#"<text class="tick" x="{x:.0}" y="{}">{name}</text>"#, top - 6.0)?;
+        writeln!(body, r#"<path class="{class}" d="M{x:.0} {top}V{y}"/>"#)?;
+    }
+    let height = y + MARGIN;
     Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
          width=\"{WIDTH}\" height=\"{height:.0}\">\n<style>{STYLE}</style>\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{body}</svg>\n"
+         <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{body}{rows}</svg>\n"
     ))
 }
 
-/// Gives back where it ends.
-fn write_heading(out: &mut String) -> Result<f64, fmt::Error> {
-    writeln!(out, r#"<text class="title" x="{MARGIN}" y="36">Nanoseconds a transform</text>"#)?;
-    let mut y = 40.0;
-    for line in wrapped(NOTE, SIZE, false, WIDTH - 2.0 * MARGIN) {
-        y += LINE;
-        writeln!(out, r#"<text x="{MARGIN}" y="{y}">{line}</text>"#)?;
+/// Those that glam takes part in.
+fn is_drawn(best: &Best) -> bool {
+    best.times[GLAM].is_some() && !best.job.split(' ').any(|word| LARGER.contains(&word))
+}
+
+/// The x of a ratio; beyond the scale, its end.
+fn place(ratio: f64) -> f64 {
+    let part = (ratio.log2() - ENDS[0]) / (ENDS[1] - ENDS[0]);
+    SCALE[0] + (SCALE[1] - SCALE[0]) * part.clamp(0.0, 1.0)
+}
+
+fn write_legend(out: &mut String, y: f64) -> fmt::Result {
+    for (index, (class, shape, name)) in MARKS.iter().enumerate() {
+        let x = MARGIN + 8.0 + 130.0 * index as f64;
+        writeln!(out, r#"<path class="{class}" d="M{x} {y}{shape}"/>"#)?;
+        writeln!(out, r#"<text x="{}" y="{}">{name}</text>"#, x + 11.0, y + 4.0)?;
     }
-    Ok(y + GAP)
+    Ok(())
+}
+
+/// Gives back where it ends.
+fn write_row(out: &mut String, best: &Best, top: f64) -> Result<f64, fmt::Error> {
+    let lines = wrapped(&best.title, SIZE, false, SCALE[0] - MARGIN - 14.0);
+    let height = LINE * lines.len() as f64 + 9.0;
+    for (line, text) in lines.iter().enumerate() {
+        let y = top + SIZE + 4.0 + LINE * line as f64;
+        writeln!(out, r#"<text x="{MARGIN}" y="{y}">{}</text>"#, escaped(text))?;
+    }
+    let glam = best.times[GLAM].map_or(1.0, |time| time.least);
+    let middle = top + height / 2.0;
+    let places = best.times.map(|time| time.map(|time| place(time.least / glam)));
+    let ends = places.iter().flatten();
+    let (low, high) = ends.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+    writeln!(out, r#"<path class="span" d="M{low:.0} {middle}H{high:.0}"/>"#)?;
+    // dq8 is drawn last, above what it hides.
+    for (index, x) in places.iter().enumerate().rev().filter(|(index, _)| *index != GLAM) {
+        if let Some(x) = x {
+            let (class, shape, _) = MARKS[index];
+            writeln!(out, r#"<path class="{class}" d="M{x:.0} {middle}{shape}"/>"#)?;
+        }
+    }
+    let own = best.times[..GLAM].iter().flatten().map(|time| time.least).min_by(f64::total_cmp);
+    if let Some(own) = own {
+        let (x, y) = (WIDTH - MARGIN, middle + 4.0);
+        writeln!(out, r#"<text class="gain" x="{x}" y="{y}">{:.1} ×</text>"#, glam / own)?;
+    }
+    Ok(top + height)
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{WIDTH, picture};
+    use super::{GLAM, is_drawn, picture};
+    use crate::best::{Best, KINDS, Time};
     use crate::plan::plan;
     use crate::results::{Results, Row};
     use dq8_contest::caches::Caches;
     use dq8_contest::task::Task;
     use dq8_fixtures::legible::illegible;
 
-    fn row(contender: &str, min: f64, median: f64) -> Row {
-        Row { median, ..Row::sample(contender, min) }
+    const PAGE: &str = include_str!("../../docs/compare.md");
+
+    /// The first table of the page that `markdown` writes.
+    fn table() -> Vec<Best> {
+        let rows = PAGE.lines().skip_while(|line| !line.starts_with("|---")).skip(1);
+        rows.take_while(|line| line.starts_with('|')).map(read).collect()
     }
 
-    fn drawn(rows: Vec<Row>) -> String {
-        picture(&Results { rows, ..Results::default() }).unwrap()
+    fn read(row: &str) -> Best {
+        let cells: Vec<_> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let (job, title) = cells[0].split_once(", ").unwrap();
+        let number = |word: &str| word.trim_matches(['(', ')']).parse().unwrap();
+        let times = std::array::from_fn(|kind| {
+            let mut words = cells[kind + 1].split(' ').filter(|word| *word != "–");
+            Some(Time { least: number(words.next()?), avx2: words.next().map(number) })
+        });
+        assert_eq!(cells.len(), KINDS.len() + 1, "{row}");
+        Best { job: job.into(), title: title.into(), times }
     }
 
     #[test]
-    fn bars_are_drawn_inside_the_picture() {
-        let picture = drawn(vec![
-            row("dq8 scalar", 1.0, 1.1),
-            row("slow", 2.0, 9.0),
-            row("slower", 1e4, 1e5),
-        ]);
+    fn the_chart_in_the_documentation_is_that_of_the_table_beside_it() {
+        let (table, chart) = (table(), include_str!("../../docs/compare.svg"));
+        assert_eq!(table.len(), 27);
+        assert_eq!(illegible(chart), [""; 0]);
+        let picture = picture(&table).unwrap();
+        let path = std::env::temp_dir().join("compare.svg");
+        if picture != chart {
+            std::fs::write(&path, picture).unwrap();
+            panic!(
+                "docs/compare.svg is of another table; that of compare.md is in {}",
+                path.display()
+            );
+        }
+    }
+
+    #[test]
+    fn marks_keep_to_the_scale_and_contests_without_glam_are_left_out() {
+        let time = |least| Some(Time { least, avx2: None });
+        let best = |times| Best { job: "J1 L1".into(), title: "product".into(), times };
+        let far = best([time(1e-9), time(1e9), time(1.0), None, None]);
+        let picture = picture(&[far]).unwrap();
+        assert!(picture.contains("d=\"M270 ") && picture.contains("d=\"M620 "), "{picture}");
         assert!(!picture.contains("NaN") && !picture.contains("inf"));
-        assert_eq!(picture.matches(r#"class="peer""#).count(), 2);
-        let edges = picture.lines().filter(|line| line.starts_with("<rect class")).map(|line| {
-            let number = |name: &str| -> f64 {
-                let from = line.find(name).unwrap() + name.len();
-                line[from..].split('"').next().unwrap().parse().unwrap()
-            };
-            number(" x=\"") + number(" width=\"")
-        });
-        assert!(edges.into_iter().all(|edge| edge < WIDTH));
+        assert!(!is_drawn(&best([time(1.0), None, None, time(1.0), None])));
+        let larger =
+            Best { job: "J1 DRAM".into(), ..best([time(1.0), None, time(1.0), None, None]) };
+        assert!(!is_drawn(&larger));
     }
 
     #[test]
     fn nothing_measured_is_an_empty_picture() {
-        assert!(picture(&Results::default()).unwrap().starts_with("<svg"));
+        assert!(picture(&[]).unwrap().starts_with("<svg"));
     }
 
     #[test]
     fn no_two_texts_of_any_job_overlap_and_none_leaves_the_page() {
         let caches = Caches::of_this_machine();
-        let tasks = plan(true, &[]);
-        let mut rows = Vec::new();
-        // The bandwidth is no contest of bars.
-        for task in tasks.iter().filter(|task| !matches!(task, Task::Bandwidth)) {
+        let mut results = Results::default();
+        // The bandwidth is no contest.
+        for task in plan(true, &[]).iter().filter(|task| !matches!(task, Task::Bandwidth)) {
             task.with_contest(&caches, |contest| {
                 for (index, contender) in contest.contenders.iter().enumerate() {
                     let min = 0.123_456 * 4_f64.powi(index as i32 % 9);
-                    let mut row = row(&contender.name, min, 1.1 * min);
+                    let mut row = Row::sample(&contender.name, min);
                     (row.job, row.size, row.title) =
                         (contest.job, contest.size.clone(), contest.title.clone());
-                    rows.push(row);
+                    results.rows.push(row);
                 }
             });
         }
-        assert!(rows.len() > 80, "{}", rows.len());
-        assert_eq!(illegible(&drawn(rows)), [""; 0]);
-    }
-
-    #[test]
-    fn the_picture_in_the_documentation_is_legible() {
-        assert_eq!(illegible(include_str!("../../docs/compare.svg")), [""; 0]);
-    }
-
-    #[test]
-    fn names_and_numbers_of_any_length_keep_to_their_places() {
-        for name in
-            ["W", "a name of very many words, more of them than a line has", &"W".repeat(80)]
-        {
-            for own in [format!("dq8 {name} AVX-512"), format!("dq8 {name}"), name.to_owned()] {
-                for min in [1e-9, 0.123_456, 9.9999, 12_345.678, 1e12] {
-                    let mut first = row(&own, min, 3.0 * min);
-                    (first.size, first.title) = (name.to_owned(), name.to_owned());
-                    let mut second = row("dq8 scalar", 1.0, 1.0);
-                    (second.size, second.title) = (first.size.clone(), first.title.clone());
-                    assert_eq!(illegible(&drawn(vec![first, second])), [""; 0], "{own} {min}");
-                }
-            }
-        }
+        let contests = Best::of_all(&results);
+        let drawn = contests.iter().filter(|best| best.times[GLAM].is_some()).count();
+        assert!(drawn >= 10, "{drawn}");
+        assert_eq!(illegible(&picture(&contests).unwrap()), [""; 0]);
     }
 }

@@ -24,7 +24,9 @@
 //! machine does only adds to it.
 
 mod args;
+mod best;
 mod chart;
+mod forms;
 mod json;
 mod machine;
 mod markdown;
@@ -36,6 +38,7 @@ mod results;
 mod table;
 
 use args::Args;
+use best::Best;
 use dq8_contest::caches::Caches;
 use machine::Machine;
 use mocap::command::{self, print};
@@ -84,7 +87,7 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
         texts.push(json::text(&results));
     }
     if args.svg.is_some() {
-        texts.push(chart::picture(&results)?);
+        texts.push(chart::picture(&Best::of_all(&results))?);
     }
     if args.md.is_some() {
         texts.push(markdown::text(&results)?);

@@ -1,63 +1,89 @@
-//! The results as a table for documents, one row a contest: the best of each kind.
+//! The results as a page: a table of the best of each kind, and one of all contenders.
 
-use crate::results::{Results, Row};
-use dq8::Backend;
+use crate::best::{Best, KINDS};
+use crate::forms::{COLUMNS, forms};
+use crate::results::{Results, best_own};
 use std::fmt::{self, Write};
 
-/// A heading, and which rows are meant.
-type Column = (&'static str, fn(&Row) -> bool);
+const HEADING: &str = "\
+# Side by side
 
-const COLUMNS: [Column; 5] = [
-    ("dq8 blocks", |row| row.is_own() && in_blocks(row)),
-    ("dq8 plain", |row| row.is_own() && !in_blocks(row) && !has_other_keys(row)),
-    ("glam", |row| row.contender.starts_with("glam")),
-    ("nalgebra `UnitDualQuaternion`", |row| row.contender == "nalgebra UnitDualQuaternion"),
-    ("lane peer", |row| !row.is_own() && in_blocks(row)),
-];
+`cargo run --release --example compare -- --md OUT` writes this page, and [results](results.md) says on which machine.
+Numbers are nanoseconds per transform in `f32` on one thread, the least of all rounds.
 
-/// Packed for lanes: blocks of this crate, and types of eight lanes.
-fn in_blocks(row: &Row) -> bool {
-    row.contender.contains("lanes") || row.contender.ends_with("x8")
-}
+## The best of each kind
 
-/// Packed clips of eight bytes a key: not the input that all others have.
-fn has_other_keys(row: &Row) -> bool {
-    row.contender.starts_with("dq8 packed")
-}
+In brackets: dq8 with AVX2, where other instructions are quicker.
 
-/// Nanoseconds a transform, the least of each column; in brackets this crate's on AVX2 where other
-/// instructions are faster.
+";
+
+const ALL: &str = "
+## All contenders
+
+The columns are the instructions that a row ran with; peers have those of a default build. The last column divides by the
+least time of dq8.
+
+";
+
 pub(crate) fn text(results: &Results) -> Result<String, fmt::Error> {
-    let mut text = String::from("| job |");
-    COLUMNS.iter().try_for_each(|(name, _)| write!(text, " {name} |"))?;
-    writeln!(text, "\n|{}", "---|".repeat(COLUMNS.len() + 1))?;
-    for rows in results.contests() {
-        let Some(of) = rows.first() else { continue };
-        write!(text, "| {} {}, {} |", of.job, of.size, of.title)?;
-        for (_, belongs) in COLUMNS {
-            // The fastest first.
-            let mut of_kind = rows.iter().filter(|row| belongs(row));
-            let best = of_kind.clone().next();
-            let avx2 = of_kind.find(|row| row.backend.is_some() && row.backend == Backend::avx2());
-            match best {
-                Some(best) => write!(text, " {:.2}", best.min)?,
-                None => text.push_str(" –"),
+    let mut text = String::from(HEADING);
+    text.push_str("| job |");
+    KINDS.iter().try_for_each(|(name, _)| write!(text, " {name} |"))?;
+    writeln!(text, "\n|{}", "---|".repeat(KINDS.len() + 1))?;
+    for Best { job, title, times } in Best::of_all(results) {
+        write!(text, "| {job}, {title} |")?;
+        for time in times {
+            match time {
+                Some(time) => write!(text, " {time} |")?,
+                None => text.push_str(" – |"),
             }
-            if let Some(avx2) = avx2.filter(|avx2| best.is_some_and(|best| best.min < avx2.min)) {
-                write!(text, " ({:.2})", avx2.min)?;
-            }
-            text.push_str(" |");
         }
         text.push('\n');
+    }
+    text.push_str(ALL);
+    writeln!(text, "| job | contender | {} | × dq8 |", COLUMNS.join(" | "))?;
+    writeln!(text, "|{}", "---|".repeat(COLUMNS.len() + 3))?;
+    for rows in results.contests() {
+        let best = best_own(&rows, |_| true);
+        for form in forms(&rows) {
+            write!(text, "| {} {} | {} |", rows[0].job, rows[0].size, form.name)?;
+            for least in form.least {
+                match least {
+                    Some(ns) => write!(text, " {} |", rounded(ns))?,
+                    None => text.push_str(" |"),
+                }
+            }
+            let peer = best.zip(form.least.last().copied().flatten()).filter(|_| !form.is_own);
+            writeln!(
+                text,
+                "{} |",
+                peer.map_or(String::new(), |(own, ns)| format!(" {:.1}", ns / own))
+            )?;
+        }
     }
     Ok(text)
 }
 
+/// Three digits, as many as times repeat from run to run.
+fn rounded(number: f64) -> String {
+    let before = number.abs().log10().floor() as i32 + 1;
+    format!("{number:.*}", (3 - before).max(0) as usize)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::text;
+    use super::{rounded, text};
     use crate::results::{Results, Row};
     use dq8::Backend;
+
+    #[test]
+    fn numbers_have_three_digits() {
+        for (number, text) in
+            [(0.361, "0.361"), (1.3244, "1.32"), (45.555, "45.6"), (9999.0, "9999")]
+        {
+            assert_eq!(rounded(number), text);
+        }
+    }
 
     #[test]
     fn each_kind_has_its_best_and_nobody_has_a_dash() {
@@ -72,8 +98,13 @@ mod tests {
         ];
         let mut results = Results::default();
         results.rows.extend(rows.map(|(name, min)| Row::sample(name, min)));
-        let row = "| J1 L1, product | 0.50 | 1.25 | 2.00 | – | 0.75 |";
-        assert_eq!(text(&results).unwrap().lines().nth(2), Some(row));
+        let text = text(&results).unwrap();
+        let has = |row: &str| assert!(text.lines().any(|line| line == row), "{row}: {text}");
+        has("| J1 L1, product | 0.50 | 1.25 | 2.00 | – | 0.75 |");
+        // All of them, too.
+        has("| J1 L1 | dq8 8 lanes | | 0.500 | | |");
+        has("| J1 L1 | dq8 scalar | | | 4.00 | |");
+        has("| J1 L1 | glam Mat4 | | | 3.00 | 6.0 |");
     }
 
     #[test]
@@ -83,6 +114,6 @@ mod tests {
         let of_avx2 = Row { backend: Some(avx2), ..Row::sample("dq8 8 lanes AVX2", 0.75) };
         results.rows.extend([Row::sample("dq8 8 lanes AVX-512", 0.5), of_avx2]);
         let row = "| J1 L1, product | 0.50 (0.75) | – | – | – | – |";
-        assert_eq!(text(&results).unwrap().lines().nth(2), Some(row));
+        assert!(text(&results).unwrap().lines().any(|line| line == row));
     }
 }

@@ -3,7 +3,7 @@
 use crate::map::{Place, ROLES};
 use dq8::scalar::vector::{add, cross, dot, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
-use dq8_robot::ik::{Goal, Options, OwnedReach};
+use dq8_robot::ik::{Goal, Options, OwnedReach, Tracking};
 use dq8_robot::urdf::Robot;
 use mocap::clip::{Channel, Clip, Joint};
 use std::error::Error;
@@ -144,12 +144,8 @@ impl Stance {
         let mut reach = OwnedReach::new(mechanism, goals)?.with_posture(zero.clone())?;
         let targets: Vec<_> =
             wanted.iter().map(|&place| DualQuat::from_translation(place)).collect();
-        let options = Options {
-            max_iterations: 200,
-            least_gain: 1e-6,
-            posture_weight: 0.05,
-            ..Options::track()
-        };
+        let options = Options { max_iterations: 200, least_gain: 1e-6, ..Options::track() };
+        let options = Tracking { options, posture_weight: 0.05, ..Tracking::default() };
         let mut values = zero;
         reach.track(&targets, &mut values, &options)?;
         robot.mechanism().link_poses(&values, &mut poses)?;

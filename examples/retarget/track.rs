@@ -3,7 +3,7 @@
 use crate::measure::Quality;
 use crate::scene::Scene;
 use dq8::{DualQuat, Real, Scalar};
-use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
+use dq8_robot::ik::{Goal, Options, OwnedReach, Report, Tracking};
 use mocap::command::print;
 use std::error::Error;
 use std::time::Instant;
@@ -21,9 +21,15 @@ const RUNS: usize = 7;
 /// What a robot is told: to follow, to stay near the last frame, and what is left free, near the
 /// stance. How far it lags behind is the square of that weight times the way in a frame: so the
 /// square is for the time of a frame.
-pub(crate) fn tracking(scene: &Scene) -> Options<f64> {
+pub(crate) fn tracking(scene: &Scene) -> Tracking<f64> {
     let start_weight = (LAG / scene.step).sqrt();
-    Options { start_weight, posture_weight: 0.02, ..Options::track() }
+    Tracking { start_weight, posture_weight: 0.02, ..Tracking::default() }
+}
+
+/// The same until a step gains nothing, without a start to stay near.
+fn converging(scene: &Scene) -> Tracking<f64> {
+    let options = Options { max_iterations: 100, least_gain: 1e-5, ..Options::track() };
+    Tracking { options, start_weight: 0.0, ..tracking(scene) }
 }
 
 /// What the clip becomes, and what others come to: a line for each.
@@ -32,14 +38,12 @@ pub(crate) fn all(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
         "  {:<32}{:>8}{:>18}{:>7}{:>13}{:>15}{:>13}\n",
         "", "frames/s", "mm, mean / p95", "feet", "rad/s, p95", "jerk, rad/s³", "% at limits"
     ))?;
-    let converged =
-        Options { max_iterations: 100, least_gain: 1e-5, start_weight: 0.0, ..tracking(scene) };
-    let (motion, _) = one(scene, &converged, true, 1)?;
+    let (motion, _) = one(scene, &converging(scene), true, 1)?;
     print(&line(scene, "until a step gains nothing", 0.0, &motion)?)?;
     let step = Options { max_iterations: 1, damping: 0.3, restarts: false, ..Options::default() };
     let mut answer = Vec::new();
     for (name, options, tracks) in
-        [("a damped step of second order", step, false), ("tracking", tracking(scene), true)]
+        [("a damped step of second order", step.into(), false), ("tracking", tracking(scene), true)]
     {
         let (motion, rate) = one(scene, &options, tracks, RUNS)?;
         print(&line(scene, name, rate, &motion)?)?;
@@ -66,7 +70,7 @@ fn line(scene: &Scene, name: &str, rate: f64, motion: &[f64]) -> Result<String, 
 
 fn problem<R: Real>(
     scene: &Scene,
-    options: &Options<f64>,
+    options: &Tracking<f64>,
 ) -> Result<OwnedReach<R>, Box<dyn Error>> {
     let goals: Vec<_> = scene.goals.iter().map(Goal::cast).collect();
     let reach = OwnedReach::new(scene.robot.cast()?, goals)?;
@@ -83,7 +87,7 @@ fn cast<R: Real>(numbers: &[f64]) -> Vec<R> {
 /// One clip, a frame at a time, and frames per second.
 pub(crate) fn one(
     scene: &Scene,
-    options: &Options<f64>,
+    options: &Tracking<f64>,
     tracks: bool,
     runs: usize,
 ) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
@@ -99,7 +103,7 @@ pub(crate) fn one(
             if tracks {
                 reach.track(targets, &mut values, &mut scratch, options)?;
             } else {
-                reach.follow(targets, &mut values, &mut scratch, options)?;
+                reach.follow(targets, &mut values, &mut scratch, &options.options)?;
             }
             motion.extend(&values);
         }
@@ -110,8 +114,7 @@ pub(crate) fn one(
 
 /// Where the first frame is reached.
 fn first(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
-    let options =
-        Options { max_iterations: 100, least_gain: 1e-5, start_weight: 0.0, ..tracking(scene) };
+    let options = converging(scene);
     let (mut reach, mut values) = (problem::<f64>(scene, &options)?, scene.start.clone());
     reach.track(&scene.targets[..scene.goals.len()], &mut values, &options)?;
     Ok(values)
@@ -121,7 +124,7 @@ fn first(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
 /// all.
 pub(crate) fn many<R: Scalar>(
     scene: &Scene,
-    options: &Options<f64>,
+    options: &Tracking<f64>,
     tracks: bool,
 ) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
     let reach = problem::<R>(scene, options)?;
@@ -143,7 +146,7 @@ pub(crate) fn many<R: Scalar>(
         } else {
             // A call a frame, and all clips in step.
             for (frame, targets) in in_step.iter().enumerate() {
-                reach.job().solve(targets, &mut now, &mut reports[..CLIPS], &options)?;
+                reach.job().solve(targets, &mut now, &mut reports[..CLIPS], &options.options)?;
                 values[frame * start.len()..][..start.len()].copy_from_slice(&now[..start.len()]);
             }
         }

@@ -103,9 +103,9 @@ const FORMS: &[Row] = &[
     ),
     ("JointKind::Screw", &[], "not proved: the sums of a hinge and of a slide, and a sine"),
     ("JointKind::Planar", &[], "not proved: the sums of a hinge and of a point, and a sine"),
-    ("robot/src/ik/job.rs Targets", &[], "not proved: a search"),
+    ("robot/src/ik/job.rs SearchKernel", &[], "not proved: a search"),
     ("robot/src/ik/rates.rs Velocities", &[], "not proved: solves a system"),
-    ("robot/src/ik/six_axis.rs Targets", &[], "not proved: angles by arcs"),
+    ("robot/src/ik/six_axis.rs SolutionsKernel", &[], "not proved: angles by arcs"),
 ];
 
 /// The text of a file of dq8 without its tests.

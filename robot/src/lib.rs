@@ -4,6 +4,8 @@
 //! Motions are dual quaternions of [`dq8`], one configuration at a time in any [`Real`](dq8::Real)
 //! number, or many on the lanes of the CPU.
 //!
+#![doc = include_str!("frames.svg")]
+//!
 //! The `guide` (feature `urdf`) goes from a file to inverse kinematics, and says which array is
 //! indexed by what.
 //!

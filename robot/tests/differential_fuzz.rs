@@ -9,7 +9,7 @@ use dq8::storage::{Block, Element};
 use dq8::{Backend, Crowd, DualQuat, Scalar, Twist};
 use dq8_fixtures::fuzz;
 use dq8_fixtures::random::{Random, bits};
-use dq8_robot::ik::{Options, OwnedReach, Report, SixAxisArm, Solutions};
+use dq8_robot::ik::{Options, OwnedReach, Report, SixAxisArm, Solutions, Tracking};
 use dq8_robot::{Goal, Joint, JointValues, OwnedMechanism, World};
 use std::iter::once;
 use std::ops::Range;
@@ -281,7 +281,7 @@ fn followed<R: Scalar>(random: &mut Random, backend: Backend) -> Entries {
         || Twist { angular: [(); 3].map(|()| from(random.signed())), linear: [-R::ZERO; 3] };
     let twists: Vec<_> = (0..count).map(|_| twist()).collect();
     let reach = OwnedReach::new(robot, [Goal::pose(LINKS - 1)]).unwrap();
-    let (job, options) = (reach.job().backend(backend), Options::track());
+    let (job, options) = (reach.job().backend(backend), Tracking::default());
     let mut scratch = vec![R::ZERO; reach.view().batch_scratch_len()];
     let mut follow = |clips: &[&[usize]]| {
         let (mut values, mut rates) = (values.clone(), values.clone());

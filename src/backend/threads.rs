@@ -124,29 +124,37 @@ mod many {
             // others.
             let all = self.threads.get() >= rayon::current_num_threads();
             let tasks = if all { grains } else { grains.min(self.threads.get()) };
-            share(tasks, grains, grain, 0, outputs, work);
+            Part { tasks, grains, first: 0, outputs }.share(grain, work);
         }
     }
 
-    fn share<O: Outputs>(
+    /// Outputs from thing `first` on, for so many tasks.
+    struct Part<O> {
         tasks: usize,
         grains: usize,
-        grain: usize,
         first: usize,
         outputs: O,
-        work: &(impl Fn(usize, O) + Sync),
-    ) {
-        if tasks < 2 {
-            return work(first, outputs);
+    }
+
+    impl<O: Outputs> Part<O> {
+        /// One task computes; more are two halves, side by side.
+        fn share(self, grain: usize, work: &(impl Fn(usize, O) + Sync)) {
+            let Self { tasks, grains, first, outputs } = self;
+            if tasks < 2 {
+                return work(first, outputs);
+            }
+            let left = grains * (tasks / 2) / tasks;
+            let at = left * grain;
+            let (begin, end) = outputs.split(at);
+            let begin = Part { tasks: tasks / 2, grains: left, first, outputs: begin };
+            let end = Part {
+                tasks: tasks - tasks / 2,
+                grains: grains - left,
+                first: first + at,
+                outputs: end,
+            };
+            rayon::join(|| begin.share(grain, work), || end.share(grain, work));
         }
-        let (left, right) = (tasks / 2, tasks - tasks / 2);
-        let before = grains * left / tasks;
-        let at = before * grain;
-        let (begin, end) = outputs.split(at);
-        rayon::join(
-            || share(left, before, grain, first, begin, work),
-            || share(right, grains - before, grain, first + at, end, work),
-        );
     }
 
     /// The output of a kernel, cut at a thing.

@@ -1,4 +1,5 @@
-//! Rotations from an axis and an angle, about the coordinate axes, and from one direction to another.
+//! Rotations from an axis and an angle, about the coordinate axes, and from one direction to
+//! another.
 
 use crate::batch::length::Length;
 use crate::batch::{DualQuat, Quat, vector};

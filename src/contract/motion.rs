@@ -22,6 +22,10 @@ shared_trait! {
     /// - σ and −σ are the same motion.
     /// - Angles are radians, lengths the user's own unit. Vectors are `[T; 3]`, matrices rows.
     ///
+    /// Every rigid motion is a screw (Chasles): a turn about one line and a slide along it.
+    ///
+    #[doc = include_str!("screw.svg")]
+    ///
     /// # Laws
     ///
     /// They hold up to rounding for finite values (the table of tolerances is in the tests):

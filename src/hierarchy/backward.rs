@@ -6,7 +6,7 @@ use super::run::Run;
 use super::slot::JointSlot;
 use crate::backend::Kernel;
 use crate::batch;
-use crate::palette_entry::motions;
+use crate::storage::motions;
 use crate::storage::{Element, Layout, Register, Source, Tile, identity};
 use dq8_simd::{Lanes, Level, MAX_LANES, Records};
 

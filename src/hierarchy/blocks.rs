@@ -4,8 +4,8 @@ use super::locals::{Ahead, GROUP, InPlace, Locals, Numbers};
 use super::run::{Epilogue, Run};
 use super::slot::JointSlot;
 use crate::backend::Kernel;
-use crate::palette_entry::{Motions, motions};
 use crate::storage::{Element, Layout, Register, Tile};
+use crate::storage::{Motions, motions};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
 

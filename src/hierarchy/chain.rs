@@ -4,7 +4,7 @@
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::number::Scalar;
-use crate::palette_entry::motions;
+use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity};
 use core::marker::PhantomData;
@@ -284,7 +284,7 @@ pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -
     let both = x.mul_add(L::splat(level, *px), w * L::splat(level, *pw));
     let both = y.mul_add(L::splat(level, *py), both);
     let both = z.mul_add(L::splat(level, *pz), both);
-    both + dual.raised()
+    both + dual.times_epsilon()
 }
 
 /// [`packed_product`] of a parent and its child in memory.

@@ -5,13 +5,13 @@ use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{GROUPS, Locals, Numbers, Rows, each, part_of, resized};
 use super::slot::JointSlot;
-use crate::brief::brief;
+use crate::batch::vector;
 use crate::law::Law;
+use crate::macros::brief;
 use crate::number::{Real, Scalar};
-use crate::palette_entry::Motions;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
-use crate::storage::{Aos, Element, Layout, Number, Register, aos, identity};
+use crate::storage::{Aos, Element, Layout, Motions, Number, Register, identity};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 use core::fmt::Debug;
@@ -528,7 +528,7 @@ impl<K> Clip<'_, K> {
         let last = self.timing.frames.saturating_sub(1);
         let key = |frame: usize| {
             let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
-            Some(aos::splat(ALONE, *keys.get(..self.joints)?.get(joint)?))
+            Some(vector::splat(ALONE, *keys.get(..self.joints)?.get(joint)?))
         };
         let [a, b]: [[<Aos<R> as Layout>::Register<Alone>; C]; 2] =
             [key(frame as usize)?, key(frame as usize + 1)?];

@@ -1,5 +1,5 @@
 use crate::backend::Backend;
-use crate::brief::brief;
+use crate::macros::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};

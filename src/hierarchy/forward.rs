@@ -5,8 +5,7 @@ use super::locals::Locals;
 use super::plain::{self, Unkept};
 use super::run::{Epilogue, Palette, Run};
 use crate::backend::Backend;
-use crate::palette_entry::PaletteEntry;
-use crate::storage::{Element, Layout, Number};
+use crate::storage::{Element, Layout, Number, PaletteEntry};
 
 /// Models, and what the epilogue makes of them.
 #[inline]

@@ -9,11 +9,10 @@ use super::plan::{NoPlan, Plan, Plans};
 use super::run::{Epilogue, NoEpilogue, NoRoot, Palette, Renormalize, Root, Roots, Run};
 use super::{Hierarchy, forward, plan};
 use crate::backend::Choice;
-use crate::brief::brief;
-use crate::palette_entry::{MatrixOrder, PaletteEntry};
+use crate::macros::brief;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, joints_within, same_length, whole_instances};
-use crate::storage::{Element, Number, Source};
+use crate::storage::{Element, MatrixOrder, Number, PaletteEntry, Source};
 use core::ops::{Bound, Range, RangeBounds};
 
 /// A run over a hierarchy: with a root transform, or on some of the joints.

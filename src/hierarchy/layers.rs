@@ -7,12 +7,11 @@ use super::locals::{
     part_of, resized, store,
 };
 use super::slot::JointSlot;
-use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
+use crate::macros::brief;
 use crate::number::Scalar;
-use crate::palette_entry::Motions;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Layout, Number, Register};
+use crate::storage::{self, Element, Layout, Motions, Number, Register};
 use bytemuck::Zeroable;
 use core::fmt::Debug;
 use core::ops::Range;

@@ -4,11 +4,10 @@
 use super::run::Run;
 use super::slot::JointSlot;
 use crate::batch;
-use crate::brief::brief;
 use crate::law::{Law, NlerpLerp};
-use crate::palette_entry::Motions;
+use crate::macros::brief;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Number, Register, Source};
+use crate::storage::{self, Element, Motions, Number, Register, Source};
 use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};

@@ -45,7 +45,7 @@ mod run;
 mod skeleton;
 mod slot;
 
-pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
+pub use crate::storage::palette_entry::{MatrixOrder, PaletteEntry};
 #[cfg(feature = "alloc")]
 pub use clip::OwnedClip;
 pub use clip::{Clip, Frames, Keys, PlacedKeys, Sampled};

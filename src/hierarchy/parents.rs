@@ -1,7 +1,6 @@
 //! [`Hierarchy`]: a parent array that has been checked, with its families and its errors.
 
-use crate::brief::brief;
-use crate::errors::{Count, errors};
+use crate::macros::{Count, brief, errors};
 use core::fmt;
 use core::ops::Range;
 

@@ -27,8 +27,8 @@ use super::slot::JointSlot;
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::number::Scalar;
-use crate::palette_entry::{Motions, motions};
 use crate::storage::{Element, Layout, Number, Register, Source, Tile, identity};
+use crate::storage::{Motions, motions};
 use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 

@@ -3,9 +3,8 @@
 
 use super::slot::JointSlot;
 use crate::batch;
-use crate::palette_entry::{MatrixOrder, Motions, PaletteEntry};
 use crate::scalar::DualQuat;
-use crate::storage::{self, Element, Layout, Number, Tile};
+use crate::storage::{self, Element, Layout, MatrixOrder, Motions, Number, PaletteEntry, Tile};
 use core::num::NonZeroU32;
 use core::ops::Range;
 use dq8_simd::Level;

@@ -5,7 +5,7 @@ use super::parents::HierarchyError;
 use super::plan::{Order, Plan, PlanScratch, is_long_chain, schedule, split_roots};
 use super::run::NoRoot;
 use super::{Hierarchy, Job};
-use crate::brief::brief;
+use crate::macros::brief;
 use crate::storage::Element;
 use crate::storage::shape::{ShapeError, same_length};
 use alloc::boxed::Box;

@@ -1,3 +1,4 @@
+use crate::batch::vector;
 use crate::number::Scalar;
 use crate::storage::{Tile, aos, identity};
 use dq8_simd::{Lanes, Level, Records};
@@ -120,7 +121,7 @@ impl JointSlot {
         if self.is_of_joints() {
             aos::load(level, records, Tile::at(self.joint, 0), &identity())
         } else {
-            Some(aos::splat(level, *records.get(self.joint)?))
+            Some(vector::splat(level, *records.get(self.joint)?))
         }
     }
 

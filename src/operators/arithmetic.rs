@@ -10,6 +10,7 @@ use core::ops::{
     Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
 };
 
+// `a *= b` is a = ab, so b comes first.
 macro_rules! assign {
     ($($thing:ident: $($trait:ident $method:ident $operator:tt),*;)*) => {$($(
         impl<R: Real> $trait for $thing<R> {
@@ -99,6 +100,8 @@ impl<R: Real> Mul<RotationTranslation<R>> for DualQuat<R> {
     }
 }
 
+// `&a * &b`, `a * &b`, `&a * b`, `a *= &b`, `-&a`. `Dual` has none: with a second product, the type
+// of the factor in `x * Real::HALF` would be ambiguous.
 macro_rules! references {
     ($($thing:ident: $($trait:ident $method:ident $assign:ident $method_assign:ident),*;)*) => {$($(
         impl<R: Real> $trait<&Self> for $thing<R> {
@@ -152,6 +155,7 @@ macro_rules! negative {
 }
 negative! { Quat DualQuat Twist DualVector }
 
+// A product runs from left to right: its last factor acts first.
 macro_rules! fold {
     ($($thing:ident: $($trait:ident $method:ident from $start:expr, $operator:tt),*;)*) => {$($(
         impl<R: Real> $trait for $thing<R> {
@@ -175,6 +179,7 @@ fold! {
     DualVector: Sum sum from Self::default(), +;
 }
 
+// In the order of memory. Like those of arrays, a number that is too large panics.
 macro_rules! index {
     ($($thing:ident: $order:literal;)*) => {$(
         #[doc = $order]

@@ -1,4 +1,5 @@
-//! Rotations about the coordinate axes, and rotations and poses that are told by directions.
+//! Rotations from an axis and an angle (Kenwright §3.4), about the coordinate axes, and rotations
+//! and poses that are told by directions.
 
 use super::OrthonormalError;
 use super::polar::gram_schmidt;

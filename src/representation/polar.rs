@@ -1,3 +1,5 @@
+//! The rotation of a matrix: the nearest one, by polar decomposition, and that of Gram and Schmidt.
+
 use super::OrthonormalError;
 use crate::number::Real;
 use crate::scalar::{Quat, vector};

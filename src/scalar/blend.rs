@@ -1,4 +1,4 @@
-//! Linear blending.
+//! Linear blending, and the intrinsic mean of motions, which starts from it.
 
 use super::{DualQuat, Quat, vector};
 use crate::everyday;

@@ -1,3 +1,6 @@
+//! Dual numbers; as [`Real`] numbers they differentiate: code that is written for [`Real`] computes
+//! its own derivative.
+
 use super::error::{InverseError, Normed};
 use crate::contract::{power, sums};
 use crate::number::Real;

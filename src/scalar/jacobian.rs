@@ -1,4 +1,4 @@
-//! Jacobians of the exponential of SE(3), on dual numbers.
+//! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers.
 //!
 //! With twists as dual vectors, the Lie bracket of se(3) is the dual cross product x × y =
 //! ω×η + ε(ω×w + v×η), so by the transfer principle the Jacobians are those of SO(3) over

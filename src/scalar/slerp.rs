@@ -1,4 +1,5 @@
-//! Spherical linear interpolation of rotations, and rotation and translation interpolated apart.
+//! Spherical linear interpolation of rotations, and rotation and translation interpolated apart;
+//! squad, smooth motion through key poses.
 
 use super::{DualQuat, Quat, vector};
 use crate::everyday;

@@ -36,18 +36,15 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
         scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
     /// Poses plain points, where that is quicker than on lanes, and says how many; `None` if none.
-    /// `rest` and `posed` begin with vertex `first`, and have the same length.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points<V: Level, J: Index, W: Weight>(
         &self,
         level: V,
         skin: &Skin<'_, J, W>,
-        first: usize,
-        rest: &[[R; 3]],
-        posed: &mut [[R; 3]],
+        points: PlainPoints<'_, R>,
     ) -> Option<usize> {
-        let _ = (level, skin, first, rest, posed);
+        let _ = (level, skin, points);
         None
     }
     /// The sum of two groups.
@@ -61,6 +58,14 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
         sum: Self::Sum<L>,
         first: usize,
     ) -> Self::Map<L>;
+}
+
+/// Points that lie one after the other, from vertex `first` on: as many posed as at rest.
+#[derive(Debug)]
+pub struct PlainPoints<'m, R> {
+    pub(super) first: usize,
+    pub(super) rest: &'m [[R; 3]],
+    pub(super) posed: &'m mut [[R; 3]],
 }
 
 /// A blend, as it acts on a surface.

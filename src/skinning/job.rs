@@ -138,19 +138,12 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
         blend.check(skin.joint_count(), skin.vertices())?;
         mesh.check(skin.vertices())?;
         let backend = self.choice.instructions();
-        let run = |first, mesh| backend.run(Run { skin, blend, first, mesh });
-        #[cfg(feature = "rayon")]
-        if backend.many() {
-            backend.share(GRAIN, mesh, &run);
-            return Ok(());
-        }
-        run(0, mesh);
+        backend.share(GRAIN, mesh, &|first, mesh| backend.run(Run { skin, blend, first, mesh }));
         Ok(())
     }
 }
 
 /// The vertices to each thread at least: some microseconds of work.
-#[cfg(feature = "rayon")]
 const GRAIN: usize = 4096;
 
 /// Lanes are vertices.
@@ -177,8 +170,8 @@ where
         let Self { skin, blend, first, mut mesh } = self;
         let lanes = Register::<M::Point, V, 3>::LANES;
         let mut done = 0;
-        if let Some((rest, posed)) = mesh.points() {
-            done = blend.points(level, skin, first, rest, posed).unwrap_or(0);
+        if let Some(points) = mesh.points(first) {
+            done = blend.points(level, skin, points).unwrap_or(0);
         }
         let things = <M::Point as Element<3>>::Layout::THINGS;
         let mut scratch = skin.scratch();

@@ -1,4 +1,4 @@
-use super::blender::{Blender, SurfaceMap};
+use super::blender::{Blender, PlainPoints, SurfaceMap};
 use super::skin::{GROUP, Scratch, Skin, Weight, settled};
 use crate::batch::vector;
 use crate::macros::brief;
@@ -105,9 +105,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         &self,
         level: V,
         skin: &Skin<'_, J, W>,
-        first: usize,
-        rest: &[[R; 3]],
-        posed: &mut [[R; 3]],
+        PlainPoints { first, rest, posed }: PlainPoints<'_, R>,
     ) -> Option<usize> {
         // Where a vector of four numbers is several registers, lanes of vertices are quicker.
         if R::Lanes::<V>::LANES < 4 {

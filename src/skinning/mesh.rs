@@ -1,14 +1,15 @@
 //! Meshes at rest and posed: a slice for each field, or vertices that are records of several fields.
 
 use super::SkinningError;
+use super::blender::PlainPoints;
 use crate::backend::Outputs;
 use crate::number::Scalar;
 use crate::storage::shape::same_length;
 use crate::storage::{self, Element, Layout, Number, Register, Tile};
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
-/// What there is for each vertex of a mesh, a slice each: written as [`Surface`], at rest, or
-/// [`SurfaceMut`], posed, which say what slices they are.
+/// The slices of a mesh, one for each field of its vertices; [`Surface`] and [`SurfaceMut`] say
+/// which slices.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Vertices<S> {
@@ -20,22 +21,31 @@ pub struct Vertices<S> {
     pub tangents: Option<S>,
 }
 
-/// A mesh at rest.
+/// A mesh at rest: positions, and normals and tangents if it has them, a slice each. `positions`
+/// makes one without the others, and `normals` and `tangents` add them.
+///
+/// ```
+/// use dq8::skinning::Surface;
+/// let (positions, normals) = ([[1.0_f32, 2.0, 3.0]], [[0.0, 0.0, 1.0]]);
+/// let rest = Surface::positions(&positions).normals(&normals);
+/// assert_eq!((rest.normals, rest.tangents), (Some(&normals[..]), None));
+/// ```
 pub type Surface<'s, P> = Vertices<&'s [P]>;
 
-/// The memory that a posed mesh goes to. It has normals and tangents if the mesh at rest has.
+/// The memory that a posed mesh goes to, made like a [`Surface`]. It has normals and tangents if the
+/// mesh at rest has.
 pub type SurfaceMut<'s, P> = Vertices<&'s mut [P]>;
 
 impl<S> Vertices<S> {
-    /// Nothing but positions.
+    /// Positions alone.
     pub fn positions(positions: S) -> Self {
         Self { positions, normals: None, tangents: None }
     }
-    /// And normals.
+    /// The mesh with normals.
     pub fn normals(self, normals: S) -> Self {
         Self { normals: Some(normals), ..self }
     }
-    /// And tangents.
+    /// The mesh with tangents.
     pub fn tangents(self, tangents: S) -> Self {
         Self { tangents: Some(tangents), ..self }
     }
@@ -64,17 +74,17 @@ pub(super) trait Mesh: Outputs {
     /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile)
     -> Option<Vectors<Self::Point, V>>;
-    /// Positions at rest and posed, if they are plain, and there is nothing else to pose.
+    /// The positions, if they are plain, and there is nothing else to pose. `first` is the number
+    /// of the first vertex.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn points(&mut self) -> Option<PlainPoints<'_, Number<Self::Point, 3>>> {
+    fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<Self::Point, 3>>> {
+        let _ = first;
         None
     }
     /// The posed vectors of a tile.
     fn store<V: Level>(&mut self, vectors: Vectors<Self::Point, V>, field: Field, tile: Tile);
 }
 
-/// Points at rest, and posed.
-pub(super) type PlainPoints<'m, R> = (&'m [[R; 3]], &'m mut [[R; 3]]);
 /// A register for each component of a vector.
 pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
 
@@ -134,11 +144,12 @@ impl<P: Element<3>> Mesh for Separate<'_, P> {
         P::load(level, from, tile, &storage::identity())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn points(&mut self) -> Option<PlainPoints<'_, Number<P, 3>>> {
+    fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<P, 3>>> {
         if self.rest.normals.is_some() || self.rest.tangents.is_some() {
             return None;
         }
-        Some((P::plain(self.rest.positions)?, P::plain_mut(self.posed.positions)?))
+        let (rest, posed) = (P::plain(self.rest.positions)?, P::plain_mut(self.posed.positions)?);
+        Some(PlainPoints { first, rest, posed })
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile) {

@@ -11,6 +11,8 @@
 //! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
+#![doc = include_str!("twist.svg")]
+//!
 //! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several
 //! fields; [`Skin::interleaved`] reads joints and weights there too.
 //!
@@ -47,6 +49,7 @@ mod palette;
 mod reference;
 mod skin;
 
+#[doc(hidden)]
 pub use blender::Blender;
 pub use composite::{Mixed, StretchedDualBlend};
 #[doc(inline)]
@@ -55,7 +58,9 @@ pub use dual_blend::DualBlend;
 pub use error::SkinningError;
 pub use job::Job;
 pub use linear::Linear;
-pub use mesh::{Surface, SurfaceMut, VertexFields, Vertices};
-pub use palette::{Split, matrix_palette, split_palette};
+pub use mesh::{Surface, SurfaceMut, VertexFields};
+#[doc(hidden)]
+pub use palette::Split;
+pub use palette::{matrix_palette, split_palette};
 pub use reference::{dual_blend, linear_blend};
 pub use skin::{InfluenceField, Skin, Weight};

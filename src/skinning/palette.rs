@@ -98,6 +98,10 @@ fn affine<R: Real>(
 /// [`Affine::try_decompose`]): a palette for [`StretchedDualBlend`](super::StretchedDualBlend), or,
 /// where all are rigid, for [`DualBlend`](super::DualBlend).
 ///
+/// Returns how far the stretches are from the identity: `stretch`, the largest difference of an
+/// element, and the `joint` that has it; the number of joints that are `mirroring` or `squeezing`;
+/// and `is_rigid(tolerance)`, which is `true` where [`DualBlend`](super::DualBlend) is enough.
+///
 /// # Errors
 /// If the slices differ in length or an element is not finite; `motions` and `stretches` are then
 /// untouched.

@@ -39,9 +39,6 @@ brief!([J: Index, W: Weight] Skin<'_, J, W>: Skin |it| {
     vertices: it.vertices(), influences: it.influences(), joints: it.joint_count(),
 });
 
-/// Four influences of some vertices: the records that their joints are, and weights.
-type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
-
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// Between these the weights of a vertex must sum. They should sum to one; dual quaternion
     /// blends divide by the sum in any case, linear blends do not.
@@ -206,139 +203,6 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         let left = (0..influence).fold(R::ONE, |left, i| left - self.given_weight::<R>(vertex, i));
         // Rounding may leave less than nothing.
         if left > R::ZERO { left } else { R::ZERO }
-    }
-
-    /// The number of groups of influences.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn groups(&self) -> usize {
-        self.influences().div_ceil(GROUP)
-    }
-
-    /// The place where kernels keep what they read.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
-        Scratch::new(self.joints)
-    }
-
-    /// The influences of `count` vertices from `first` on where they lie, joints as records of
-    /// `table`. `None` if they are not four, or not in memory as kernels compute with them.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn in_place<'t, R: Scalar, const C: usize>(
-        &self,
-        first: usize,
-        count: usize,
-        table: &'t [[R; C]],
-    ) -> Option<InPlace<'a, 't, J, R, C>> {
-        if self.stride != GROUP {
-            return None;
-        }
-        let weights = W::as_numbers(self.weights)?.as_chunks().0.get(first..)?.get(..count)?;
-        Some((self.joints.all_in_place(first, count, table)?, weights))
-    }
-
-    /// A group of influences of the vertices from `first` on, one for each lane.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn read<R: Scalar>(
-        &self,
-        first: usize,
-        lanes: usize,
-        group: usize,
-        to: &mut Influences<'a, R, J>,
-    ) {
-        let weights = self.weights.as_chunks::<GROUP>().0.get(first..);
-        // An implied weight makes the stride shorter.
-        if self.stride == GROUP
-            && let Some(weights) = weights.and_then(|weights| weights.get(..lanes))
-            && let in_place @ Some(_) = self.joints.in_place(first)
-        {
-            to.in_place = in_place;
-            let numbers = W::as_numbers(self.weights).map(|numbers| numbers.as_chunks::<GROUP>().0);
-            to.weights_in_place = numbers.and_then(|rows| rows.get(first..)?.first_chunk());
-            if to.weights_in_place.is_none() {
-                let mut lane = 0;
-                while lane < lanes {
-                    let [a, b, c, d] = weights[lane];
-                    to.weights.0[lane] = [a.value(), b.value(), c.value(), d.value()];
-                    lane += 1;
-                }
-            }
-            return;
-        }
-        if !(self.influences() == GROUP && !self.implied() && self.read_rows(first, lanes, to)) {
-            self.read_each(first, lanes, group, to);
-        }
-    }
-
-    /// [`read`](Self::read) where something lies between the four influences of vertices. False if
-    /// there are not as many vertices.
-    #[inline(never)]
-    fn read_rows<R: Scalar>(
-        &self,
-        first: usize,
-        lanes: usize,
-        to: &mut Influences<'a, R, J>,
-    ) -> bool {
-        if !to.joints.set_rows(lanes, first) {
-            return false;
-        }
-        (to.in_place, to.weights_in_place) = (None, None);
-        let mut rest = self.weights.get(first * self.stride..).unwrap_or_default();
-        for weights in to.weights.0.iter_mut().take(lanes) {
-            let Some([a, b, c, d]) = rest.first_chunk() else { break };
-            *weights = [a.value(), b.value(), c.value(), d.value()];
-            rest = rest.get(self.stride..).unwrap_or_default();
-        }
-        true
-    }
-
-    /// [`read`](Self::read) for any number of influences, and where the vertices end: what lies
-    /// beyond is moved by joint 0.
-    #[inline(never)]
-    fn read_each<R: Scalar>(
-        &self,
-        first: usize,
-        lanes: usize,
-        group: usize,
-        to: &mut Influences<'a, R, J>,
-    ) {
-        (to.in_place, to.weights_in_place) = (None, None);
-        // A vertex that is not there is moved by its first influence alone.
-        let none = [if group == 0 { R::ONE } else { R::ZERO }, R::ZERO, R::ZERO, R::ZERO];
-        let from = group * GROUP;
-        for (lane, weights) in to.weights.0.iter_mut().enumerate().take(lanes) {
-            let vertex = first + lane;
-            // Influences that are not there are the first one with weight 0: another joint's NaN
-            // must not get in.
-            let there = to.joints.set_row(lane, vertex, from);
-            *weights = if there { self.weights_from(vertex, from) } else { none };
-        }
-        if group == 0 && self.groups() > 1 {
-            let pivots = to.pivots.get_or_insert_with(|| Picks::new(self.joints));
-            let vertices = self.vertices();
-            for lane in 0..lanes {
-                let vertex = first + lane;
-                let pivot = if vertex < vertices { self.pivot::<R>(vertex) } else { 0 };
-                pivots.set_first(lane, vertex, pivot);
-            }
-        }
-    }
-
-    /// Four weights of a vertex, zero where there are none.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn weights_from<R: Scalar>(&self, vertex: usize, from: usize) -> [R; GROUP] {
-        let (start, given) = (vertex * self.stride + from, self.given().saturating_sub(from));
-        let mut weights = [R::ZERO; GROUP];
-        for (which, weight) in weights.iter_mut().enumerate() {
-            let own = if which < given { self.weights.get(start + which) } else { None };
-            *weight = own.map_or(R::ZERO, |own| own.value());
-        }
-        let last = self.influences() - 1;
-        if self.implied()
-            && let Some(weight) = weights.get_mut(last.wrapping_sub(from))
-        {
-            *weight = self.weight(vertex, last);
-        }
-        weights
     }
 }
 
@@ -518,18 +382,7 @@ pub struct Scratch<'a, R, J> {
 #[repr(align(64))]
 pub(super) struct Aligned<T>(pub(super) T);
 
-impl<'a, R: Scalar, J: Index> Influences<'a, R, J> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn new(joints: CheckedIndices<'a, J>) -> Self {
-        Self {
-            in_place: None,
-            weights_in_place: None,
-            joints: Picks::new(joints),
-            weights: Aligned([[R::ZERO; GROUP]; MAX_LANES]),
-            pivots: None,
-        }
-    }
-
+impl<R: Scalar, J: Index> Influences<'_, R, J> {
     /// For each lane the joints: in one of two places, a choice that must not be made again for
     /// each index.
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -547,13 +400,6 @@ impl<'a, R: Scalar, J: Index> Influences<'a, R, J> {
     }
 }
 
-impl<'a, R: Scalar, J: Index> Scratch<'a, R, J> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn new(joints: CheckedIndices<'a, J>) -> Self {
-        Self { influences: Influences::new(joints), sums: Aligned([[R::ZERO; 16]; MAX_LANES]) }
-    }
-}
-
 /// A fence: what has been written is in memory, to be read in other pieces. Otherwise the compiler
 /// takes vectors apart number by number, to put them together again without memory; or it reads
 /// more at once than was written at once, which CPUs do not forward from stores to loads. Either
@@ -561,4 +407,149 @@ impl<'a, R: Scalar, J: Index> Scratch<'a, R, J> {
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn settled<T>(written: &T) -> &T {
     black_box(written)
+}
+
+/// Four influences of some vertices: the records that their joints are, and weights.
+type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
+
+impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
+    /// The number of groups of influences.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn groups(&self) -> usize {
+        self.influences().div_ceil(GROUP)
+    }
+
+    /// The place where kernels keep what they read.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
+        let influences = Influences {
+            in_place: None,
+            weights_in_place: None,
+            joints: Picks::new(self.joints),
+            weights: Aligned([[R::ZERO; GROUP]; MAX_LANES]),
+            pivots: None,
+        };
+        Scratch { influences, sums: Aligned([[R::ZERO; 16]; MAX_LANES]) }
+    }
+
+    /// The influences of `count` vertices from `first` on where they lie, joints as records of
+    /// `table`. `None` if they are not four, or not in memory as kernels compute with them.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn in_place<'t, R: Scalar, const C: usize>(
+        &self,
+        first: usize,
+        count: usize,
+        table: &'t [[R; C]],
+    ) -> Option<InPlace<'a, 't, J, R, C>> {
+        if self.stride != GROUP {
+            return None;
+        }
+        let weights = W::as_numbers(self.weights)?.as_chunks().0.get(first..)?.get(..count)?;
+        Some((self.joints.all_in_place(first, count, table)?, weights))
+    }
+
+    /// A group of influences of the vertices from `first` on, one for each lane.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn read<R: Scalar>(
+        &self,
+        first: usize,
+        lanes: usize,
+        group: usize,
+        to: &mut Influences<'a, R, J>,
+    ) {
+        let weights = self.weights.as_chunks::<GROUP>().0.get(first..);
+        // An implied weight makes the stride shorter.
+        if self.stride == GROUP
+            && let Some(weights) = weights.and_then(|weights| weights.get(..lanes))
+            && let in_place @ Some(_) = self.joints.in_place(first)
+        {
+            to.in_place = in_place;
+            let numbers = W::as_numbers(self.weights).map(|numbers| numbers.as_chunks::<GROUP>().0);
+            to.weights_in_place = numbers.and_then(|rows| rows.get(first..)?.first_chunk());
+            if to.weights_in_place.is_none() {
+                let mut lane = 0;
+                while lane < lanes {
+                    let [a, b, c, d] = weights[lane];
+                    to.weights.0[lane] = [a.value(), b.value(), c.value(), d.value()];
+                    lane += 1;
+                }
+            }
+            return;
+        }
+        if !(self.influences() == GROUP && !self.implied() && self.read_rows(first, lanes, to)) {
+            self.read_each(first, lanes, group, to);
+        }
+    }
+
+    /// [`read`](Self::read) where something lies between the four influences of vertices. False if
+    /// there are not as many vertices.
+    #[inline(never)]
+    fn read_rows<R: Scalar>(
+        &self,
+        first: usize,
+        lanes: usize,
+        to: &mut Influences<'a, R, J>,
+    ) -> bool {
+        if !to.joints.set_rows(lanes, first) {
+            return false;
+        }
+        (to.in_place, to.weights_in_place) = (None, None);
+        let mut rest = self.weights.get(first * self.stride..).unwrap_or_default();
+        for weights in to.weights.0.iter_mut().take(lanes) {
+            let Some([a, b, c, d]) = rest.first_chunk() else { break };
+            *weights = [a.value(), b.value(), c.value(), d.value()];
+            rest = rest.get(self.stride..).unwrap_or_default();
+        }
+        true
+    }
+
+    /// [`read`](Self::read) for any number of influences, and where the vertices end: what lies
+    /// beyond is moved by joint 0.
+    #[inline(never)]
+    fn read_each<R: Scalar>(
+        &self,
+        first: usize,
+        lanes: usize,
+        group: usize,
+        to: &mut Influences<'a, R, J>,
+    ) {
+        (to.in_place, to.weights_in_place) = (None, None);
+        // A vertex that is not there is moved by its first influence alone.
+        let none = [if group == 0 { R::ONE } else { R::ZERO }, R::ZERO, R::ZERO, R::ZERO];
+        let from = group * GROUP;
+        for (lane, weights) in to.weights.0.iter_mut().enumerate().take(lanes) {
+            let vertex = first + lane;
+            // Influences that are not there are the first one with weight 0: another joint's NaN
+            // must not get in.
+            let there = to.joints.set_row(lane, vertex, from);
+            *weights = if there { self.weights_from(vertex, from) } else { none };
+        }
+        if group == 0 && self.groups() > 1 {
+            let pivots = to.pivots.get_or_insert_with(|| Picks::new(self.joints));
+            let vertices = self.vertices();
+            for lane in 0..lanes {
+                let vertex = first + lane;
+                let pivot = if vertex < vertices { self.pivot::<R>(vertex) } else { 0 };
+                pivots.set_first(lane, vertex, pivot);
+            }
+        }
+    }
+
+    /// Four weights of a vertex, zero where there are none.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn weights_from<R: Scalar>(&self, vertex: usize, from: usize) -> [R; GROUP] {
+        let (start, given) = (vertex * self.stride + from, self.given().saturating_sub(from));
+        let mut weights = [R::ZERO; GROUP];
+        for (which, weight) in weights.iter_mut().enumerate() {
+            let own = if which < given { self.weights.get(start + which) } else { None };
+            *weight = own.map_or(R::ZERO, |own| own.value());
+        }
+        let last = self.influences() - 1;
+        if self.implied()
+            && let Some(weight) = weights.get_mut(last.wrapping_sub(from))
+        {
+            *weight = self.weight(vertex, last);
+        }
+        weights
+    }
 }

@@ -3,12 +3,13 @@
 use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::{Backend, Kernel};
 use crate::batch;
-use crate::errors::errors;
+use crate::macros::errors;
 use crate::number::Real;
-use crate::palette_entry::{MatrixOrder, PaletteEntry, motions};
 use crate::scalar::{DualQuat, MatrixError};
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Layout, Number, Register, Tile};
+use crate::storage::{
+    self, Element, Layout, MatrixOrder, Number, PaletteEntry, Register, Tile, motions,
+};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level, Mask};
 

@@ -3,8 +3,8 @@
 use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::Backend;
 use crate::batch;
-use crate::palette_entry::motions;
 use crate::scalar::DualQuat;
+use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;

@@ -123,16 +123,6 @@ impl<R> sealed::Sealed for RotationTranslation<R> {}
 impl<R> sealed::Sealed for DualQuat<R> {}
 impl<T, const N: usize> sealed::Sealed for [T; N] {}
 
-/// The same record in every lane.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn splat<L: Lanes, const C: usize>(level: L::Level, record: [L::Real; C]) -> [L; C] {
-    let mut lanes = [L::splat(level, L::Real::default()); C];
-    for (lane, number) in lanes.iter_mut().zip(record) {
-        *lane = L::splat(level, number);
-    }
-    lanes
-}
-
 crate::macros::pod! {
     /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many
     /// controllers; `[R; 6]`, [`Twist`] and a [`Block`](super::Block) of six rows have the angular

@@ -6,6 +6,8 @@
 //! with a register for each component, a thing in each lane. So a block is read as it is, the
 //! fastest way, and plain records are transposed in registers.
 //!
+#![doc = include_str!("blocks.svg")]
+//!
 //! | `C` | what | one record |
 //! |---|---|---|
 //! | 1 | a number | `R` |
@@ -58,6 +60,6 @@ pub use element::{Element, Layout, Number, Register, Tile, identity, tiles};
 #[cfg(feature = "alloc")]
 pub(crate) use packing::{Pack, Unpack, blocks_for};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};
-pub(crate) use palette_entry::MatrixOrder;
+pub(crate) use palette_entry::{MatrixOrder, PaletteEntry};
 pub use shape::{same_length, whole_instances};
-pub(crate) use source::Source;
+pub(crate) use source::{Motions, Source, motions};

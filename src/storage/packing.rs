@@ -1,7 +1,8 @@
 //! Between slices of single things and blocks: instances, or segments of a chain, become lanes.
 
-use super::{Block, Element, Tile, aos, identity};
+use super::{Block, Element, Tile, identity};
 use crate::backend::{Backend, Kernel};
+use crate::batch::vector;
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
 use dq8_simd::{Lanes, Level, Row};
@@ -146,7 +147,7 @@ where
                     let tile = Tile { element, register: 0, stride: Some(stride) };
                     let components = E::load(level, things, tile, &padding).unwrap_or_else(
                         #[cfg_attr(not(opt_level_0), inline(always))]
-                        || aos::splat(level, padding),
+                        || vector::splat(level, padding),
                     );
                     for (row, component) in block.0.iter_mut().zip(components) {
                         let lanes = row.as_mut().get_mut(lane..).unwrap_or_default();
@@ -184,7 +185,7 @@ where
             let Some(things) = things.get_mut(..end) else { return };
             for (joint, block) in blocks.iter().enumerate() {
                 for lane in (0..N).step_by(R::Lanes::<V>::LANES) {
-                    let mut components: [R::Lanes<V>; C] = aos::splat(level, [R::ZERO; C]);
+                    let mut components: [R::Lanes<V>; C] = vector::splat(level, [R::ZERO; C]);
                     for (component, row) in components.iter_mut().zip(&block.0) {
                         let mut array = component.to_array();
                         let lanes = row.as_ref().get(lane..).unwrap_or_default();

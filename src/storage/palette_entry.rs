@@ -62,5 +62,3 @@ impl<E: Element<16>> PaletteEntry<16> for E {
         }
     }
 }
-
-pub(crate) use super::source::{Motions, motions};

@@ -11,7 +11,7 @@ use dq8::hierarchy::{
 };
 use dq8::ik::Limb;
 use dq8::law::{Nlerp, NlerpLerp, Sclerp};
-use dq8::seams::{for_each_kernel, record};
+use dq8::internal::{for_each_kernel, record};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
 use dq8::{Backend, DualQuat, Hierarchy};

@@ -4,7 +4,7 @@ use super::R;
 use super::jobs::{M, N, hash};
 use crate::random::Random;
 use dq8::{Backend, Twist};
-use dq8_robot::ik::{Freedom, Options, Report, SixAxisArm, Solutions};
+use dq8_robot::ik::{Freedom, Options, Report, SixAxisArm, Solutions, Tracking};
 use dq8_robot::{Goal, Joint, Mechanism, Reach, Step, World};
 
 pub(super) fn robots(
@@ -87,8 +87,15 @@ pub(super) fn robots(
     let (job, mut speeds) = (reach.job().backend(k), rates);
     job.rates_in(&mut scratch, &values, &twists[..COUNT], 0.1, &mut speeds).expect("lengths fit");
     say("Reach, rates", hash(&speeds));
-    job.sequence_in(&mut scratch, &[4, 7], &targets, &mut start, &mut reports, &Options::track())
-        .expect("lengths fit");
+    job.sequence_in(
+        &mut scratch,
+        &[4, 7],
+        &targets,
+        &mut start,
+        &mut reports,
+        &Tracking::default(),
+    )
+    .expect("lengths fit");
     say("Reach, clips", hash(&start));
 }
 

@@ -7,7 +7,7 @@ use crate::records::{entries, equal, is_finite, same_bits};
 use crate::scene::rounded;
 use crate::subject::for_every_subject;
 use dq8::hierarchy::MatrixOrder;
-use dq8::seams::{for_each_kernel, record};
+use dq8::internal::{for_each_kernel, record};
 use dq8::storage::Aos;
 use dq8::{Backend, DualQuat, ShapeError};
 

@@ -27,7 +27,7 @@
 //! for Use in Estimation Problems*.
 
 use dq8::batch::{self, vector};
-use dq8::seams::Rows;
+use dq8::internal::Rows;
 use dq8::storage::{self, Element, Register, Tile, same_length};
 use dq8::{Backend, Kernel, Lanes, Level, ShapeError};
 

@@ -1,5 +1,5 @@
 use dq8::ShapeError;
-use dq8::seams::errors;
+use dq8::internal::errors;
 
 errors! {
     /// Stamps, poses, times or points that do not fit together. Nothing has been written.

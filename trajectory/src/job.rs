@@ -6,7 +6,7 @@ use crate::segments::{Frame, Outside, Segments};
 use crate::stretches::stretches;
 use crate::{OwnedTrajectory, Trajectory, TrajectoryError};
 use alloc::vec;
-use dq8::seams::{Choice, Rows, options};
+use dq8::internal::{Choice, Rows, options};
 use dq8::storage::{Element, Layout, same_length};
 use dq8::{DualQuat, Scalar, ShapeError, Twist};
 

@@ -1,13 +1,43 @@
-//! What is known of an arm of six hinges before a target is: found once, where it is made.
+//! The geometry of an arm of six hinges, found once: its family, axes and lengths; and the errors
+//! of arms that have none.
+//!
+//! Both families, where all values are zero. An `o` is an axis toward the reader, a `*` a point.
+//! The page is the *plane of the elbow*, across axis 2.
+//!
+//! ```text
+//!  spherical wrist                            three parallel axes
+//!
+//!                axis 3                                     axis 3
+//!                  o                                          o
+//!       upper    /   \    lower                    upper    /   \    lower
+//!        arm   /       \   arm                      arm   /       \   arm
+//!            /           \                              /           \
+//!   axis 2  o             * - - - tool         axis 2  o             o  axis 4
+//!           :           wrist: axes                    :             |  hand
+//!           :           4, 5, 6 meet                   :             * - - - tool
+//!     base  *                                    base  *           wrist: axes 5, 6 meet
+//!           |  axis 1                                  |  axis 1
+//! ```
+//!
+//! Axis 1 need not be in the page, nor meet axis 2. The *shoulder* is the angle about axis 1 that
+//! brings the wrist to its `height` along axis 2, which no other angle of the arm changes. The
+//! *elbow* is the angle about axis 3, from the distance between axis 2 and the end of the lower arm
+//! (the wrist, or axis 4), which is within `elbow_reach`. The *wrist* is the angle about axis 5,
+//! from the angle that axis 6 makes with `wrist_reference`: axis 4, or of three parallel axes
+//! axis 2.
+//!
+//! A third kind of arm counts as a spherical wrist: axes 1 and 2 cross in `base`, and axis 3 has
+//! any direction (`crosses`). Then the elbow follows from the distance between `base` and the
+//! wrist, and the first two angles from the direction to the wrist.
 
 use super::problem::Reach;
-use super::six_axis::SolutionsError;
 use crate::mechanism::joint::JointKind;
-use dq8::Real;
+use dq8::internal::errors;
 use dq8::scalar::vector::{add, cross, dot, norm, scale, sub};
 use dq8::scalar::{DualQuat, vector};
+use dq8::{Real, ShapeError};
 
-/// How the six axes lie.
+/// The family of an arm, by the positions of its six axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -19,73 +49,103 @@ pub enum Family {
     /// The second, third and fourth axis are parallel, and the last two meet (UR and other arms
     /// that work beside people).
     ThreeParallel,
-    /// Neither.
+    /// Neither of the two.
     Other,
 }
 
-/// Axes, and the lengths between them, in the frame of the base where all values are zero.
+errors! {
+    /// An error of an arm or its targets.
+    #[derive(Clone, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    SolutionsError {
+        /// Lengths that do not fit.
+        Shape(error: ShapeError) => "{error}";
+        /// More goals than one.
+        Goals { goals: usize = "The number of goals." } => "expected one goal, got {goals}";
+        /// A goal that leaves a part of rotation or position free.
+        NoPose => "the goal leaves a part of rotation or position free: expected a whole pose";
+        /// A joint that carries the link and is neither fixed nor a hinge with a value of its own.
+        Joint { joint: usize = "The joint." }
+            => "joint {joint} carries the link: expected a hinge with a value of its own, or a fixed joint";
+        /// More or fewer hinges than six that carry the link.
+        Hinges { hinges: usize = "The number of hinges." } => "{hinges} hinges carry the link, not six";
+        /// A target with a number that is not finite.
+        Target { index: usize = "The target.", value: f64 = "The number in it." }
+            => "target {index} is not finite: it has the number {value}";
+        /// A target that is farther than 10⁻³ from a unit motion.
+        NotUnit { index: usize = "The target.", norm: f64 = "The norm of its real part." }
+            => "target {index} is not a unit motion: the norm of its real part is {norm}";
+        /// A value of a start that is not finite.
+        Start { index: usize = "The start.", hinge: usize = "The hinge.", value: f64 = "The value." }
+            => "value {hinge} of start {index} is not finite: {value}";
+    }
+}
+
+/// The axes, points and lengths in the drawing, in the frame of the base where all values are zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Geometry<R> {
     pub(super) family: Family,
     pub(super) axes: [[R; 3]; 6],
-    /// From a target to the motion of what is fixed to the tool.
-    pub(super) back: DualQuat<R>,
-    /// A point on the first axis, that where the second crosses it if `crosses`; and where the last
-    /// axes meet.
+    /// The inverse of the tool's pose where all values are zero. A target times it is the product
+    /// of the turns about the six axes.
+    pub(super) home_inverse: DualQuat<R>,
+    /// `true` if the first two axes cross, in `base`, and the elbow is not in a plane.
     pub(super) crosses: bool,
+    /// A point of the first axis.
     pub(super) base: [R; 3],
-    pub(super) centre: [R; 3],
-    /// From the base to the third axis; from there to the centre, or of three parallel axes from
-    /// the centre to the fourth.
-    pub(super) upper: [R; 3],
-    pub(super) lower: [R; 3],
-    /// How near to the second axis, or to where it crosses the first, the end of the lower arm
-    /// gets, and how far from it.
-    pub(super) spans: [R; 2],
-    /// Two directions across the second axis, in which the elbow is a plane one; the base in it,
-    /// from the second axis.
-    pub(super) across: [[R; 3]; 2],
-    pub(super) origin: [R; 2],
-    /// The links there: from the second to the third axis, and from there to the centre or the
-    /// fourth axis; and the angle between them about the third axis.
-    pub(super) links: [[R; 2]; 2],
-    pub(super) between: [R; 2],
-    /// Which way the third and fourth axis turn there.
+    /// The point where the last axes meet.
+    pub(super) wrist: [R; 3],
+    /// From the base to the third axis, and from there to the wrist. Only if the first axes cross.
+    pub(super) upper_arm: [R; 3],
+    pub(super) lower_arm: [R; 3],
+    /// From the wrist to the fourth axis. Only of three parallel axes.
+    pub(super) hand: [R; 3],
+    /// The smallest and the largest distance from the second axis, or from where it crosses the
+    /// first, to the end of the lower arm.
+    pub(super) elbow_reach: [R; 2],
+    /// Two directions that span the plane of the elbow, and the base in it, from the second axis.
+    pub(super) plane: [[R; 3]; 2],
+    pub(super) base_in_plane: [R; 2],
+    /// The upper and the lower arm in that plane, and the turn from one to the other where all
+    /// values are zero.
+    pub(super) links_in_plane: [[R; 2]; 2],
+    pub(super) elbow_at_zero: [R; 2],
+    /// The directions of the third and fourth axis: 1 along the second, −1 against it.
     pub(super) signs: [R; 2],
-    /// How high the centre is over the base along the second axis, and how much of that axis is
-    /// along the first.
+    /// The distance from the base to the wrist along the second axis, and the cosine between that
+    /// axis and the first.
     pub(super) height: R,
     pub(super) tilt: R,
-    /// What the fifth axis turns the last against.
-    pub(super) against: [R; 3],
+    /// The direction against which the fifth angle turns the last axis.
+    pub(super) wrist_reference: [R; 3],
     /// Two directions across the last axis.
-    pub(super) end: [[R; 3]; 2],
+    pub(super) across_last: [[R; 3]; 2],
     /// A length that is typical for the arm.
     pub(super) size: R,
-    /// How far from parallel, or apart, its axes may be: [`fit`], or of an arm that is only nearly
-    /// of its family, [`NEAR`].
-    pub(super) fit: R,
+    /// The largest angle, and the largest part of the size, by which axes may miss being parallel
+    /// or meeting: [`exact_tolerance`], or [`NEAR`] for an arm that is only nearly of its family.
+    pub(super) tolerance: R,
 }
 
-/// How far from parallel, or apart, axes may be: what numbers of nine decimals, or chains of
-/// rounded turns, differ by.
-pub(super) fn fit<R: Real>() -> R {
+/// The tolerance for axes that are parallel or meet: numbers of nine decimals, or chains of rounded
+/// turns, differ by as much.
+pub(super) fn exact_tolerance<R: Real>() -> R {
     if R::EPSILON > R::from(1e-10) { R::from(1e-5) } else { R::from(1e-8) }
 }
 
-/// The same of arms that somebody typed: 1.57 is nearer to a quarter turn.
+/// The tolerance for arms whose angles were typed with few digits, such as 1.57 for a quarter turn.
 const NEAR: f32 = 1e-3;
 
 impl<R: Real> Geometry<R> {
-    /// Whether the formulas of the family are those of the arm.
+    /// `true` if the formulas of the family are those of the arm.
     pub(super) fn is_exact(&self) -> bool {
-        self.fit <= fit()
+        self.tolerance <= exact_tolerance()
     }
 
-    /// The arm that carries the only goal.
+    /// The geometry of the arm that carries the only goal.
     ///
     /// # Errors
-    /// If it is none of six hinges.
+    /// If it is not an arm of six hinges.
     pub(super) fn of(reach: &Reach<'_, R>) -> Result<Self, SolutionsError> {
         let &[goal] = reach.goals else {
             return Err(SolutionsError::Goals { goals: reach.goals.len() });
@@ -122,57 +182,65 @@ impl<R: Real> Geometry<R> {
             size = size + norm(sub(pair[1], pair[0]));
         }
         let tool = pose * DualQuat::from_translation(goal.point);
-        let of = |fit| Self::new(axes, points, tool, size, fit);
-        let exact = of(fit());
-        Ok(if exact.family == Family::Other { of(R::from(NEAR)) } else { exact })
+        let within = |tolerance| Self::new(axes, points, tool, size, tolerance);
+        let exact = within(exact_tolerance());
+        Ok(if exact.family == Family::Other { within(R::from(NEAR)) } else { exact })
     }
 
-    fn new(axes: [[R; 3]; 6], points: [[R; 3]; 6], tool: DualQuat<R>, size: R, fit: R) -> Self {
-        let slack = fit * size;
+    fn new(
+        axes: [[R; 3]; 6],
+        points: [[R; 3]; 6],
+        tool: DualQuat<R>,
+        size: R,
+        tolerance: R,
+    ) -> Self {
+        let slack = tolerance * size;
         let is_off = |point, i: usize| norm(cross(axes[i], sub(point, points[i]))) > slack;
-        let parallel = |i: usize, j: usize| norm(cross(axes[i], axes[j])) <= fit;
+        let parallel = |i: usize, j: usize| norm(cross(axes[i], axes[j])) <= tolerance;
         let normal = axes[1];
-        let first_of = any_across(normal);
-        let across = [first_of, cross(normal, first_of)];
-        let plane = |v| across.map(|direction| dot(direction, v));
+        let direction = any_across(normal);
+        let plane = [direction, cross(normal, direction)];
+        let in_plane = |v| plane.map(|direction| dot(direction, v));
         let last = any_across(axes[5]);
 
-        // Where the last two axes meet, if they do.
-        let centre = meeting([points[4], points[5]], [axes[4], axes[5]]);
-        let meets = !parallel(4, 5) && !is_off(centre, 4) && !is_off(centre, 5);
-        let is_wrist = meets && !is_off(centre, 3) && !parallel(3, 4);
+        // The point where the last two axes meet, if they do.
+        let wrist = meeting([points[4], points[5]], [axes[4], axes[5]]);
+        let meets = !parallel(4, 5) && !is_off(wrist, 4) && !is_off(wrist, 5);
+        let is_wrist = meets && !is_off(wrist, 3) && !parallel(3, 4);
         let is_parallel = meets && parallel(1, 3) && !parallel(1, 4);
-        let (family, end_of_arm, against) = if is_wrist {
-            (Family::SphericalWrist, centre, axes[3])
+        let (family, end_of_arm, wrist_reference) = if is_wrist {
+            (Family::SphericalWrist, wrist, axes[3])
         } else if is_parallel {
             (Family::ThreeParallel, points[3], normal)
         } else {
-            (Family::Other, centre, normal)
+            (Family::Other, wrist, normal)
         };
-        let links = [plane(sub(points[2], points[1])), plane(sub(end_of_arm, points[2]))];
-        let lengths = links.map(norm);
-        let [[a, b], [c, d]] = links;
+        let links_in_plane =
+            [in_plane(sub(points[2], points[1])), in_plane(sub(end_of_arm, points[2]))];
+        let lengths = links_in_plane.map(norm);
+        let [[a, b], [c, d]] = links_in_plane;
         let mut geometry = Self {
             family,
             axes,
-            back: tool.conjugate(),
+            home_inverse: tool.conjugate(),
             crosses: false,
             base: points[0],
-            centre,
-            upper: [R::ZERO; 3],
-            lower: sub(end_of_arm, centre),
-            spans: [(lengths[0] - lengths[1]).abs(), lengths[0] + lengths[1]],
-            across,
-            origin: plane(sub(points[0], points[1])),
-            links,
-            between: unit([a * c + b * d, b * c - a * d]),
+            wrist,
+            upper_arm: [R::ZERO; 3],
+            lower_arm: [R::ZERO; 3],
+            hand: sub(end_of_arm, wrist),
+            elbow_reach: [(lengths[0] - lengths[1]).abs(), lengths[0] + lengths[1]],
+            plane,
+            base_in_plane: in_plane(sub(points[0], points[1])),
+            links_in_plane,
+            elbow_at_zero: unit([a * c + b * d, b * c - a * d]),
             signs: [2, 3].map(|i| if dot(normal, axes[i]) < R::ZERO { -R::ONE } else { R::ONE }),
-            height: dot(normal, sub(centre, points[0])),
+            height: dot(normal, sub(wrist, points[0])),
             tilt: dot(normal, axes[0]),
-            against,
-            end: [last, cross(axes[5], last)],
+            wrist_reference,
+            across_last: [last, cross(axes[5], last)],
             size,
-            fit,
+            tolerance,
         };
         let bends = parallel(1, 2) && !parallel(0, 1) && lengths.iter().all(|&l| l > slack);
         if !bends {
@@ -184,16 +252,18 @@ impl<R: Real> Geometry<R> {
         geometry
     }
 
-    /// Takes the point where the first two axes cross for the base. Whether the third axis then
-    /// moves the centre to or from it.
+    /// Makes the point where the first two axes cross the base. Returns whether the third axis then
+    /// moves the wrist to and from it.
     fn cross(&mut self, crossing: [R; 3], elbow: [R; 3]) -> bool {
-        let (upper, lower, axis) = (sub(elbow, crossing), sub(self.centre, elbow), self.axes[2]);
+        let (upper, lower, axis) = (sub(elbow, crossing), sub(self.wrist, elbow), self.axes[2]);
         let (a, b) = (cross(axis, upper), cross(axis, lower));
         let (lengths, along) = ([norm(a), norm(b)], dot(axis, add(upper, lower)));
-        (self.crosses, self.base, self.upper, self.lower) = (true, crossing, upper, lower);
-        self.spans = [lengths[0] - lengths[1], lengths[0] + lengths[1]].map(|l| norm([l, along]));
-        self.between = unit([dot(a, b), dot(upper, b)]);
-        lengths.iter().all(|&length| length > self.fit * self.size)
+        (self.crosses, self.base) = (true, crossing);
+        (self.upper_arm, self.lower_arm) = (upper, lower);
+        self.elbow_reach =
+            [lengths[0] - lengths[1], lengths[0] + lengths[1]].map(|l| norm([l, along]));
+        self.elbow_at_zero = unit([dot(a, b), dot(upper, b)]);
+        lengths.iter().all(|&length| length > self.tolerance * self.size)
     }
 }
 
@@ -210,7 +280,7 @@ fn any_across<R: Real>(v: [R; 3]) -> [R; 3] {
     unit(sub(least, scale(v, dot(v, least))))
 }
 
-/// The point of the first line that is nearest to the second; not finite where they are parallel.
+/// The point of the first line that is nearest to the second; not finite if they are parallel.
 fn meeting<R: Real>([p, q]: [[R; 3]; 2], [a, b]: [[R; 3]; 2]) -> [R; 3] {
     let across = cross(a, b);
     add(p, scale(a, dot(cross(sub(q, p), b), across) / dot(across, across)))

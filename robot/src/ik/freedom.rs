@@ -1,9 +1,8 @@
 //! Freedoms: the rates that a search may change, and the values within the limits of each.
 
-use super::problem::ReachError;
+use super::goal::{Goal, ReachError};
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::step::endless;
-use crate::mechanism::step::{NONE, Step};
+use crate::mechanism::step::{NONE, Step, unlimited};
 use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
@@ -13,22 +12,22 @@ use dq8_simd::Lanes;
 pub struct Freedom<R> {
     pub(super) kind: Kind,
     pub(super) range: Range<R>,
-    /// Where its value is; of a floating joint, the first of the seven.
+    /// The index of its value; of a floating joint, that of the first of its seven values.
     pub(super) value: u32,
-    /// How much farther in its range every next beginning is, in 2⁻⁶⁴ of it; zero where the
-    /// range has no end.
-    pub(super) share: u64,
-    /// Of the freedom for this rate, its place among those that move a goal.
+    /// The distance in its range from one sample to the next, in 2⁻⁶⁴ of the range; zero if
+    /// the range has no end.
+    pub(super) stride: u64,
+    /// For the rate with this index, the index of its freedom among those that move a goal.
     pub(super) column: u32,
-    /// The freedom that carries it, how many carry it in all, the first of its entries in the
-    /// system of the tree, and the first row of its twist.
-    pub(super) above: u32,
+    /// The next freedom on the way to the base, the number of freedoms on that way, the first of
+    /// its entries in the system of the tree, and the first register of its twist.
+    pub(super) parent: u32,
     pub(super) depth: u32,
-    pub(super) first: u32,
-    pub(super) twist: u32,
+    pub(super) first_entry: u32,
+    pub(super) twist_row: u32,
 }
 
-/// What changes.
+/// The quantity that changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// An angle.
@@ -37,55 +36,56 @@ pub(super) enum Kind {
     Slide,
     /// The rotation of a floating joint, about an axis of its link.
     FloatingTurn(u8),
-    /// Its translation, along one.
+    /// The translation of a floating joint, along an axis of its link.
     FloatingSlide(u8),
 }
 
 impl<R: Real> Default for Freedom<R> {
-    /// Memory to be written.
+    /// A placeholder, to be overwritten.
     fn default() -> Self {
         Self {
             kind: Kind::Turn,
             range: Range::NONE,
             value: NONE,
-            share: 0,
+            stride: 0,
             column: NONE,
-            above: NONE,
+            parent: NONE,
             depth: 0,
-            first: 0,
-            twist: 0,
+            first_entry: 0,
+            twist_row: 0,
         }
     }
 }
 
 impl<R: Real> Freedom<R> {
-    /// Whether its value is one number.
+    /// `true` if its value is one number.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_single(&self) -> bool {
         matches!(self.kind, Kind::Turn | Kind::Slide)
     }
 
-    /// Whether a change is a length.
+    /// `true` if a change is a length.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_slide(&self) -> bool {
         matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
     }
 
-    /// Whether its range has two ends, and values between them can be told apart.
+    /// `true` if its range has two ends, and floats tell the values between them apart.
     pub(super) fn has_ends(&self) -> bool {
         let Range { low, high, .. } = self.range;
         (high - low).is_finite()
     }
 
-    /// Its value in beginning number `number` of those that are spread evenly.
-    pub(super) fn beginning(&self, number: u64) -> R {
-        // Modulo 1 is what is left of a product that overflows. Its parts are numbers of any float.
-        let share = HALF.wrapping_add(number.wrapping_mul(self.share));
+    /// Its value in sample number `number` of those that are spread evenly over its range.
+    pub(super) fn sample(&self, number: u64) -> R {
+        // The product overflows, which leaves its fraction. Each part of 16 bits is exact in any
+        // float.
+        let stride = HALF.wrapping_add(number.wrapping_mul(self.stride));
         let (unit, mut sum) = (R::from(1.0 / 65_536.0), R::ZERO);
         for shift in [16, 32, 48] {
-            sum = (sum + R::from(f32::from((share >> shift) as u16))) * unit;
+            sum = (sum + R::from(f32::from((stride >> shift) as u16))) * unit;
         }
-        let [low, high] = self.range.beginnings();
+        let [low, high] = self.range.sample_range();
         low + (high - low) * sum
     }
 
@@ -100,15 +100,16 @@ impl<R: Real> Freedom<R> {
             JointKind::Screw { pitch, .. } => (Kind::Turn, pitch == R::ZERO, 0),
             _ => (Kind::Turn, true, index),
         };
-        let [low, high] = step.limits.unwrap_or(endless());
-        let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
+        let [low, high] = step.limits.unwrap_or(unlimited());
+        let whole_turn = if is_hinge { WholeTurn::Blocked } else { WholeTurn::Differs };
         let value = step.value.saturating_add(value as u32);
-        let range = Range { low, high, turns };
+        let range = Range { low, high, whole_turn };
         Self { kind, range, value, ..Self::default() }
     }
 }
 
-/// One for each rate; in the first of them, those that move a goal. How many these are.
+/// Writes a freedom for each rate, the ones that move a goal first, and returns the number of
+/// those.
 pub(super) fn freedoms<R: Real>(
     steps: &[Step<R>],
     freedoms: &mut [Freedom<R>],
@@ -122,7 +123,7 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // Only those that carry a goal are columns of the system.
+    // Only rates that move a goal are columns of the system.
     for (position, step) in steps.iter().enumerate() {
         if carries(position) {
             let rates = step.rate as usize..step.rate as usize + step.kind.rates();
@@ -131,8 +132,8 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // The limits of joints that move no goal do not matter, and of those that mimic neither: many
-    // files have them wrong.
+    // Limits are checked only for joints that move a goal, and for those that mimic them: in many
+    // files the others are wrong.
     for (_, step) in steps.iter().enumerate().filter(|(at, step)| step.mimics && carries(*at)) {
         if let Some(slot) = moving(freedoms, step.rate as usize) {
             slot.range = narrowed(slot.range, step);
@@ -141,15 +142,16 @@ pub(super) fn freedoms<R: Real>(
     for step in leaders() {
         for index in 0..step.kind.rates() {
             if let Some(slot) = moving(freedoms, step.rate as usize + index) {
-                let Range { low, high, turns } = slot.range;
-                let (is_hinge, is_angle) = (turns != Turns::Matter, slot.kind == Kind::Turn);
+                let Range { low, high, whole_turn } = slot.range;
+                let (is_hinge, is_angle) =
+                    (whole_turn != WholeTurn::Differs, slot.kind == Kind::Turn);
                 slot.range = Range::within([low, high], is_hinge, is_angle)
                     .ok_or_else(|| limits_error(step, [low, high]))?;
             }
         }
     }
-    // The columns move to the front, in order; the slots of their rates say where they have gone. A
-    // column is never behind its rate, so nothing is overwritten before it is read.
+    // The columns move to the front, in order, and the slot of a rate keeps the index of its
+    // column. A column is never behind its rate, so nothing is overwritten before it is read.
     let mut count = 0;
     for rate in 0..freedoms.len() {
         let Some(&freedom) = freedoms.get(rate) else { continue };
@@ -168,16 +170,16 @@ pub(super) fn freedoms<R: Real>(
     Ok(count)
 }
 
-/// Values of low discrepancy, where ranges have two ends: the additive recurrence ½ + kα modulo 1
-/// with αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises
-/// the golden ratio (Roberts 2018). In integers: a controller has no `f64`, and `f32` would lose
-/// what the numbers of later beginnings have in common.
+/// Strides of a sequence of low discrepancy over the ranges that have two ends: the additive
+/// recurrence ½ + kα modulo 1 with αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N
+/// of them, which generalises the golden ratio (Roberts 2018). It is in integers, because a
+/// controller has no `f64`, and `f32` would lose the digits in which later samples differ.
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     let count = freedoms.iter().filter(|freedom| freedom.has_ends()).count();
     let factor = spacing(count);
     let mut power = factor;
     for freedom in freedoms.iter_mut().filter(|freedom| freedom.has_ends()) {
-        freedom.share = power;
+        freedom.stride = power;
         power = times(power, factor);
     }
 }
@@ -201,8 +203,8 @@ fn spacing(count: usize) -> u64 {
     x
 }
 
-/// The product of two numbers in 2⁻⁶⁴, but for three units: of 32 bits each, as controllers
-/// multiply. Once in machine code.
+/// The product of two fractions in units of 2⁻⁶⁴, to three units, from products of 32 bits,
+/// as controllers multiply. It is not inlined, so that machine code holds it once.
 #[inline(never)]
 fn times(a: u64, b: u64) -> u64 {
     let low = |number: u64| number & u64::from(u32::MAX);
@@ -210,28 +212,30 @@ fn times(a: u64, b: u64) -> u64 {
     high + (cross[0] >> 32) + (cross[1] >> 32)
 }
 
-/// The freedom of a rate that moves a goal.
+/// The freedom of a rate, if it moves a goal.
 fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>> {
     freedoms.get_mut(rate).filter(|freedom| freedom.column != NONE)
 }
 
-/// What the limits of a joint that mimics leave of the limits of the other. A turn less of that one
-/// must be the same pose of this one too: it is a hinge that turns a whole number of times as much.
+/// The range of a joint that another one mimics, narrowed by the limits of that other. A turn less
+/// of the first must be the same pose of the second too, which is so for a hinge that turns a whole
+/// number of times as much.
 fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     let is_hinge = match step.kind {
         JointKind::Screw { pitch, .. } => pitch == R::ZERO,
         kind => matches!(kind, JointKind::Revolute { .. }),
     };
     let keeps = is_hinge && is_whole(step.multiplier);
-    let range = Range { turns: if keeps { range.turns } else { Turns::Matter }, ..range };
-    match step.narrows([range.low, range.high]) {
+    let range =
+        Range { whole_turn: if keeps { range.whole_turn } else { WholeTurn::Differs }, ..range };
+    match step.narrowed([range.low, range.high]) {
         Some([low, high]) => Range { low, high, ..range },
-        // Others have left no more than one value.
+        // Without a common value, the limits of the follower are ignored.
         None => range,
     }
 }
 
-/// Whether a number has no fraction: so far up, floats have none.
+/// `true` if a number has no fraction. From 1/ε on no float has one.
 fn is_whole<R: Real>(number: R) -> bool {
     let shift = R::ONE / R::EPSILON;
     let size = number.abs();
@@ -242,82 +246,134 @@ fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {
     ReachError::Limits { joint: step.link as usize, low: low.into(), high: high.into() }
 }
 
-/// Hinges that may turn farther than this are endless.
+/// Finds the place of each freedom in the tree, and returns the number of entries of the system. It
+/// is zero if the system does not have the shape of the tree: a joint that mimics shares a column,
+/// or weights differ from axis to axis. It is also zero if the goals are no more than a pose, for
+/// which rows are quicker.
+pub(super) fn tree_shape<R: Real>(
+    steps: &[Step<R>],
+    goals: &[Goal<R>],
+    rows: usize,
+    by_rate: &mut [Freedom<R>],
+) -> usize {
+    if rows <= 6 || !goals.iter().all(Goal::is_even) {
+        return 0;
+    }
+    let column = |by_rate: &[Freedom<R>], step: &Step<R>, index: usize| {
+        by_rate.get(step.rate as usize + index).map_or(NONE, |freedom| freedom.column)
+    };
+    let (mut twist, mut entries) = (0, 0);
+    for step in steps {
+        if column(by_rate, step, 0) == NONE {
+            continue;
+        }
+        if step.mimics {
+            return 0;
+        }
+        let of_link = |link: u32| steps.get(steps.get(link as usize)?.position as usize);
+        let (mut above, mut carrier) = (NONE, of_link(step.parent));
+        while let Some(other) = carrier {
+            if other.kind.rates() > 0 {
+                above = column(by_rate, other, other.kind.rates() - 1);
+                break;
+            }
+            carrier = of_link(other.parent);
+        }
+        for index in 0..step.kind.rates() {
+            let own = column(by_rate, step, index);
+            let depth = by_rate.get(above as usize).map_or(0, |carrier| carrier.depth + 1);
+            if let Some(freedom) = by_rate.get_mut(own as usize) {
+                (freedom.parent, freedom.depth, freedom.twist_row) = (above, depth, twist);
+                freedom.first_entry = entries;
+            }
+            (above, twist, entries) = (own, twist + 6, entries + depth + 1);
+        }
+    }
+    entries as usize
+}
+
+/// A hinge with a wider range than this, in turns, is endless.
 const ENDLESS_TURNS: f32 = 16.0;
-/// How far from zero those go in `f32`, radians: ten turns, where floats are 4e-6 apart, less than
-/// the tolerance of 10⁻⁵ that is the default.
+/// The largest distance of an endless hinge from zero in `f32`, radians: ten turns, where floats
+/// are 4e-6 apart, less than the default tolerance of 10⁻⁵.
 const FAR_SINGLE: f32 = 64.0;
-/// And in `f64`, 2²⁰: 167,000 turns, where they are 10⁻¹⁰ apart.
+/// The same in `f64`, 2²⁰: 167,000 turns, where floats are 10⁻¹⁰ apart.
 const FAR_DOUBLE: f32 = 1_048_576.0;
 
-/// The values that a search gives a joint.
+/// The values that a search may give a joint.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Range<R> {
     pub(crate) low: R,
     pub(crate) high: R,
-    pub(crate) turns: Turns,
+    pub(crate) whole_turn: WholeTurn,
 }
 
-/// What becomes of a joint where its value changes by a whole turn.
+/// The effect of a change by a whole turn on a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Turns {
-    /// It is elsewhere.
-    Matter,
-    /// It is where it was, but there is no turn between its limits.
-    Stop,
-    /// It is where it was, so its limits stop nothing.
-    GoOn,
-    /// The same; and there are so many turns that it begins again in the one nearest to zero.
+pub(crate) enum WholeTurn {
+    /// Another pose.
+    Differs,
+    /// The same pose, but the limits are less than a turn apart.
+    Blocked,
+    /// The same pose, and the limits are a turn apart or more, so they stop nothing.
+    Allowed,
+    /// The same as `Allowed`, and the limits span so many turns that restarts sample only the one
+    /// nearest to zero.
     Endless,
 }
 
 impl<R: Real> Range<R> {
     /// Zero alone.
-    pub(crate) const NONE: Self = Self { low: R::ZERO, high: R::ZERO, turns: Turns::Matter };
+    pub(crate) const NONE: Self =
+        Self { low: R::ZERO, high: R::ZERO, whole_turn: WholeTurn::Differs };
 
-    /// The limits, of an endless hinge as far as floats are fine enough. `None` if they are not in
-    /// order, or angles that a float does not tell.
+    /// The range between limits; of an endless hinge, as far from zero as floats are fine enough.
+    /// `None` if the limits are not in order, or are angles that a float does not tell apart.
     pub(crate) fn within([low, high]: [R; 2], is_hinge: bool, is_angle: bool) -> Option<Self> {
         let turn = R::TWO * R::PI;
-        let turns = match high - low {
-            _ if !is_hinge => Turns::Matter,
-            width if width > R::from(ENDLESS_TURNS) * turn => Turns::Endless,
-            width if width >= turn => Turns::GoOn,
-            _ => Turns::Stop,
+        let whole_turn = match high - low {
+            _ if !is_hinge => WholeTurn::Differs,
+            width if width > R::from(ENDLESS_TURNS) * turn => WholeTurn::Endless,
+            width if width >= turn => WholeTurn::Allowed,
+            _ => WholeTurn::Blocked,
         };
         let is_single = R::EPSILON > R::from(1e-10);
         let far = R::from(if is_single { FAR_SINGLE } else { FAR_DOUBLE });
-        let ends = if turns == Turns::Endless { around_zero(low, high, far) } else { [low, high] };
-        // Beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶) lanes know no sine.
+        let ends = if whole_turn == WholeTurn::Endless {
+            around_zero(low, high, far)
+        } else {
+            [low, high]
+        };
+        // Beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶) the sine of lanes is NaN.
         let is_near = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
         let fits = |value: R| !is_angle || !value.is_finite() || is_near(value);
-        // NaN is not in order.
+        // Limits that are NaN fail both comparisons.
         let is_range = low <= high && (low.is_finite() || low < R::ZERO);
         let is_range = is_range && (high.is_finite() || high > R::ZERO);
         if !(is_range && ends.into_iter().all(fits)) {
             return None;
         }
         let [low, high] = ends;
-        Some(Self { low, high, turns })
+        Some(Self { low, high, whole_turn })
     }
 
-    /// Whether the ends stop nothing, because a turn less is the same pose and within them.
+    /// `true` if the ends stop nothing, because a turn less is the same pose and within them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn wraps(&self) -> bool {
-        matches!(self.turns, Turns::GoOn | Turns::Endless)
+        matches!(self.whole_turn, WholeTurn::Allowed | WholeTurn::Endless)
     }
 
-    /// Where searches begin again.
-    pub(super) fn beginnings(&self) -> [R; 2] {
-        match self.turns {
-            Turns::Endless => around_zero(self.low, self.high, R::PI),
+    /// The range in which restarts sample.
+    pub(super) fn sample_range(&self) -> [R; 2] {
+        match self.whole_turn {
+            WholeTurn::Endless => around_zero(self.low, self.high, R::PI),
             _ => [self.low, self.high],
         }
     }
 }
 
-/// What is within limits and not farther than `far` from zero, or else the turn within them that is
-/// nearest to zero.
+/// The part of a range that is not farther than `far` from zero; if there is none, the turn within
+/// the limits that is nearest to zero.
 fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
     let turn = R::TWO * R::PI;
     let least = |a: R, b: R| if b < a { b } else { a };
@@ -328,11 +384,11 @@ fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
 impl<R: Scalar> Range<R> {
     /// [`nearest`](Self::nearest) of a value that has been rounded once.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn keep<L: Lanes<Real = R>>(&self, value: L, to: L) -> L {
-        self.nearest(value, to, Self::rounding(value))
+    pub(crate) fn wrap<L: Lanes<Real = R>>(&self, value: L, to: L) -> L {
+        self.wrap_within(value, to, Self::rounding(value))
     }
 
-    /// What an angle is rounded by.
+    /// The bound of the rounding error of an angle.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rounding<L: Lanes<Real = R>>(value: L) -> L {
         (value.abs() + value.constant(4.0)) * value.constant(4.0 * vector::epsilon::<L>())
@@ -343,18 +399,19 @@ impl<R: Scalar> Range<R> {
         vector::splat(level, [self.low, self.high])
     }
 
-    /// The value within the range where the joint is as it is at `value`, of several the nearest to
-    /// `to`, which is within the range; the nearest value where there is none. Beyond an end by no
-    /// more than `slack` it is at the end, and not a turn away.
+    /// The value within the range at which the joint has the same pose as at `value`; of several,
+    /// the one nearest to `to`, which is within the range. If there is none, the nearest value of
+    /// the range. A value beyond an end by no more than `slack` goes to that end instead of a turn
+    /// away.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn nearest<L: Lanes<Real = R>>(&self, value: L, to: L, slack: L) -> L {
+    pub(crate) fn wrap_within<L: Lanes<Real = R>>(&self, value: L, to: L, slack: L) -> L {
         let clamped = self.clamp(value);
-        if self.turns == Turns::Matter {
+        if self.whole_turn == WholeTurn::Differs {
             return clamped;
         }
         let [low, high] = self.ends(value.level());
         let (turn, half) = (value.constant(core::f64::consts::TAU), value.constant(0.5));
-        // What is near already keeps every bit.
+        // A value within half a turn keeps every bit.
         let way = value - to;
         let (_, rest) = half_turns(way * half);
         let is_far = (turn * half).lt(way.abs());
@@ -367,13 +424,13 @@ impl<R: Scalar> Range<R> {
         L::select(low.le(near) & near.le(high), near, clamped)
     }
 
-    /// Where a step from within the range to `value` ends at a limit: where no turn less is within
-    /// it.
+    /// Lanes in which a step to `value` stops at a limit: no turn less or more brings the value
+    /// back within the range.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn stops<L: Lanes<Real = R>>(&self, value: L) -> L::Mask {
         let [low, high] = self.ends(value.level());
         let outside = value.lt(low) | high.lt(value);
-        if self.turns == Turns::Matter {
+        if self.whole_turn == WholeTurn::Differs {
             return outside;
         }
         let turn = value.constant(core::f64::consts::TAU);

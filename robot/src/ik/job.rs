@@ -1,18 +1,18 @@
 //! Searches as callers ask for them: one configuration, many, and clips of frames.
 //!
-//! All of them check lengths, and hand [`Work`] to a [`Search`](super::search::Search).
+//! Each checks its lengths once, as [`Work`], which is what a [`Search`] runs on.
 
 use super::model::Model;
 use super::problem::Reach;
-use super::report::{Options, Report};
-use super::scratch::enough;
+use super::report::{Options, Report, Tracking};
+use super::scratch::check_scratch;
 use super::search::{Lane, Search, Work};
-use dq8::scalar::DualQuat;
-use dq8::seams::Choice;
+use dq8::internal::Choice;
 #[cfg(feature = "rayon")]
-use dq8::seams::Outputs;
+use dq8::internal::Outputs;
 #[cfg(feature = "alloc")]
-use dq8::seams::Rows;
+use dq8::internal::Rows;
+use dq8::scalar::DualQuat;
 use dq8::storage::same_length;
 use dq8::{Backend, Kernel, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
@@ -21,24 +21,23 @@ impl<R> Reach<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// Moves one configuration from `values` until each goal is at its target: `targets[i]` belongs
-    /// to `goals[i]`. Without allocation; `scratch` has [`scratch_len`](Self::scratch_len) numbers
-    /// or more, and may hold anything.
+    /// Changes the values of one configuration until each goal is at its target: `targets[i]`
+    /// belongs to `goals[i]`. Nothing is allocated; `scratch` has
+    /// [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
     ///
-    /// Targets are normalized; farther than 10⁻³ from unit they are
-    /// [`Outcome::Invalid`](super::Outcome::Invalid), and so are numbers that are not finite, but
-    /// for values of joints that move no goal, and options that are none: `values` is untouched
-    /// then.
+    /// Targets are normalized. The outcome is [`Outcome::Invalid`](super::Outcome::Invalid), and
+    /// `values` is untouched, if a target is farther than 10⁻³ from unit, a number is not finite
+    /// (values of joints that move no goal may be), or an option is out of its range.
     ///
-    /// Each iteration is a damped step within the limits, of second order where a goal asks for the
-    /// whole pose. Where two steps in a row do not lead much nearer, or limits leave no way nearer,
-    /// the search begins again from another configuration ([`Options::restarts`]), the nearest to
-    /// the targets of some that are spread evenly within the limits; each restart draws others.
-    /// What is reported is the error at the values that are returned; of several goals the largest,
-    /// of components that are asked for.
+    /// Each iteration is a damped step within the limits, of second order where a goal asks for a
+    /// whole pose. If two steps in a row do not lead much nearer, or limits leave no way nearer,
+    /// the search begins again from another configuration ([`Options::restarts`]): the one nearest
+    /// to the targets among some that are spread evenly within the limits, others for each restart.
+    /// The report has the errors of the returned values: the largest among the goals, of the
+    /// components with a weight.
     ///
-    /// A good start is kept to: to follow a target that moves, start from the last values, and set
-    /// `restarts` to false.
+    /// The result stays near a good start. To follow a target that moves, start from the last
+    /// values, and set `restarts` to false.
     ///
     /// # Errors
     /// If there are not as many targets as goals and values as the mechanism has, or too little
@@ -50,12 +49,12 @@ where
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
-        self.search::<true, false>(targets, values, scratch, options)
+        self.search::<true, false>(targets, values, scratch, &(*options).into())
     }
 
-    /// [`solve`](Self::solve) without [restarts](Options::restarts), whatever the options say: for
-    /// a target that moves, from the last values. It needs no more than that of a program, so that
-    /// a controller holds a third less code.
+    /// [`solve`](Self::solve) without [restarts](Options::restarts), even if the options ask for
+    /// them: for a target that moves, from the last values. A program that only calls this does not
+    /// contain restarts, so a controller holds a third less code.
     ///
     /// # Errors
     /// As [`solve`](Self::solve).
@@ -67,17 +66,17 @@ where
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
         let options = Options { restarts: false, ..*options };
-        self.search::<false, false>(targets, values, scratch, &options)
+        self.search::<false, false>(targets, values, scratch, &options.into())
     }
 
-    /// [`follow`](Self::follow) for many goals: steps are of first order, and of more than a pose
-    /// by normal equations that have the shape of the tree, in a fifth of the time or less; and
-    /// where a length per radian is not [given](Options::length_per_radian), weights stay what they
-    /// are however far something that floats has gone. Steps are damped by half of the squared
-    /// error (λ² = ½|e|², Sugihara 2011; of many goals, of its mean), unless a posture or the
-    /// start weighs, and the last one is what is returned: in front of a target that it cannot
-    /// reach, an arm goes on with the target in every frame. [`Options::track`] is made for it,
-    /// [`ReachJob::sequence`](super::ReachJob::sequence) does it for clips on lanes.
+    /// [`follow`](Self::follow) for many goals. Steps are of first order. If the goals have more
+    /// components than a pose, they solve normal equations in the shape of the tree, in a fifth of
+    /// the time or less. Weights stay what they are however far a floating joint has gone, unless a
+    /// length per radian is [given](Options::length_per_radian). Steps are damped by half of the
+    /// squared error (λ² = ½|e|², Sugihara 2011; of many goals, of its mean), unless a posture
+    /// or the start has a weight. The last values are returned, not the best: in front of a target
+    /// that it cannot reach, an arm goes on with the target in every frame.
+    /// [`ReachJob::sequence`](super::ReachJob::sequence) does the same for clips, on lanes.
     ///
     /// # Errors
     /// As [`solve`](Self::solve).
@@ -86,26 +85,25 @@ where
         targets: &[DualQuat<R>],
         values: &mut [R],
         scratch: &mut [R],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
-        let options = Options { restarts: false, ..*options };
-        self.search::<false, true>(targets, values, scratch, &options)
+        self.search::<false, true>(targets, values, scratch, &options.without_restarts())
     }
 
     #[inline]
-    fn search<const AGAIN: bool, const TRACK: bool>(
+    fn search<const RESTARTS: bool, const TRACK: bool>(
         &self,
         targets: &[DualQuat<R>],
         values: &mut [R],
         scratch: &mut [R],
-        options: &Options<R>,
+        tracking: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
-        let work = Work { targets, values, reports: &mut reports, options, clips: None };
-        work.check(self)?;
-        enough(scratch.len(), self.scratch_len())?;
-        if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.options, scratch) {
-            Search::new(model, work, &mut [Lane::IDLE]).run::<AGAIN>();
+        let work = Work { targets, values, reports: &mut reports, tracking, clips: None };
+        let work = work.checked(self)?;
+        check_scratch(scratch.len(), self.scratch_len())?;
+        if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.tracking, scratch) {
+            Search::new(model, work, &mut [Lane::IDLE]).run::<RESTARTS>();
         }
         let [report] = reports;
         Ok(report)
@@ -113,20 +111,26 @@ where
 }
 
 impl<R: Copy> Work<'_, R> {
-    pub(super) fn check(&self, reach: &Reach<'_, R>) -> Result<(), ShapeError> {
+    /// The work, once all of its lengths fit each other and the problem.
+    fn checked(self, reach: &Reach<'_, R>) -> Result<Self, ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
+        if let Some(clips) = self.clips {
+            let frames = clips.iter().fold(0, |frames: usize, &count| frames.saturating_add(count));
+            same_length("frames of clips", frames, configurations)?;
+        }
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
-        same_length("values", self.values.len(), configurations.saturating_mul(values))
+        same_length("values", self.values.len(), configurations.saturating_mul(values))?;
+        Ok(self)
     }
 }
 
-/// A search for many configurations, as many at a time as there are lanes, with options that all
-/// have a default.
+/// A search for many configurations, as many at a time as there are lanes. Its options all have a
+/// default.
 ///
-/// A lane that is done takes the next configuration; the result of one does not depend on the
-/// others. Debug builds need a deep stack: [the
-/// table](https://docs.rs/dq8/latest/dq8/guide/firmware/index.html#stack).
+/// A lane that is done takes the next configuration, and the result of one does not depend on the
+/// others. Debug builds need a deep stack: see
+/// [the table](https://docs.rs/dq8/latest/dq8/guide/firmware/index.html#stack).
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -159,7 +163,7 @@ impl<'a, R: Copy> Reach<'a, R> {
 }
 
 impl<R> ReachJob<'_, R> {
-    dq8::seams::options!();
+    dq8::internal::options!();
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
@@ -167,7 +171,7 @@ impl<R: Scalar> ReachJob<'_, R> {
     /// [`batch_scratch_len`](Reach::batch_scratch_len) numbers for each task that runs at the same
     /// time.
     ///
-    /// `targets` is `[configuration][goal]`, `values` `[configuration][value]`, and there is a
+    /// `targets` is `[configuration][goal]`, `values` is `[configuration][value]`, and there is a
     /// report for each configuration.
     ///
     /// # Errors
@@ -180,14 +184,15 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let scratch = self.reach.batch_scratch_len();
-        Work { targets, values, reports, options, clips: None }.check(&self.reach)?;
+        let (scratch, tracking) = (self.reach.batch_scratch_len(), &Tracking::from(*options));
+        let work = Work { targets, values, reports, tracking, clips: None }.checked(&self.reach)?;
+        let Work { values, reports, .. } = work;
         let backend = self.choice.instructions();
         let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
         let (grain, outputs) = (grain(reports.len()), ((reports, 1), (values, count)));
         let run = |first, ((reports, _), (values, _)): (Rows<Report<R>>, Rows<R>)| {
             let targets = targets.get(first * goals..).unwrap_or_default();
-            let work = Work { targets, values, reports, options, clips: None };
+            let work = Work { targets, values, reports, tracking, clips: None };
             self.run::<true, false>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         backend.share(grain, outputs, &run);
@@ -209,27 +214,27 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let work = Work { targets, values, reports, options, clips: None };
-        work.check(&self.reach)?;
-        enough(scratch.len(), self.reach.batch_scratch_len())?;
+        let tracking = &Tracking::from(*options);
+        let work = Work { targets, values, reports, tracking, clips: None }.checked(&self.reach)?;
+        check_scratch(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<true, false>(self.choice.instructions(), work, scratch);
         Ok(())
     }
 
-    /// What has been checked.
-    pub(super) fn run<const AGAIN: bool, const TRACK: bool>(
+    /// Runs work that has been checked.
+    pub(super) fn run<const RESTARTS: bool, const TRACK: bool>(
         &self,
         backend: Backend,
         work: Work<'_, R>,
         scratch: &mut [R],
     ) {
-        backend.run(Targets::<R, AGAIN, TRACK> { reach: &self.reach, work, scratch });
+        backend.run(SearchKernel::<R, RESTARTS, TRACK> { reach: &self.reach, work, scratch });
     }
 }
 
-/// How many configurations a task has at least. Some searches take ten times as long as others, so
-/// a thread has four tasks; but the last configurations of a task leave lanes idle, so few are a
-/// waste, and many are left over for one thread.
+/// The smallest number of configurations of a task. Some searches take ten times as long as others,
+/// so each thread gets four tasks. The last configurations of a task leave lanes idle, so tasks are
+/// not small either.
 #[cfg(feature = "alloc")]
 fn grain(configurations: usize) -> usize {
     #[cfg(feature = "rayon")]
@@ -239,42 +244,45 @@ fn grain(configurations: usize) -> usize {
     configurations.div_ceil(4 * threads).clamp(64, 1024)
 }
 
-/// Many configurations; lengths have been checked.
-struct Targets<'s, R, const AGAIN: bool, const TRACK: bool> {
+/// The kernel of searches for many configurations.
+struct SearchKernel<'s, R, const RESTARTS: bool, const TRACK: bool> {
     reach: &'s Reach<'s, R>,
     work: Work<'s, R>,
     scratch: &'s mut [R],
 }
 
-impl<R: Scalar, const AGAIN: bool, const TRACK: bool> Kernel for Targets<'_, R, AGAIN, TRACK> {
+impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel
+    for SearchKernel<'_, R, RESTARTS, TRACK>
+{
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { reach, work, scratch } = self;
-        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.options, scratch) {
-            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<AGAIN>();
+        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.tracking, scratch)
+        {
+            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<RESTARTS>();
         }
     }
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// Clips of frames, one after the other: `clips` says how many frames each has. Each frame
-    /// starts from the values that the one before ended with, the first of a clip from what
-    /// `values` holds there; that of the others may be anything. A lane holds a clip and goes on to
-    /// the next one when it is done, so clips may have any lengths; with as many clips as there are
-    /// lanes, or more, all of the CPU is used. Each frame is one call of
-    /// [`Reach::track`](super::Reach::track), without restarts. A frame whose targets are none
-    /// keeps the values of the one before, and is [`Invalid`](super::Outcome::Invalid).
+    /// Searches for clips of frames; `clips` has the number of frames of each. Each frame starts
+    /// from the values that the one before ended with, and the first frame of a clip from its own
+    /// in `values`; those of the other frames may be anything. A lane holds a clip and takes the
+    /// next one when it is done, so clips may have any lengths; with as many clips as lanes or
+    /// more, the whole CPU is used. Each frame is one call of
+    /// [`Reach::track`](super::Reach::track). A frame with an invalid target keeps the values of
+    /// the one before, and is reported as [`Invalid`](super::Outcome::Invalid).
     ///
-    /// `targets` is `[frame][goal]`, `values` `[frame][value]`, and there is a report for each
+    /// `targets` is `[frame][goal]`, `values` is `[frame][value]`, and there is a report for each
     /// frame. Allocates [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers for each
-    /// task that runs at the same time. [`Options::track`] is made for it. For a single clip,
-    /// `track` once a frame is quicker.
+    /// task that runs at the same time. For a single clip, one call of `track` per frame is
+    /// quicker.
     ///
     /// ```
     /// use dq8::DualQuat;
-    /// use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
+    /// use dq8_robot::ik::{Goal, OwnedReach, Report, Tracking};
     /// use dq8_robot::{Joint, OwnedMechanism};
     /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
     /// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
@@ -284,8 +292,8 @@ impl<R: Scalar> ReachJob<'_, R> {
     /// let along = |frame: usize| DualQuat::from_translation([1.5, 0.01 * frame as f64, 0.0]);
     /// let targets: Vec<_> = (0..30).chain(0..20).map(along).collect();
     /// let (mut values, mut reports) = (vec![0.3; 150], vec![Report::default(); 50]);
-    /// reach.job().sequence(&[30, 20], &targets, &mut values, &mut reports, &Options::track())?;
-    /// // Both begin alike, and so go on.
+    /// reach.job().sequence(&[30, 20], &targets, &mut values, &mut reports, &Tracking::default())?;
+    /// // Both clips are the same as far as the shorter one goes.
     /// assert_eq!(values[..60], values[90..]);
     /// assert!(reports[29].linear_error < 0.01);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -300,23 +308,23 @@ impl<R: Scalar> ReachJob<'_, R> {
         targets: &[DualQuat<R>],
         values: &mut [R],
         reports: &mut [Report<R>],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
         let scratch = self.reach.batch_scratch_len();
-        let options = &Options { restarts: false, ..*options };
-        check(clips, reports.len())?;
-        Work { targets, values, reports, options, clips: Some(clips) }.check(&self.reach)?;
+        let tracking = &options.without_restarts();
+        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let Work { values, reports, .. } = work.checked(&self.reach)?;
         let backend = self.choice.instructions();
         let goals = self.reach.goals.len();
         let run = |first, part: Clips<'_, R>| {
             let before: usize = clips.iter().take(first).sum();
             let targets = targets.get(before * goals..).unwrap_or_default();
             let Clips { clips, values, reports } = part;
-            let work = Work { targets, values, reports, options, clips: Some(clips) };
+            let work = Work { targets, values, reports, tracking, clips: Some(clips) };
             self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         let all = Clips { clips, values, reports };
-        // Not the feature of dq8: another crate may ask that for threads.
+        // The feature of this crate, not that of dq8: another crate may ask that one for threads.
         #[cfg(feature = "rayon")]
         backend.share(MAX_LANES, all, &run);
         #[cfg(not(feature = "rayon"))]
@@ -337,25 +345,18 @@ impl<R: Scalar> ReachJob<'_, R> {
         targets: &[DualQuat<R>],
         values: &mut [R],
         reports: &mut [Report<R>],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
-        let options = &Options { restarts: false, ..*options };
-        let work = Work { targets, values, reports, options, clips: Some(clips) };
-        check(clips, work.reports.len())?;
-        work.check(&self.reach)?;
-        enough(scratch.len(), self.reach.batch_scratch_len())?;
+        let tracking = &options.without_restarts();
+        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let work = work.checked(&self.reach)?;
+        check_scratch(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<false, true>(self.choice.instructions(), work, scratch);
         Ok(())
     }
 }
 
-/// Whether clips have as many frames as there are.
-fn check(clips: &[usize], frames: usize) -> Result<(), ShapeError> {
-    let all = clips.iter().fold(0, |all: usize, &count| all.saturating_add(count));
-    same_length("frames of clips", all, frames)
-}
-
-/// What clips write, cut between two.
+/// Clips with the values and reports of their frames, to be split between two clips.
 #[cfg(feature = "alloc")]
 struct Clips<'s, R> {
     clips: &'s [usize],

@@ -1,24 +1,32 @@
-//! Inverse kinematics of mechanisms: which values bring links where they should be.
+//! Inverse kinematics of mechanisms: values that bring links to their targets.
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`Goal`] | a link, and what of its target counts |
+//! | [`Goal`] | a link, and the components of its target that count |
 //! | [`Reach`], [`Freedom`] | goals of a mechanism, checked once, in memory of the caller |
 //! | `OwnedReach` | the same with memory of its own (feature `alloc`) |
-//! | [`ReachJob`] | searches for many configurations, with options |
-//! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
+//! | [`ReachJob`] | searches for many configurations |
+//! | [`Options`], [`Tracking`] | tolerances, limits and weights of a search |
+//! | [`Report`], [`Outcome`] | the end of a search |
 //! | [`Reach::rates`], [`ReachJob::sequence`] | velocities; clips of frames |
-//! | [`SixAxisArm`], [`Solutions`] | all ways in which an arm of six hinges reaches a target |
+//! | [`SixAxisArm`], [`Solutions`] | all solutions of an arm of six hinges for a target |
 
-// From a problem to its report: `problem.rs` (goals and mechanism, checked) with `freedom.rs` (what
-// may change, within limits), `job.rs` (calls), `search.rs` (the loop and its decisions), `model.rs`
-// (poses, errors, Jacobian), `step.rs` (damped least squares) or `tree.rs` (the same for many goals),
-// `report.rs`; `scratch.rs` is the memory of all lanes. Beside it `rates.rs` (velocities), and for
-// arms of six hinges `six_axis.rs`, `family.rs` (their geometry) and `branches.rs` (the formulas).
+// A call passes through these files in this order:
+//
+// - `goal.rs`, `freedom.rs`, `problem.rs`: goals, the values that may change, and a mechanism with
+//   both, checked once;
+// - `job.rs`, with `report.rs`: calls for one configuration, many, and clips;
+// - `search.rs`: the loop over rounds and its decisions, in the memory of `scratch.rs`;
+// - `model.rs`: poses, errors and the Jacobian;
+// - `step.rs`, or `tree.rs` for many goals: damped least squares.
+//
+// `rates.rs` solves for velocities instead. `six_axis.rs` finds all solutions of an arm of six
+// hinges, with `family.rs` (geometry and a drawing) and `branches.rs` (formulas).
 
 mod branches;
 mod family;
 mod freedom;
+mod goal;
 mod job;
 mod model;
 #[cfg(feature = "alloc")]
@@ -32,12 +40,13 @@ mod six_axis;
 mod step;
 mod tree;
 
-pub use family::Family;
+pub use family::{Family, SolutionsError};
 pub use freedom::Freedom;
+pub use goal::{Goal, ReachError};
 pub use job::ReachJob;
 #[cfg(feature = "alloc")]
 pub use owned::{OwnedReach, OwnedSixAxisArm};
-pub use problem::{Goal, Reach, ReachError};
+pub use problem::Reach;
 pub use rates::RatesError;
-pub use report::{Options, Outcome, Report};
-pub use six_axis::{Singular, SixAxisArm, Solution, Solutions, SolutionsError, SolutionsJob};
+pub use report::{Options, Outcome, Report, Tracking};
+pub use six_axis::{Singular, SixAxisArm, Solution, Solutions, SolutionsJob};

@@ -1,72 +1,86 @@
-//! The model: what each lane computes of its configuration and targets.
+//! The model: the poses, errors and derivatives of the configurations of all lanes.
 //!
-//! In the order of a round: poses and screws (`place`), errors (`compare`), the way to the posture
-//! (`wish`), and the Jacobian (`linearize`).
+//! In the order of a round: poses and screws ([`Model::place`]), errors ([`Model::compare`]), the
+//! step to the posture ([`Model::posture_step`]), and the Jacobian ([`Model::linearize`]).
 
 use super::freedom::Freedom;
-use super::problem::{Goal, Reach};
-use super::report::Options;
-use super::scratch::{DRAWN, GOAL, POSE, Rows, Scratch, TARGET, TURN};
-use crate::mechanism::step::NONE;
-use crate::mechanism::values::JointNumbers;
-use crate::mechanism::walk::Placed;
-use crate::mechanism::walk::{Joined, moved};
+use super::goal::Goal;
+use super::problem::Reach;
+use super::report::Tracking;
+use super::scratch::{EXCESS, GOAL, POSE, Registers, Scratch, TARGET, TURN};
+use crate::mechanism::step::{JointFrame, JointScrews, NONE};
+use crate::mechanism::values::LaneValues;
+use crate::mechanism::walk::{HalfPose, LinkFrames};
 use dq8::batch::{DualQuat, half_turns, lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Level};
 
-/// With `TRACK`, steps are of first order, and of many goals in the shape of the tree: a constant
-/// of the type, so that firmware that does not follow many goals does not hold it.
+/// A configuration and its targets in each lane. With `TRACK`, steps are of first order, and those
+/// of many goals solve a system in the shape of the tree. It is a constant of the type so that
+/// firmware that does not track does not contain it.
 pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) level: L::Level,
     pub(super) reach: &'s Reach<'s, L::Real>,
     pub(super) scales: Scales<L>,
     pub(super) scratch: Scratch<'s, L>,
-    pub(super) follows: Follows<L>,
+    pub(super) weights: PostureWeights<L>,
 }
 
-/// How a target that moves is followed.
+/// The weights of posture and start while tracking.
 #[derive(Clone, Copy)]
-pub(super) struct Follows<L> {
-    /// Whether in the shape of the tree.
-    by_tree: bool,
-    /// Whether the posture or the start weighs something, and the squares of both.
-    weighs: bool,
+pub(super) struct PostureWeights<L> {
+    /// `true` if the system has the shape of the tree.
+    uses_tree: bool,
+    /// `true` if one of the two weights is not zero; and the squares of both.
+    has_weights: bool,
     pub(super) posture: L,
     pub(super) start: L,
 }
 
-/// What makes lengths and radians comparable, and what keeps a step short.
+/// The factors that make lengths and radians comparable, and those that keep a step short.
 #[derive(Clone, Copy)]
 pub(super) struct Scales<L> {
     /// The length that weighs as much as a radian.
     pub(super) length: L,
     pub(super) radians_per_length: L,
-    /// The most that a hinge turns.
+    /// The largest change of a hinge in a step.
     pub(super) longest: L,
-    /// λ² where the target is.
+    /// λ² at the target.
     pub(super) least_damping: L,
 }
 
-/// How far the lanes are from their targets.
+/// The errors of all lanes.
 #[derive(Clone, Copy)]
-pub(super) struct Apart<L> {
+pub(super) struct PoseErrors<L> {
     /// The weighted sum of squares of all errors, in radians².
     pub(super) square: L,
-    /// The largest turn and the largest distance among the goals, of what is asked for.
+    /// The largest angle and the largest distance among the goals, of components with a weight.
     pub(super) angular: L,
     pub(super) linear: L,
 }
 
-/// What a step did.
+/// The decisions of all lanes for a step.
 #[derive(Clone, Copy)]
-pub(super) struct Stepped<L> {
-    /// Where a limit cut it short, the square of the errors that it would leave by its own linear
-    /// model; elsewhere zero.
-    pub(super) left: L,
-    /// The square of all changes, in radians.
-    pub(super) moved: L,
+pub(super) struct Decisions<L: Lanes> {
+    /// The factor by which the step is damped more than usual.
+    pub(super) damping_factor: L,
+    /// The lanes that step.
+    pub(super) running: L::Mask,
+    /// The lanes that are at their targets, and go on toward the posture.
+    pub(super) arrived: L::Mask,
+    /// `true` if the search may restart, and so needs the error that a step leaves.
+    pub(super) may_restart: bool,
+}
+
+/// The effect of a step.
+#[derive(Clone, Copy)]
+pub(super) struct StepResult<L> {
+    /// The squared error that the step would leave by its own linear model, in lanes that a limit
+    /// cut short; elsewhere zero.
+    pub(super) residual: L,
+    /// The sum of squares of all changes, radians².
+    pub(super) change: L,
 }
 
 impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
@@ -74,11 +88,11 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     pub(super) fn new(
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,
-        options: &Options<L::Real>,
+        tracking: &Tracking<L::Real>,
         memory: &'s mut [L::Real],
     ) -> Option<Self> {
-        let scratch = Scratch::new(reach, memory)?;
-        // Each lane has its own with what it is given.
+        let (scratch, options) = (Scratch::new(reach, memory)?, &tracking.options);
+        // Set for each lane with its configuration.
         let one = L::splat(level, dq8::Real::ONE);
         let damping = L::splat(level, options.damping);
         let scales = Scales {
@@ -88,41 +102,42 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
             least_damping: damping * damping,
         };
         let square = |weight: L::Real| L::splat(level, weight * weight);
-        let posture = reach.posture.map_or(L::Real::default(), |_| options.posture_weight);
-        let follows = Follows {
-            by_tree: TRACK && reach.is_by_tree(options),
-            weighs: TRACK && reach.weighs(options),
+        let posture = reach.posture.map_or(L::Real::default(), |_| tracking.posture_weight);
+        let weights = PostureWeights {
+            uses_tree: TRACK && reach.uses_tree(tracking),
+            has_weights: TRACK && reach.has_weights(tracking),
             posture: square(posture),
-            start: square(options.start_weight),
+            start: square(tracking.start_weight),
         };
-        Some(Self { level, reach, scales, scratch, follows })
+        Some(Self { level, reach, scales, scratch, weights })
     }
 
-    /// Whether the posture or the start always acts.
+    /// `true` if the posture or the start has a weight in every step.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn weighs(&self) -> bool {
-        TRACK && self.follows.weighs
+    pub(super) fn has_weights(&self) -> bool {
+        TRACK && self.weights.has_weights
     }
 
-    /// Whether the system has the shape of the tree.
+    /// `true` if the system has the shape of the tree.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn is_by_tree(&self) -> bool {
-        TRACK && self.follows.by_tree
+    pub(super) fn uses_tree(&self) -> bool {
+        TRACK && self.weights.uses_tree
     }
 }
 
-/// Of which values.
+/// The values to be placed.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Of {
-    /// Of where the lanes are: screws too.
-    Values,
-    /// Of where they might begin again.
+pub(super) enum Configurations {
+    /// The values of the lanes; their screws are computed too.
+    Current,
+    /// The candidates of a restart.
     Candidates,
 }
 
-struct Numbers<'r, 's, L: Lanes>(&'r Rows<'s, L>);
+/// The values of all lanes, as the walk reads them.
+struct ValueRegisters<'r, 's, L: Lanes>(&'r Registers<'s, L>);
 
-impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
+impl<L: Lanes> LaneValues<L> for ValueRegisters<'_, '_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(&mut self, level: L::Level, index: usize) -> L {
         self.0.get(level, index)
@@ -130,16 +145,17 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
 }
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The poses of the links with goals, from the base up; links that carry none are left out.
+    /// Computes the poses of the links with goals, from the base up. Branches without a goal are
+    /// left out.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn place(&mut self, of: Of) {
+    pub(super) fn place(&mut self, of: Configurations) {
         let (level, reach) = (self.level, self.reach);
         let scratch = &mut self.scratch;
         let values = match of {
-            Of::Values => &scratch.values,
-            Of::Candidates => &scratch.candidate,
+            Configurations::Current => &scratch.values,
+            Configurations::Candidates => &scratch.candidate,
         };
-        let mut numbers = Numbers(values);
+        let mut numbers = ValueRegisters(values);
         let one_half = L::splat(level, L::Real::HALF);
         let (mut position, mut twist) = (0, 0);
         while let Some(step) = reach.mechanism.steps.get(position) {
@@ -149,14 +165,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             position += 1;
             let before = if step.parent == NONE {
-                Placed::root(level, step)
+                HalfPose::root(level, step)
             } else {
                 get(level, &scratch.slots, step.parent_slot as usize * POSE).place(step)
             };
-            let pose = moved(level, before, step, &mut numbers);
+            let pose = before.link_frame(step, &mut numbers);
             put(&mut scratch.slots, step.slot as usize * POSE, pose);
-            if of == Of::Values {
-                let joined = Joined { before, pose };
+            if of == Configurations::Current {
+                let joined = LinkFrames { joint: before, link: pose };
                 for index in 0..step.kind.rates() {
                     scratch.twists.set_record(twist, joined.screw(step, index).to_array());
                     twist += 6;
@@ -175,15 +191,15 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// The same for a search that needs both kinds of values. In line it holds the code twice, and
-    /// takes a tenth less time for one configuration: firmware calls it.
+    /// The same for a search that needs it for both kinds of values. In line, machine code holds it
+    /// twice and takes a tenth less time for one configuration; firmware calls it.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn place_or_call(&mut self, of: Of) {
+    pub(super) fn place_or_call(&mut self, of: Configurations) {
         if cfg!(target_os = "none") { self.call_place(of) } else { self.place(of) }
     }
 
     #[inline(never)]
-    fn call_place(&mut self, of: Of) {
+    fn call_place(&mut self, of: Configurations) {
         self.level.run(
             #[cfg_attr(not(opt_level_0), inline(always))]
             || self.place(of),
@@ -192,7 +208,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn put<L: Lanes<Real: Scalar>>(rows: &mut Rows<'_, L>, at: usize, pose: Placed<L>) {
+pub(super) fn put<L: Lanes<Real: Scalar>>(
+    rows: &mut Registers<'_, L>,
+    at: usize,
+    pose: HalfPose<L>,
+) {
     rows.set_record(at, pose.rotation);
     rows.set_record(at + 4, pose.half);
 }
@@ -200,33 +220,33 @@ pub(super) fn put<L: Lanes<Real: Scalar>>(rows: &mut Rows<'_, L>, at: usize, pos
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn get<L: Lanes<Real: Scalar>>(
     level: L::Level,
-    rows: &Rows<'_, L>,
+    rows: &Registers<'_, L>,
     at: usize,
-) -> Placed<L> {
-    Placed { rotation: rows.record(level, at), half: rows.record(level, at + 4) }
+) -> HalfPose<L> {
+    HalfPose { rotation: rows.record(level, at), half: rows.record(level, at + 4) }
 }
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The errors of the poses that have been computed last: from the targets of their lanes, or
-    /// all from those of one lane.
+    /// The errors of the poses that were computed last: from the targets of their lanes, or all of
+    /// them from those of one lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn compare(&mut self, lane: Option<usize>) -> Apart<L> {
+    pub(super) fn compare(&mut self, lane: Option<usize>) -> PoseErrors<L> {
         let level = self.level;
         let zero = L::splat(level, L::Real::default());
         let radians_per_length = self.radians_per_length(lane);
-        let mut apart = Apart { square: zero, angular: zero, linear: zero };
+        let mut errors = PoseErrors { square: zero, angular: zero, linear: zero };
         let mut row = 0;
         for (index, goal) in self.reach.goals.iter().enumerate() {
             let target = self.target(index, lane);
             let pose = self.pose(index);
-            // Translations are kept halved, as dual quaternions take them.
+            // Poses hold half their translation, as dual quaternions do.
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
-            // A position is reached along the straight way. A whole pose is reached along the
-            // screw: its twist, as the velocity of the end and not of the origin.
+            // A position is reached along a straight line, a whole pose along a screw: its twist,
+            // with the velocity of the link and not of the origin.
             let (mut angular, mut linear) = ([zero; 3], way);
-            way = vector::add(way, self.drawn(index, lane));
+            way = vector::add(way, self.excess(index, lane));
             if goal.asks_rotation() {
                 let pose = DualQuat::from_array(pose.to_motion());
                 let twist = (target * pose.conjugate()).to_twist();
@@ -238,33 +258,34 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     self.scratch.goals.set_record(index * GOAL + TARGET + POSE, angular);
                 }
             }
-            // Weights that differ from axis to axis are along the axes of the target.
+            // Weights that differ from axis to axis belong to the axes of the target.
             if !goal.is_even() {
                 let to_target = target.real().conjugate();
                 angular = to_target.rotate(angular);
                 linear = to_target.rotate(linear);
                 way = to_target.rotate(way);
             }
-            // Tolerances are for turns and distances as they are, from the target that was asked
-            // for; the square that a step makes smaller is weighted, and all in radians.
-            let turn = asked(angular, goal.angular);
-            let distance = asked(way, goal.linear);
-            apart.angular = larger(apart.angular, turn);
-            apart.linear = larger(apart.linear, distance);
+            // Tolerances are for angles and distances without weights, from the target before it
+            // was drawn nearer; the squared error that a step reduces is weighted, and all in
+            // radians.
+            let turn = length_of_asked(angular, goal.angular);
+            let distance = length_of_asked(way, goal.linear);
+            errors.angular = max_or_nan(errors.angular, turn);
+            errors.linear = max_or_nan(errors.linear, distance);
             let linear = vector::scale(linear, radians_per_length);
-            row = weigh(
+            row = for_each_row(
                 goal,
                 angular,
                 linear,
                 row,
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
-                    apart.square = component.mul_add(component, apart.square);
+                    errors.square = component.mul_add(component, errors.square);
                     self.scratch.error.set(row, component);
                 },
             );
         }
-        apart
+        errors
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -277,16 +298,16 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn target(&self, goal: usize, lane: Option<usize>) -> DualQuat<L> {
-        DualQuat::from_array(self.of_goal::<DRAWN>(goal * GOAL, lane))
+        DualQuat::from_array(self.of_goal::<EXCESS>(goal * GOAL, lane))
     }
 
-    /// The way from there to the target that was asked for.
+    /// The vector by which the target of a goal was drawn nearer.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn drawn(&self, goal: usize, lane: Option<usize>) -> [L; 3] {
-        self.of_goal(goal * GOAL + DRAWN, lane)
+    fn excess(&self, goal: usize, lane: Option<usize>) -> [L; 3] {
+        self.of_goal(goal * GOAL + EXCESS, lane)
     }
 
-    /// Numbers of a goal, of each lane or of one for all.
+    /// Numbers of a goal: those of each lane, or those of one lane for all.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn of_goal<const C: usize>(&self, first: usize, lane: Option<usize>) -> [L; C] {
         let Some(lane) = lane else { return self.scratch.goals.record(self.level, first) };
@@ -298,14 +319,15 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn pose(&self, goal: usize) -> Placed<L> {
+    pub(super) fn pose(&self, goal: usize) -> HalfPose<L> {
         get(self.level, &self.scratch.goals, goal * GOAL + TARGET)
     }
 }
 
-/// Hands on the weighted components that a goal asks for, and says how many rows there are now.
+/// Calls `take` with the row and the weighted value of each component that has a weight, and
+/// returns the next row.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn weigh<L: Lanes<Real: Scalar>>(
+pub(super) fn for_each_row<L: Lanes<Real: Scalar>>(
     goal: &Goal<L::Real>,
     angular: [L; 3],
     linear: [L; 3],
@@ -324,9 +346,9 @@ pub(super) fn weigh<L: Lanes<Real: Scalar>>(
     row
 }
 
-/// The length of the components that are asked for.
+/// The length of the components that have a weight.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L {
+fn length_of_asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L {
     let mut square = components[0].constant(0.0);
     for (component, weight) in components.into_iter().zip(weights) {
         if weight > L::Real::ZERO {
@@ -336,28 +358,28 @@ fn asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L
     square.sqrt()
 }
 
-/// NaN where `b` is.
+/// The larger of the two; NaN if `b` is NaN.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn larger<L: Lanes>(a: L, b: L) -> L {
+fn max_or_nan<L: Lanes>(a: L, b: L) -> L {
     L::select(b.le(a), a, b)
 }
 
-/// Where a goal keeps the twist of its link.
+/// The first register of the sum of twists of a goal.
 const MOVED: usize = TARGET + POSE + TURN;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The columns of the Jacobian of all goals. `bent` by half of the last changes, they are of
-    /// second order: what a link does is a product of exponentials, whose logarithm is (Baker,
-    /// Campbell, Hausdorff)
+    /// Computes the columns of the Jacobian of all goals. With `second_order`, half of the last
+    /// changes is taken into account: the motion of a link is a product of exponentials, whose
+    /// logarithm is (Baker, Campbell, Hausdorff)
     ///
     /// ```text
     /// Σ δⱼ (cⱼ + ½ [Σₖ₍ₖ₍ⱼ₎ δₖcₖ, cⱼ]) + third order
     /// ```
     ///
-    /// over the joints that carry it (Halley's method: Lloyd, Irani & Ahmadi 2022). That the second
-    /// order is right gets an arm out of singular poses and, near them, to its target.
+    /// over the joints that carry it (Halley's method: Lloyd, Irani & Ahmadi 2022). The second
+    /// order takes an arm out of singular poses, and to targets near them.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn linearize(&mut self, bent: bool) {
+    pub(super) fn linearize(&mut self, second_order: bool) {
         let (level, reach) = (self.level, self.reach);
         let zero = L::splat(level, L::Real::default());
         self.scratch.columns.fill(zero);
@@ -366,7 +388,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let (mut position, mut screw) = (0, 0);
         while let Some(step) = reach.mechanism.steps.get(position) {
-            // A branch without a goal is skipped whole; so its screws have no place in memory.
+            // A branch without a goal is skipped whole, so its screws have no memory.
             if !reach.moves_goal(position) {
                 position += step.size as usize;
                 continue;
@@ -374,15 +396,20 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             for index in 0..step.kind.rates() {
                 let twist = Twist::from_array(self.scratch.twists.record(level, screw));
                 screw += 6;
-                self.add(position, reach.column(step.rate as usize + index), twist, bent);
+                self.add_columns(
+                    position,
+                    reach.column(step.rate as usize + index),
+                    twist,
+                    second_order,
+                );
             }
             position += 1;
         }
     }
 
-    /// Adds what a freedom changes to the twist of a goal, and returns what it was.
+    /// Adds the change of a freedom to the sum of twists of a goal, and returns the sum before it.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn move_on(&mut self, goal: usize, column: usize, twist: Twist<L>) -> Twist<L> {
+    fn add_to_sum(&mut self, goal: usize, column: usize, twist: Twist<L>) -> Twist<L> {
         let (level, at) = (self.level, goal * GOAL + MOVED);
         let moved = Twist::from_array(self.scratch.goals.record(level, at));
         let next = moved + twist.scale(self.scratch.changes.get(level, column));
@@ -390,9 +417,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         moved
     }
 
-    /// Adds what a screw does to all goals that its step carries.
+    /// Adds a screw to the columns of all goals that its step carries.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(&mut self, position: usize, column: usize, twist: Twist<L>, bent: bool) {
+    fn add_columns(&mut self, position: usize, column: usize, twist: Twist<L>, second_order: bool) {
         let (level, reach) = (self.level, self.reach);
         let Some(freedom) = reach.freedoms.get(column) else { return };
         let one = self.scales.length.constant(1.0);
@@ -403,45 +430,45 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 continue;
             }
             let mut twist = twist;
-            // Joints are visited from the base up, so what has moved so far is the sum in the
-            // brackets above. It is kept per goal, because each goal has joints of its own.
-            if bent && goal.is_pose() {
-                let moved = self.move_on(index, column, twist);
+            // Joints are visited from the base up, so the sum so far is the one in the brackets
+            // above. Each goal has a sum of its own, because it has joints of its own.
+            if second_order && goal.is_pose() {
+                let moved = self.add_to_sum(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
             }
-            // In radians, as all changes are.
+            // Everything in the system is in radians.
             if freedom.is_slide() {
                 twist = twist.scale(self.scales.length);
             }
-            let [angular, linear] = self.seen_by(index, goal, twist);
+            let [angular, linear] = self.error_rate(index, goal, twist);
             let columns = &mut self.scratch.columns;
-            row = weigh(
+            row = for_each_row(
                 goal,
                 angular,
                 linear,
                 row,
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
-                    // A sum: a joint that mimics another shares its column.
+                    // A sum, because a joint that mimics another shares its column.
                     columns.set(row, columns.get(level, row) + component);
                 },
             );
         }
     }
 
-    /// What a twist does to the error of a goal: its angular part, and its linear part at the link,
-    /// in radians.
+    /// The rate at which a twist changes the error of a goal: its angular part, and its linear part
+    /// at the link, in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn seen_by(&self, index: usize, goal: &Goal<L::Real>, twist: Twist<L>) -> [[L; 3]; 2] {
+    fn error_rate(&self, index: usize, goal: &Goal<L::Real>, twist: Twist<L>) -> [[L; 3]; 2] {
         let (level, first) = (self.level, index * GOAL + TARGET);
         let half: [L; 3] = self.scratch.goals.record(level, first + 4);
         let end = vector::add(half, half);
-        // A spatial twist has the velocity of the point at the origin; ω × end makes it that of
-        // the link.
+        // The linear part of a spatial twist is the velocity at the origin; ω × end makes it that
+        // of the link.
         let mut angular = twist.angular;
         let mut linear = vector::cross_onto(angular, end, twist.linear);
         if goal.asks_part_of_rotation() {
-            // The rotation vector of what is left changes so.
+            // The error is a rotation vector, which changes by the inverse of the right Jacobian.
             let nowhere = [half[0].constant(0.0); 3];
             let turn = self.scratch.goals.record(level, first + POSE);
             let at = Twist { angular: turn, linear: nowhere };
@@ -457,43 +484,46 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// No wish is longer than this part of the longest step: what the goals leave free is so only
-/// nearby. A planar arm of five hinges ends where its point allows nothing nearer from 49 of 50
-/// starts in 25 iterations; with a quarter from 48 in 45, with the whole from 45 in 17.
-const SHORTER: f64 = 0.5;
+/// The largest component of the step to the posture, as a part of the longest step: the null space
+/// is that of the Jacobian here, and only valid nearby. A planar arm of five hinges reaches the
+/// nearest posture from 49 of 50 starts in 25 iterations; with a quarter from 48 in 45, with the
+/// whole from 45 in 17.
+const POSTURE_PART: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The way of each freedom to the posture, or to the limit before it, in radians; the shorter
-    /// one for hinges that turn endlessly; no longer than a part of a step may be. The square of
-    /// all of it.
+    /// Computes the step of each freedom to the posture, or to the limit before it, in radians: by
+    /// the shorter way for endless hinges, and scaled to a part of the longest step. Returns the
+    /// squared distance.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn wish(&mut self) -> L {
+    pub(super) fn posture_step(&mut self) -> L {
         let (level, reach, scales) = (self.level, self.reach, self.scales);
         let zero = L::splat(level, L::Real::ZERO);
-        if self.weighs() {
-            return self.weighed_wish();
+        if self.has_weights() {
+            return self.weighted_posture_step();
         }
-        let (mut square, mut most) = (zero, scales.longest * zero.constant(SHORTER));
+        let (mut square, mut most) = (zero, scales.longest * zero.constant(POSTURE_PART));
         let Some(posture) = reach.posture else { return zero };
         for (index, freedom) in reach.freedoms.iter().enumerate() {
             let mut way = zero;
             if let Some(&value) = posture.get(freedom.value as usize) {
-                way = self.way_to(freedom, L::splat(level, value));
+                way = self.difference_to(freedom, L::splat(level, value));
             }
-            self.scratch.wishes.set(index, way);
+            self.scratch.posture_step.set(index, way);
             square = way.mul_add(way, square);
             most = L::select(most.lt(way.abs()), way.abs(), most);
         }
-        let shrink = scales.longest * zero.constant(SHORTER) / most;
+        let shrink = scales.longest * zero.constant(POSTURE_PART) / most;
         for index in 0..reach.freedoms.len() {
-            self.scratch.wishes.set(index, self.scratch.wishes.get(level, index) * shrink);
+            self.scratch
+                .posture_step
+                .set(index, self.scratch.posture_step.get(level, index) * shrink);
         }
         square
     }
 
-    /// The way of a freedom to a value, in radians; none of what floats.
+    /// The difference of a freedom to a value, in radians; zero for floating joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn way_to(&self, freedom: &Freedom<L::Real>, value: L) -> L {
+    fn difference_to(&self, freedom: &Freedom<L::Real>, value: L) -> L {
         let zero = value.constant(0.0);
         if !freedom.is_single() {
             return zero;
@@ -508,47 +538,49 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         if freedom.is_slide() {
             way = way * self.scales.radians_per_length;
         }
-        // A way too long for a float leads nowhere.
+        // A difference that overflows is ignored.
         L::select(vector::is_finite(way), way, zero)
     }
 
-    /// The sum of the ways to the posture and back to the start, by the squares of their weights.
-    /// Of the squares of both as much.
+    /// Computes the sum of the differences to posture and start, each times its squared weight, and
+    /// returns the weighted squared distance.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn weighed_wish(&mut self) -> L {
+    fn weighted_posture_step(&mut self) -> L {
         let (level, reach) = (self.level, self.reach);
-        let [to_posture, to_start] = [self.follows.posture, self.follows.start];
+        let [to_posture, to_start] = [self.weights.posture, self.weights.start];
         let mut square = to_start.constant(0.0);
         for (index, freedom) in reach.freedoms.iter().enumerate() {
             let row = freedom.value as usize;
-            let way = self.way_to(freedom, self.scratch.start.get(level, row));
-            let mut wish = way * to_start;
-            square = way.mul_add(wish, square);
+            let way = self.difference_to(freedom, self.scratch.start.get(level, row));
+            let mut posture_step = way * to_start;
+            square = way.mul_add(posture_step, square);
             if let Some(&value) = reach.posture.and_then(|posture| posture.get(row)) {
-                let way = self.way_to(freedom, L::splat(level, value));
-                let asked = way * to_posture;
-                (square, wish) = (way.mul_add(asked, square), wish + asked);
+                let way = self.difference_to(freedom, L::splat(level, value));
+                let weighted = way * to_posture;
+                (square, posture_step) = (way.mul_add(weighted, square), posture_step + weighted);
             }
-            self.scratch.wishes.set(index, wish);
+            self.scratch.posture_step.set(index, posture_step);
         }
         square
     }
 
-    /// Lanes that have not arrived forget the posture, which would draw them off, unless it has a
-    /// weight: then a wish is a part of the damping.
+    /// Drops the step to the posture in lanes that are not at their targets, which it would draw
+    /// away from them. With a weight it acts everywhere, as a part of the damping.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn keep_wishes(&mut self, arrived: L::Mask, damping: L) {
-        if self.weighs() {
+    pub(super) fn finish_posture_step(&mut self, arrived: L::Mask, damping: L) {
+        if self.has_weights() {
             for index in 0..self.reach.freedoms.len() {
-                let wish = self.scratch.wishes.get(self.level, index);
-                self.scratch.wishes.set(index, wish / damping);
+                let posture_step = self.scratch.posture_step.get(self.level, index);
+                self.scratch.posture_step.set(index, posture_step / damping);
             }
             return;
         }
-        let wishes = if self.reach.posture.is_some() { self.reach.freedoms.len() } else { 0 };
-        for index in 0..wishes {
-            let wish = self.scratch.wishes.get(self.level, index);
-            self.scratch.wishes.set(index, L::select(arrived, wish, wish.constant(0.0)));
+        let count = if self.reach.posture.is_some() { self.reach.freedoms.len() } else { 0 };
+        for index in 0..count {
+            let posture_step = self.scratch.posture_step.get(self.level, index);
+            self.scratch
+                .posture_step
+                .set(index, L::select(arrived, posture_step, posture_step.constant(0.0)));
         }
     }
 }

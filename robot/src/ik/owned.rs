@@ -1,21 +1,22 @@
 //! Problems and arms with memory of their own.
 
-use super::family::{Family, Geometry};
+use super::family::{Family, Geometry, SolutionsError};
 use super::freedom::Freedom;
+use super::goal::{Goal, ReachError};
 use super::job::ReachJob;
-use super::problem::{Facts, Goal, Reach, ReachError};
+use super::problem::{Facts, Reach};
 use super::rates::RatesError;
-use super::report::{Options, Report};
-use super::six_axis::{SixAxisArm, Solutions, SolutionsError, SolutionsJob};
+use super::report::{Options, Report, Tracking};
+use super::six_axis::{SixAxisArm, Solutions, SolutionsJob};
 use crate::mechanism::job::OwnedMechanism;
 use crate::mechanism::tree::Mechanism;
 use alloc::vec;
 use alloc::vec::Vec;
-use dq8::seams::brief;
+use dq8::internal::brief;
 use dq8::{DualQuat, Real, Scalar, ShapeError, Twist};
 use dq8_simd::{Lanes, Portable};
 
-/// A [`Reach`] with memory of its own, the robot and its goals included: what a program keeps.
+/// A [`Reach`] with memory of its own, the robot and its goals included, for a program to keep.
 ///
 /// ```
 /// use dq8_robot::ik::{Goal, Options, OwnedReach};
@@ -37,7 +38,7 @@ pub struct OwnedReach<R> {
     mechanism: OwnedMechanism<R>,
     goals: Vec<Goal<R>>,
     freedoms: Vec<Freedom<R>>,
-    /// How many of them move a goal.
+    /// The number of freedoms that move a goal.
     moving: usize,
     posture: Option<Vec<R>>,
     facts: Facts<R>,
@@ -91,7 +92,7 @@ impl<R: Real> OwnedReach<R> {
             mechanism: self.mechanism.view(),
             goals: &self.goals,
             freedoms: self.freedoms.get(..self.moving).unwrap_or_default(),
-            of_rates: &self.freedoms,
+            by_rate: &self.freedoms,
             posture: self.posture.as_deref(),
             facts: self.facts,
         }
@@ -102,7 +103,7 @@ impl<R> OwnedReach<R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// See [`Reach::solve`]; the scratch is its own, taken when it is called first.
+    /// See [`Reach::solve`]. The scratch is its own, allocated by the first call.
     ///
     /// # Errors
     /// As there.
@@ -136,7 +137,7 @@ where
         &mut self,
         targets: &[DualQuat<R>],
         values: &mut [R],
-        options: &Options<R>,
+        options: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
         self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
     }
@@ -164,7 +165,7 @@ where
     }
 }
 
-/// A [`SixAxisArm`] with memory of its own: what a program keeps beside a search.
+/// A [`SixAxisArm`] with memory of its own, for a program to keep beside a search.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -193,7 +194,7 @@ where
 /// let arm = OwnedSixAxisArm::new(reach.clone())?;
 /// let mut cell = Cell { reach, arm };
 ///
-/// // All ways to a target, and from the nearest on along with it.
+/// // All solutions of a target, and a motion that goes on from the nearest.
 /// let start = [0.4, -1.2, 1.5, -0.8, 1.1, 0.2];
 /// let target = cell.reach.mechanism().link_pose(&start, 6)?;
 /// let found = cell.arm.solutions(target, &start)?;
@@ -251,8 +252,7 @@ impl<R> OwnedSixAxisArm<R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// See [`SixAxisArm::solutions`]; what searches compute in is allocated, where it takes
-    /// searches.
+    /// See [`SixAxisArm::solutions`]. Memory is allocated if the arm needs searches.
     ///
     /// # Errors
     /// As there.

@@ -1,14 +1,14 @@
-//! The velocity controller: which rates give links the velocities that they should have.
+//! Resolved rates: the rates that give links the velocities that they should have.
 
 use super::freedom::{Freedom, Kind};
 use super::job::ReachJob;
-use super::model::{Model, Of, weigh};
+use super::model::{Configurations, Model, for_each_row};
 use super::problem::Reach;
 use super::report::Options;
-use super::scratch::{GOAL, POSE, TARGET, enough};
+use super::scratch::{GOAL, POSE, TARGET, check_scratch};
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
-use dq8::seams::errors;
+use dq8::internal::errors;
 use dq8::storage::same_length;
 use dq8::{Kernel, Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level, Mask, Portable};
@@ -17,13 +17,14 @@ impl<R> Reach<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// The rates at which the goals have these velocities, as nearly as they can: those that make
-    /// |W(Jq̇ − v)|² + λ²|q̇|² least, λ the `damping`, which keeps them small near singular poses (Nakamura & Hanafusa
-    /// 1986). A joint at a limit is not asked to go farther; the others make up for it. `twists[i]`
-    /// is what goal i should do: the angular velocity of its link and the velocity of its point, in
-    /// the axes of the base ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal,
-    /// in the axes of its link; a length weighs as much as the eighth of the mechanism's longest
-    /// way to a goal. Rates of joints that carry no goal are zero.
+    /// The rates at which goals have given velocities, as nearly as possible: those that make
+    /// |W(Jq̇ − v)|² + λ²|q̇|² least, with the `damping` λ, which keeps them small near
+    /// singular poses (Nakamura & Hanafusa 1986). A joint at a limit does not go farther, and the
+    /// others make up for it. `twists[i]` is the velocity for goal i: the angular velocity of its
+    /// link and the velocity of its point, in the axes of the base
+    /// ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal, in the axes of its
+    /// link. An eighth of the longest way to a goal weighs as much as a radian. Rates of joints
+    /// that move no goal are zero.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -44,7 +45,7 @@ where
     /// ```
     ///
     /// # Errors
-    /// If lengths do not fit, or a number is not finite or the damping negative: nothing is
+    /// If lengths do not fit, a number is not finite, or the damping is negative; nothing is
     /// written.
     pub fn rates(
         &self,
@@ -55,10 +56,8 @@ where
         scratch: &mut [R],
     ) -> Result<(), RatesError> {
         same_length("rates", rates.len(), self.mechanism.rates)?;
-        enough(scratch.len(), self.scratch_len())?;
-        let wanted = Wanted { values, twists, damping, rates };
-        wanted.check(self, 1)?;
-        run::<R>(Portable, self, wanted, scratch);
+        let work = Velocities { reach: self, values, twists, damping, rates, scratch };
+        work.checked(1, self.scratch_len())?.solve::<R>(Portable);
         Ok(())
     }
 }
@@ -81,25 +80,28 @@ impl<R: Scalar> ReachJob<'_, R> {
     ) -> Result<(), RatesError> {
         let count =
             dq8::storage::whole_instances("rates", self.reach.mechanism.rates, rates.len())?;
-        enough(scratch.len(), self.reach.batch_scratch_len())?;
-        let wanted = Wanted { values, twists, damping, rates };
-        wanted.check(&self.reach, count)?;
-        self.choice.instructions().run(Velocities { reach: &self.reach, wanted, scratch });
+        let work = Velocities { reach: &self.reach, values, twists, damping, rates, scratch };
+        let work = work.checked(count, self.reach.batch_scratch_len())?;
+        self.choice.instructions().run(work);
         Ok(())
     }
 }
 
-/// What is asked, and where the answer goes.
-struct Wanted<'s, R> {
+/// Velocities of goals, and the place of the rates that give them.
+struct Velocities<'s, R> {
+    reach: &'s Reach<'s, R>,
     values: &'s [R],
     twists: &'s [Twist<R>],
     damping: R,
     rates: &'s mut [R],
+    scratch: &'s mut [R],
 }
 
-impl<R: Real> Wanted<'_, R> {
-    fn check(&self, reach: &Reach<'_, R>, count: usize) -> Result<(), RatesError> {
-        let (goals, values) = (reach.goals.len(), reach.mechanism.values);
+impl<R: Real> Velocities<'_, R> {
+    /// The same, once lengths are those of `count` configurations and all numbers are finite.
+    fn checked(self, count: usize, scratch: usize) -> Result<Self, RatesError> {
+        let (goals, values) = (self.reach.goals.len(), self.reach.mechanism.values);
+        check_scratch(self.scratch.len(), scratch)?;
         same_length("values", self.values.len(), count.saturating_mul(values))?;
         same_length("twists", self.twists.len(), count.saturating_mul(goals))?;
         if !(self.damping >= R::ZERO && self.damping.is_finite()) {
@@ -117,14 +119,8 @@ impl<R: Real> Wanted<'_, R> {
                 }
             }
         }
-        Ok(())
+        Ok(self)
     }
-}
-
-struct Velocities<'s, R> {
-    reach: &'s Reach<'s, R>,
-    wanted: Wanted<'s, R>,
-    scratch: &'s mut [R],
 }
 
 impl<R: Scalar> Kernel for Velocities<'_, R> {
@@ -132,46 +128,47 @@ impl<R: Scalar> Kernel for Velocities<'_, R> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        run::<R::Lanes<V>>(level, self.reach, self.wanted, self.scratch);
+        self.solve::<R::Lanes<V>>(level);
     }
 }
 
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn run<L: Lanes<Real: Scalar>>(
-    level: L::Level,
-    reach: &Reach<'_, L::Real>,
-    wanted: Wanted<'_, L::Real>,
-    scratch: &mut [L::Real],
-) {
-    // A posture is a place, and has no part in velocities.
-    let reach = &Reach { posture: None, ..*reach };
-    let options = Options { damping: wanted.damping, ..Options::track() };
-    let Some(mut model) = Model::<L, true>::new(level, reach, &options, scratch) else { return };
-    let length = reach.facts.size * L::Real::from(0.125);
-    model.scales.length = L::splat(level, length);
-    model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
-    let (count, rates) = (reach.mechanism.values, reach.mechanism.rates);
-    let configurations = wanted.rates.len().checked_div(rates).unwrap_or(0);
-    for first in (0..configurations).step_by(L::LANES) {
-        // Lanes that are left over compute along with the last.
-        for lane in 0..L::LANES {
-            let from = (first + lane).min(configurations - 1);
-            let values = wanted.values.get(from * count..).unwrap_or_default();
-            for (row, &value) in values.iter().enumerate().take(count) {
-                model.scratch.values.set_number(row, lane, value);
-            }
-        }
-        model.place(Of::Values);
-        model.ask_velocities(wanted.twists, first, configurations);
-        model.rates();
-        for rate in 0..rates {
-            let freedom = reach.freedoms.get(reach.column(rate));
-            let unit = if freedom.is_some_and(Freedom::is_slide) { length } else { L::Real::ONE };
+impl<R: Scalar> Velocities<'_, R> {
+    /// The rates of all configurations, of as many at a time as there are lanes.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn solve<L: Lanes<Real = R>>(self, level: L::Level) {
+        // A posture is ignored: it is a pose, not a velocity.
+        let Self { values, twists, rates, .. } = self;
+        let reach = &Reach { posture: None, ..*self.reach };
+        let options = Options { damping: self.damping, ..Options::track() };
+        let model = Model::<L, true>::new(level, reach, &options.into(), self.scratch);
+        let Some(mut model) = model else { return };
+        let length = reach.facts.size * L::Real::from(0.125);
+        model.scales.length = L::splat(level, length);
+        model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
+        let (value_count, rate_count) = (reach.mechanism.values, reach.mechanism.rates);
+        let configurations = rates.len().checked_div(rate_count).unwrap_or(0);
+        for first in (0..configurations).step_by(L::LANES) {
+            // Lanes without a configuration repeat the last one.
             for lane in 0..L::LANES {
-                // Zero where there is no such column.
-                let radians = model.scratch.radians.number(reach.column(rate), lane);
-                if let Some(slot) = wanted.rates.get_mut((first + lane) * rates + rate) {
-                    *slot = radians * unit;
+                let from = (first + lane).min(configurations - 1);
+                let values = values.get(from * value_count..).unwrap_or_default();
+                for (row, &value) in values.iter().enumerate().take(value_count) {
+                    model.scratch.values.set_number(row, lane, value);
+                }
+            }
+            model.place(Configurations::Current);
+            model.set_velocities(twists, first, configurations);
+            model.rates();
+            for rate in 0..rate_count {
+                let freedom = reach.freedoms.get(reach.column(rate));
+                let unit =
+                    if freedom.is_some_and(Freedom::is_slide) { length } else { L::Real::ONE };
+                for lane in 0..L::LANES {
+                    // Zero if the rate moves no goal.
+                    let radians = model.scratch.radians.number(reach.column(rate), lane);
+                    if let Some(slot) = rates.get_mut((first + lane) * rate_count + rate) {
+                        *slot = radians * unit;
+                    }
                 }
             }
         }
@@ -179,14 +176,14 @@ fn run<L: Lanes<Real: Scalar>>(
 }
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
-    /// Puts the velocities where errors are.
+    /// Puts the velocities in the place of the errors.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn ask_velocities(&mut self, twists: &[Twist<L::Real>], first: usize, configurations: usize) {
+    fn set_velocities(&mut self, twists: &[Twist<L::Real>], first: usize, configurations: usize) {
         let (level, reach) = (self.level, self.reach);
         let zero = L::splat(level, L::Real::ZERO);
         let (goals, mut row) = (reach.goals.len(), 0);
         for (index, goal) in reach.goals.iter().enumerate() {
-            // Weights that differ from axis to axis are along those of the link.
+            // Weights that differ from axis to axis belong to the axes of the link.
             let motion = self.pose(index).to_motion();
             self.scratch.goals.set_record(index * GOAL, motion);
             self.scratch.goals.set_record(index * GOAL + TARGET + POSE, [zero; 3]);
@@ -208,7 +205,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
                 (angular, linear) = (to_link.rotate(angular), to_link.rotate(linear));
             }
             let linear = vector::scale(linear, self.scales.radians_per_length);
-            row = weigh(
+            row = for_each_row(
                 goal,
                 angular,
                 linear,
@@ -219,19 +216,19 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
         }
     }
 
-    /// The rates, in radians, of which none leads beyond a limit.
+    /// Solves for the rates, in radians, of which none leads beyond a limit.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn rates(&mut self) {
         let (level, zero) = (self.level, self.scales.least_damping.constant(0.0));
         let one = zero.constant(1.0);
-        self.begin_step();
+        self.release_all();
         let rows = self.rows();
-        if self.is_by_tree() {
+        if self.uses_tree() {
             self.assemble();
         } else {
             self.linearize(false);
         }
-        // Each round but the last holds one more, in some lane.
+        // Each round but the last holds one freedom more, in some lane.
         for _ in 0..=self.reach.freedoms.len() {
             self.solve(self.scales.least_damping);
             let mut stopped = zero.lt(zero);
@@ -261,17 +258,17 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
 }
 
 errors! {
-    /// What rates cannot be asked for.
+    /// An error of velocities.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     RatesError {
         /// Lengths that do not fit.
         Shape(error: ShapeError) => "{error}";
         /// A damping that is negative or not finite.
-        Damping { value: f64 = "What it is." } => "the damping is negative or not finite: {value}";
+        Damping { value: f64 = "The damping." } => "the damping is negative or not finite: {value}";
         /// A joint value that is not finite.
-        Value { index: usize = "Which one.", value: f64 = "What it is." } => "value {index} is not finite: {value}";
+        Value { index: usize = "The index of the value.", value: f64 = "The value." } => "value {index} is not finite: {value}";
         /// A velocity that is not finite.
-        Twist { index: usize = "Which one.", value: f64 = "The number in it." } => "twist {index} is not finite: {value}";
+        Twist { index: usize = "The index of the twist.", value: f64 = "The number in it." } => "twist {index} is not finite: it has the number {value}";
     }
 }

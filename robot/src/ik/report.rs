@@ -1,51 +1,45 @@
-//! What a search is told, and what it reports.
+//! The options of a search, and its report.
 
 use dq8::Real;
 
-/// When a search ends, and how it weighs.
+/// The options of a search: its tolerances, its limits, and the weights in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options<R> {
-    /// The turn that may be left, radians.
+    /// The largest angle to a target that counts as reached, radians.
     pub angular_tolerance: R,
-    /// The distance that may be left, in the unit of the mechanism.
+    /// The largest distance from a target that counts as reached, in the unit of the mechanism.
     pub linear_tolerance: R,
-    /// Steps and restarts together. Most targets of an arm take six or seven; the default of 100 is
-    /// for the few in a hundred that begin again, and costs time only where a target cannot be
-    /// reached, or a posture is far. Several goals on one tree may want 1000: a humanoid with four
-    /// goals reached 93 % of random targets that can be reached with 100, and all of 200 with 1000.
+    /// The largest number of steps and restarts together. Most targets of an arm take six or seven;
+    /// the default of 100 is for the few in a hundred that begin again, and costs time only if a
+    /// target cannot be reached or a posture is far. Several goals on one tree may want 1000: a
+    /// humanoid with four goals reached 93 % of random reachable targets with 100, and all of 200
+    /// with 1000.
     pub max_iterations: u32,
-    /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the
-    /// longest way to a goal, or, where something floats or slides without end and the search is
-    /// none that [tracks](super::Reach::track), of the longer way that it has to go. It decides
-    /// what is nearest where the target cannot be reached, and how fast it is reached where it can.
+    /// The length that weighs as much as a radian, more than zero. `None` is an eighth of the
+    /// longest way to a goal; if something floats or slides without end, an eighth of the longer
+    /// way that it has to go, except in searches that [track](super::Reach::track). It decides
+    /// which pose is nearest to a target that cannot be reached, and how fast the others are
+    /// reached.
     pub length_per_radian: Option<R>,
-    /// The most that a hinge turns in one step, radians, more than zero; more than a turn is as
-    /// much as a turn. A slide moves as far as it likes.
+    /// The largest change of a hinge in one step, radians, more than zero; more than a turn counts
+    /// as a turn. Slides are not limited.
     pub max_step: R,
-    /// λ of the damped least squares at the target itself, radians. Zero, the default, reaches it
-    /// fastest; with λ no step is longer than |e|/(2λ) for an error |e|, also in front of a
-    /// singular pose: right for a machine that follows a target.
+    /// The damping λ of the least squares at the target itself, radians. Zero, the default,
+    /// reaches targets fastest. With λ no step is longer than |e|/(2λ) for an error |e|, near
+    /// singular poses too, which is right for a machine that follows a target.
     pub damping: R,
-    /// Whether to begin again from another configuration where the search got stuck. If false,
-    /// converge from the given start only: right for tracking a target that moves.
+    /// `true` if a search that is stuck begins again from another configuration; `false` if it only
+    /// converges from its start, which is right for a target that moves.
     pub restarts: bool,
-    /// The part of the weighted squared error that a step must gain, from 0 to 1; one that gains
-    /// less is the last, or where there is another beginning, the last from this one. Where there
-    /// are more goals than freedom nothing is reached, and only this says that no more is to be
-    /// had. Zero, the default, is no such end.
+    /// The part of the weighted squared error that a step must gain, from 0 to 1. A step that gains
+    /// less is the last one, or the last before a restart. With more goals than freedoms no target
+    /// is reached, and only this option ends a search that cannot get better. Zero, the default, is
+    /// off.
     pub least_gain: R,
-    /// How much a radian from the [posture](super::Reach::with_posture) weighs against one from a
-    /// target, everywhere and always, in searches that [track](super::Reach::track); others are
-    /// invalid with it. Zero, the default, is what the goals leave free, after they are reached.
-    pub posture_weight: R,
-    /// How much a radian from the start weighs: of a target that moves, from the last frame. It
-    /// takes the shaking out of what goals determine little, for a lag of its square times the way
-    /// in a frame: √(rate/480) for frames per second makes that two milliseconds. Not of what
-    /// floats, which it only makes slower. Like the weight of a posture, for searches that track.
-    pub start_weight: R,
 }
 
-/// 10⁻⁵ rad and 10⁻⁵ lengths, 100 iterations, steps of at most 1.5 rad, restarts.
+/// Tolerances of 10⁻⁵ rad and 10⁻⁵ lengths, 100 iterations, steps of at most 1.5 rad,
+/// restarts.
 impl<R: Real> Default for Options<R> {
     fn default() -> Self {
         Self {
@@ -57,22 +51,20 @@ impl<R: Real> Default for Options<R> {
             damping: R::ZERO,
             restarts: true,
             least_gain: R::ZERO,
-            posture_weight: R::ZERO,
-            start_weight: R::ZERO,
         }
     }
 }
 
 impl<R: Real> Options<R> {
-    /// To reach a target from anywhere: the default.
+    /// Options to reach a target from anywhere: the default.
     #[must_use]
     pub fn solve() -> Self {
         Self::default()
     }
 
-    /// To follow targets that move ([`Reach::track`](super::Reach::track)), from the last values:
-    /// 10⁻⁴ rad and lengths, at most 3 steps, of which each must gain a hundredth; damped by
-    /// 0.1 rad; no restarts.
+    /// Options to follow moving targets ([`Reach::track`](super::Reach::track)) from the last
+    /// values: tolerances of 10⁻⁴ rad and lengths, at most 3 steps, of which each must gain a
+    /// hundredth, a damping of 0.1 rad, and no restarts.
     #[must_use]
     pub fn track() -> Self {
         let fine = R::from(1e-4);
@@ -100,20 +92,18 @@ impl<R: Real> Options<R> {
             damping: cast(self.damping),
             restarts: self.restarts,
             least_gain: cast(self.least_gain),
-            posture_weight: cast(self.posture_weight),
-            start_weight: cast(self.start_weight),
         }
     }
 
-    /// The most that a hinge turns in one step: no more than a turn, which is where every hinge has
-    /// been.
+    /// The largest change of a hinge in one step. A turn brings a hinge through all of its poses,
+    /// so it is never more than that.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn longest_step(&self) -> R {
         let turn = R::TWO * R::PI;
         if self.max_step < turn { self.max_step } else { turn }
     }
 
-    /// Whether a search can be made with them.
+    /// `true` if every option is within its range.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn is_valid(&self) -> bool {
         let length = self.length_per_radian.unwrap_or(R::ONE);
@@ -124,12 +114,61 @@ impl<R: Real> Options<R> {
             && self.damping.is_finite()
             && self.least_gain >= R::ZERO
             && self.least_gain <= R::ONE
-            && self.posture_weight >= R::ZERO
-            && self.posture_weight.is_finite()
-            && self.start_weight >= R::ZERO
-            && self.start_weight.is_finite()
             && length > R::ZERO
             && length.is_finite()
+    }
+}
+
+/// The options of a search that [tracks](super::Reach::track): those of any search, and what weighs
+/// beside the goals in every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tracking<R> {
+    /// The options of any search, [`Options::track`] by default; `restarts` has no effect.
+    pub options: Options<R>,
+    /// The weight of a radian from the [posture](super::Reach::with_posture) against one from a
+    /// target, everywhere and always. With zero, the default, the posture takes what the goals
+    /// leave free, after they are reached.
+    pub posture_weight: R,
+    /// The weight of a radian from the start, which is the last frame of a target that moves. It
+    /// takes the shaking out of joints that the goals hardly determine, for a lag of its square
+    /// times the way in a frame: √(rate/480) for frames per second makes that two milliseconds.
+    /// Zero by default; without effect on joints that float, which it would only slow down.
+    pub start_weight: R,
+}
+
+/// [`Options::track`] and no weights.
+impl<R: Real> Default for Tracking<R> {
+    fn default() -> Self {
+        Options::track().into()
+    }
+}
+
+/// These options and no weights.
+impl<R: Real> From<Options<R>> for Tracking<R> {
+    fn from(options: Options<R>) -> Self {
+        Self { options, posture_weight: R::ZERO, start_weight: R::ZERO }
+    }
+}
+
+impl<R: Real> Tracking<R> {
+    /// The same options in other numbers, by way of `f64`.
+    #[must_use]
+    pub fn cast<S: Real>(&self) -> Tracking<S> {
+        let [posture_weight, start_weight] =
+            [self.posture_weight, self.start_weight].map(|weight| S::from_f64(weight.into()));
+        Tracking { options: self.options.cast(), posture_weight, start_weight }
+    }
+
+    /// The same options without restarts.
+    pub(super) fn without_restarts(&self) -> Self {
+        Self { options: Options { restarts: false, ..self.options }, ..*self }
+    }
+
+    /// `true` if both weights are finite and not negative.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn has_valid_weights(&self) -> bool {
+        let is_valid = |weight: R| weight >= R::ZERO && weight.is_finite();
+        is_valid(self.posture_weight) && is_valid(self.start_weight)
     }
 }
 
@@ -138,15 +177,15 @@ impl<R: Real> Options<R> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(C)]
 pub struct Report<R> {
-    /// How it ended.
+    /// The way in which the search ended.
     pub outcome: Outcome,
-    /// Steps and restarts together; zero where the start was good enough.
+    /// The number of steps and restarts together; zero if the start was good enough.
     pub iterations: u32,
-    /// How many of them were restarts.
+    /// The number of restarts among them.
     pub restarts: u32,
-    /// The turn that is left, radians.
+    /// The largest remaining angle to a target, radians.
     pub angular_error: R,
-    /// The distance that is left.
+    /// The largest remaining distance from a target.
     pub linear_error: R,
 }
 
@@ -158,34 +197,36 @@ impl<R> Report<R> {
     }
 }
 
-/// The end of a search. The joint values are the best that were found, or of a search that
-/// [tracks](super::Reach::track) the last, within the limits, but for [`Invalid`](Self::Invalid). C
-/// and Python have the same numbers.
+/// The end of a search. The joint values are the best that were found, or the last ones of a search
+/// that [tracks](super::Reach::track), within the limits; only [`Invalid`](Self::Invalid) leaves
+/// them as they were. C and Python have the same numbers.
 ///
 /// A search with [`restarts`](Options::restarts) that does not converge goes on until the
 /// iterations run out. Then [`AtLimits`](Self::AtLimits) and [`Stalled`](Self::Stalled) say what
-/// stopped its best try, and more [iterations](Options::max_iterations) may still find a solution
-/// elsewhere.
+/// stopped its best attempt, and more [iterations](Options::max_iterations) may still find a
+/// solution elsewhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(i32)]
 pub enum Outcome {
     /// Both errors are within the tolerances.
     Converged = 0,
-    /// A target is farther away than what carries the link is long: nothing can reach it. The end
-    /// points as near to it as was found.
+    /// A target is farther away than the chain that carries the link is long, so nothing can reach
+    /// it. The values bring the link as near to it as was found.
     OutOfReach = 1,
-    /// No way led nearer, and a limit stands in the way: the best values have a joint at its limit.
-    /// There may be a solution elsewhere.
+    /// No step led nearer, and the best values have a joint at its limit. There may be a solution
+    /// elsewhere.
     AtLimits = 2,
-    /// No way led nearer: a local minimum, or a pose out of reach within the arm's length.
+    /// No step led nearer: the search is in a local minimum, or the pose is out of reach within the
+    /// arm's length.
     Stalled = 3,
-    /// The iterations ran out while the end still came nearer.
+    /// The iterations ran out while the link still came nearer.
     Unfinished = 4,
-    /// The target is farther than 10⁻³ from a unit motion (the norm of its real part, or its
-    /// dual part along it), or a number is not finite, or a distance overflows; or an option is
-    /// negative or NaN, a damping, weight or length per radian infinite, a gain above 1, or a step
-    /// or length per radian zero. The joint values are untouched, the errors NaN.
+    /// An input is invalid; the joint values are untouched, and the errors are NaN. A target is
+    /// farther than 10⁻³ from a unit motion (by the norm of its real part, or by the part of its
+    /// dual part along it), a number is not finite, or a distance overflows. Or an option is out of
+    /// range: negative or NaN, an infinite damping, weight or length per radian, a gain above 1, a
+    /// step or length per radian of zero.
     #[default]
     Invalid = 5,
 }

@@ -1,15 +1,15 @@
-//! Numbers of all lanes, in memory of the caller.
+//! Memory of all lanes, borrowed from the caller.
 
 use super::problem::Reach;
 use crate::mechanism::tree::Mechanism;
 use dq8::{Scalar, ShapeError};
 use dq8_simd::{Lanes, MAX_LANES};
 
-/// Registers in memory.
+/// Registers in memory: a number of each lane, in a row.
 #[derive(Debug)]
-pub(super) struct Rows<'s, L: Lanes>(pub(super) &'s mut [L::Array]);
+pub(super) struct Registers<'s, L: Lanes>(pub(super) &'s mut [L::Array]);
 
-impl<L: Lanes> Rows<'_, L> {
+impl<L: Lanes> Registers<'_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn get(&self, level: L::Level, row: usize) -> L {
         match self.0.get(row) {
@@ -25,7 +25,7 @@ impl<L: Lanes> Rows<'_, L> {
         }
     }
 
-    /// `C` of them from `first` on.
+    /// `C` registers from `first` on.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn record<const C: usize>(&self, level: L::Level, first: usize) -> [L; C] {
         let mut record = [L::splat(level, L::Real::default()); C];
@@ -53,13 +53,13 @@ impl<L: Lanes> Rows<'_, L> {
         }
     }
 
-    /// The rows in runs of `size`.
+    /// The registers in runs of `size`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn runs(&self, size: usize) -> core::slice::ChunksExact<'_, L::Array> {
         self.0.chunks_exact(size.max(1))
     }
 
-    /// One lane.
+    /// The number of one lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn number(&self, row: usize, lane: usize) -> L::Real {
         let array = self.0.get(row).map(AsRef::as_ref);
@@ -75,71 +75,70 @@ impl<L: Lanes> Rows<'_, L> {
     }
 }
 
-/// What a search remembers.
+/// The memory of a search.
 #[derive(Debug)]
 pub(super) struct Scratch<'s, L: Lanes> {
-    /// Where each lane is, where it began, the nearest that it has been, and where it might begin
-    /// again.
-    pub(super) values: Rows<'s, L>,
-    pub(super) start: Rows<'s, L>,
-    pub(super) best: Rows<'s, L>,
-    pub(super) candidate: Rows<'s, L>,
-    /// The screws of the joints that move a goal, six rows for each.
-    pub(super) twists: Rows<'s, L>,
-    /// Poses that wait for children, [`POSE`] rows for each.
-    pub(super) slots: Rows<'s, L>,
-    /// For each goal [`GOAL`] rows.
-    pub(super) goals: Rows<'s, L>,
-    /// How the errors fall with each freedom: `[freedom][component]`, zero where the freedom is
-    /// held.
-    pub(super) columns: Rows<'s, L>,
-    /// Of each freedom: its change, in its own unit; what it would change without limits, in
-    /// radians; the way to the posture, in radians; and whether it is held at a limit, 1 or 0.
-    pub(super) changes: Rows<'s, L>,
-    pub(super) radians: Rows<'s, L>,
-    pub(super) wishes: Rows<'s, L>,
-    pub(super) held: Rows<'s, L>,
-    /// Of each component: the error, and what is left of it without what is held.
-    pub(super) error: Rows<'s, L>,
-    pub(super) left: Rows<'s, L>,
-    /// The normal equations: a triangle, the reciprocals of its diagonal, and the solution.
-    pub(super) triangle: Rows<'s, L>,
-    pub(super) reciprocals: Rows<'s, L>,
-    pub(super) solution: Rows<'s, L>,
-    /// The same in the shape of the tree: the entries, their factors, the right side, and the
-    /// bodies that wait.
-    pub(super) system: Rows<'s, L>,
-    pub(super) factor: Rows<'s, L>,
-    pub(super) right: Rows<'s, L>,
-    pub(super) bodies: Rows<'s, L>,
+    /// The values of each lane, its start, the best values so far, and the candidate of a restart.
+    pub(super) values: Registers<'s, L>,
+    pub(super) start: Registers<'s, L>,
+    pub(super) best: Registers<'s, L>,
+    pub(super) candidate: Registers<'s, L>,
+    /// The screws of the joints that move a goal, six registers each.
+    pub(super) twists: Registers<'s, L>,
+    /// Poses that wait for children, [`POSE`] registers each.
+    pub(super) slots: Registers<'s, L>,
+    /// The state of each goal, [`GOAL`] registers each.
+    pub(super) goals: Registers<'s, L>,
+    /// The Jacobian, `[freedom][component]`; zero for a freedom that is held.
+    pub(super) columns: Registers<'s, L>,
+    /// For each freedom its change, in its own unit; its change without limits, in radians; its
+    /// step to the posture, in radians; and 1 if it is held at a limit, else 0.
+    pub(super) changes: Registers<'s, L>,
+    pub(super) radians: Registers<'s, L>,
+    pub(super) posture_step: Registers<'s, L>,
+    pub(super) held: Registers<'s, L>,
+    /// For each component its error, and the residual without the contributions of held freedoms.
+    pub(super) error: Registers<'s, L>,
+    pub(super) residual: Registers<'s, L>,
+    /// The normal equations: a lower triangle, the reciprocals of the diagonal of its factor, and
+    /// the solution.
+    pub(super) triangle: Registers<'s, L>,
+    pub(super) reciprocals: Registers<'s, L>,
+    pub(super) solution: Registers<'s, L>,
+    /// The normal equations in the shape of the tree: the entries, their factors, the right-hand
+    /// side, and the bodies that wait for their parents.
+    pub(super) system: Registers<'s, L>,
+    pub(super) factor: Registers<'s, L>,
+    pub(super) right_hand_side: Registers<'s, L>,
+    pub(super) bodies: Registers<'s, L>,
 }
 
-/// Rows of what a link and those that it carries are to `tree.rs`: mass, mass times place, inertia
-/// (xx, yy, zz, xy, xz, yz), and the force as torque and force.
+/// Registers of a body in the tree: mass, mass times position, inertia (xx, yy, zz, xy, xz, yz),
+/// and its force as torque and force.
 pub(super) const BODY: usize = 16;
 
-/// Rows of a goal: the target, drawn to where it may be reached, and the way that it was drawn; the
-/// pose (rotation and half the translation), the rotation to the target, and the twist of the link
-/// as far as it has been summed up.
+/// Registers of a goal: the target, drawn to where it may be reached, and the vector by which it
+/// was drawn; the pose (rotation and half the translation), the rotation to the target, and the sum
+/// of twists so far.
 pub(super) const GOAL: usize = TARGET + POSE + TURN + MOVED;
-pub(super) const TARGET: usize = DRAWN + 3;
-pub(super) const DRAWN: usize = 8;
+pub(super) const TARGET: usize = EXCESS + 3;
+pub(super) const EXCESS: usize = 8;
 pub(super) const POSE: usize = 7;
 pub(super) const TURN: usize = 3;
 pub(super) const MOVED: usize = 6;
 
-/// Registers that straddle lines of the cache take twice as long.
+/// The size of a cache line: registers that straddle two take twice as long.
 const LINE: usize = 64;
 
 impl<R: Copy> Reach<'_, R> {
-    /// How many numbers [`solve`](Self::solve) needs to compute in.
+    /// The number of numbers that [`solve`](Self::solve) needs as scratch.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers())
     }
 
-    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and so many goals,
-    /// before they are known.
+    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and a number of
+    /// goals, before the goals are known.
     #[must_use]
     pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
         let mut twists = 0;
@@ -155,9 +154,9 @@ impl<R: Copy> Reach<'_, R> {
         ))
     }
 
-    /// The bound for a chain of `values` joints with one value each, none of which mimics another,
-    /// as a constant: for an array whose length is needed before there is a mechanism. Fixed joints
-    /// take nothing.
+    /// The same bound for a chain of `values` joints with one value each, none of which mimics
+    /// another, as a constant: for an array whose length is needed before there is a mechanism.
+    /// Fixed joints do not count.
     ///
     /// ```
     /// use dq8_robot::ik::Reach;
@@ -170,14 +169,15 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts::most(values, values, values, 1, goals))
     }
 
-    /// How many numbers a [`ReachJob`](super::ReachJob) needs to compute in, with any instructions.
+    /// The number of numbers that a [`ReachJob`](super::ReachJob) needs as scratch, with any
+    /// instructions.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))
     }
 }
 
-/// How many of everything there are.
+/// The number of everything that needs memory.
 struct Counts {
     values: usize,
     twists: usize,
@@ -215,7 +215,7 @@ impl Counts {
         Self { values, twists, slots, goals, freedoms, rows, tree }.numbers()
     }
 
-    /// How many numbers a lane needs; as many as can be counted where it is more, which no memory
+    /// The numbers that a lane needs; the largest `usize` if it is more than that, which no memory
     /// has.
     const fn numbers(&self) -> usize {
         let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
@@ -224,11 +224,15 @@ impl Counts {
         let poses = self.slots.saturating_mul(POSE);
         let rest = poses.saturating_add(goals).saturating_add(triangle(self.rows));
         let bodies = self.bodies().saturating_mul(BODY);
-        let tree = self.tree.saturating_mul(2).saturating_add(self.right()).saturating_add(bodies);
+        let tree = self
+            .tree
+            .saturating_mul(2)
+            .saturating_add(self.right_hand_side())
+            .saturating_add(bodies);
         values.saturating_add(freedoms).saturating_add(rest).saturating_add(tree)
     }
 
-    const fn right(&self) -> usize {
+    const fn right_hand_side(&self) -> usize {
         if self.tree > 0 { self.freedoms } else { 0 }
     }
 
@@ -237,7 +241,7 @@ impl Counts {
     }
 }
 
-/// How many poses wait for children at a time: one in a chain.
+/// The number of poses that wait for children at a time: one in a chain.
 fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     let mut slots = 0;
     for step in mechanism.steps {
@@ -246,13 +250,13 @@ fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     slots
 }
 
-/// An error if scratch has fewer numbers than are needed.
-pub(super) fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
+/// An error if scratch has fewer numbers than it needs.
+pub(super) fn check_scratch(length: usize, expected: usize) -> Result<(), ShapeError> {
     let fits = length >= expected;
     if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }
 
-/// With what aligns it to lines of the cache.
+/// The numbers, and as many as align them to cache lines.
 const fn padded<R>(numbers: usize) -> usize {
     numbers.saturating_add(LINE / size_of::<R>())
 }
@@ -262,7 +266,7 @@ const fn triangle(rows: usize) -> usize {
 }
 
 impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
-    /// Takes a column out of the system of rows, in some lanes.
+    /// Takes the column of a freedom out of the system of rows, in some lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn hold_column(
         &mut self,
@@ -277,12 +281,12 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
         }
     }
 
-    /// In memory that begins anywhere; `None` if there is too little.
+    /// The memory of a search, cut from memory at any address; `None` if there is too little.
     pub(super) fn new(reach: &Reach<'_, L::Real>, memory: &'s mut [L::Real]) -> Option<Self> {
         let counts = Counts::of(reach);
         let first = memory.as_ptr().align_offset(LINE);
         let mut rest = arrays::<L>(memory.get_mut(first..)?, counts.numbers())?;
-        let (right, bodies) = (counts.right(), counts.bodies());
+        let (right_hand_side, bodies) = (counts.right_hand_side(), counts.bodies());
         let Counts { values, twists, slots, goals, freedoms, rows, tree } = counts;
         Some(Self {
             values: take(&mut rest, values)?,
@@ -293,32 +297,32 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
             columns: take(&mut rest, freedoms * rows)?,
             changes: take(&mut rest, freedoms)?,
             radians: take(&mut rest, freedoms)?,
-            wishes: take(&mut rest, freedoms)?,
+            posture_step: take(&mut rest, freedoms)?,
             held: take(&mut rest, freedoms)?,
             slots: take(&mut rest, POSE * slots)?,
             goals: take(&mut rest, GOAL * goals)?,
             error: take(&mut rest, rows)?,
-            left: take(&mut rest, rows)?,
+            residual: take(&mut rest, rows)?,
             triangle: take(&mut rest, triangle(rows))?,
             reciprocals: take(&mut rest, rows)?,
             solution: take(&mut rest, rows)?,
             system: take(&mut rest, tree)?,
             factor: take(&mut rest, tree)?,
-            right: take(&mut rest, right)?,
+            right_hand_side: take(&mut rest, right_hand_side)?,
             bodies: take(&mut rest, BODY * bodies)?,
         })
     }
 }
 
-/// Memory for so many registers.
+/// Memory for a number of registers.
 fn arrays<L: Lanes>(memory: &mut [L::Real], registers: usize) -> Option<&mut [L::Array]> {
     let memory = memory.get_mut(..registers.checked_mul(L::LANES)?)?;
     bytemuck::try_cast_slice_mut(memory).ok()
 }
 
-/// The first registers of the rest.
-fn take<'s, L: Lanes>(rest: &mut &'s mut [L::Array], rows: usize) -> Option<Rows<'s, L>> {
+/// Takes the first registers of the rest.
+fn take<'s, L: Lanes>(rest: &mut &'s mut [L::Array], rows: usize) -> Option<Registers<'s, L>> {
     let (first, others) = core::mem::take(rest).split_at_mut_checked(rows)?;
     *rest = others;
-    Some(Rows(first))
+    Some(Registers(first))
 }

@@ -1,54 +1,57 @@
-//! The search: the loop over all lanes, the decisions of one lane, and the way of configurations into
-//! lanes and back.
+//! The search: the loop over all lanes, the decisions of one lane, the assignment of configurations
+//! to lanes, and restarts.
 //!
 //! # The algorithm
 //!
-//! Each lane holds one configuration. In every round all lanes do the same: take the values into
-//! their limits; compute the poses of the goals and how far they are from the targets; decide, lane
-//! by lane, whether to step, end, go back to the best or begin again; and step, by damped least
-//! squares (Wampler 1986, Sugihara 2011) with a second order where a whole pose is asked for. A
-//! lane that ends writes its report and takes the next configuration.
+//! Each lane holds one configuration. In every round all lanes do the same: bring the values within
+//! their limits; compute the poses of the goals and their errors; decide, lane by lane, on a step,
+//! a restart, a return to the best values, or the end; and step, by damped least squares (Wampler
+//! 1986, Sugihara 2011), of second order where a goal asks for a whole pose. A lane that ends
+//! writes its report and takes the next configuration.
 //!
-//! *Progress* is a fall of the squared error to a part of what it was within a few steps: those
-//! near a solution converge quadratically, so a search that falls slowly is on its way to a local
-//! minimum. A lane without progress begins again, if it may, and ends if not; one that limits leave
-//! no *hope* does not wait. In the last twelfth of the iterations it goes back to the nearest pose
-//! that it found instead, and stays there.
+//! *Progress* means that the squared error falls to a given part within a few steps. Near a
+//! solution a search converges quadratically, so one that falls slowly is on its way to a local
+//! minimum. A lane without progress restarts if it may, and ends if not; a lane is *hopeless*, and
+//! does not wait, if limits cut its step so short that most of the error remains. In the last
+//! twelfth of the iterations a lane does not restart any more but returns to the best values that
+//! it found, and steps on from there.
 //!
 //! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
 //! limits, all different from those before, and takes the one whose links are nearest to the
-//! targets. The other lanes help to compute them. What has no ends stays as it was at the start.
+//! targets. All lanes help to compute them. A value whose range has no end stays as it was at the
+//! start.
 //!
 //! # Why it is as it is
 //!
-//! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group; a
-//!   round costs the same, whoever takes part.
-//! - *Decisions are scalar, arithmetic is not.* What a lane does next is a page of branches that
-//!   differ from lane to lane: it is taken out of registers once per round, and comes back as
-//!   masks.
-//! - *What is judged is what is returned*: values are taken into their limits first, whole turns to
-//!   the side of the start.
-//! - *Idle lanes compute along*, from zeros whatever the scratch held, so that every call has the
-//!   same bits.
+//! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group, and
+//!   a round costs the same whichever lanes take part.
+//! - *Decisions are scalar, arithmetic is not.* The decisions of a lane are a page of branches that
+//!   differ from lane to lane. So their inputs leave the registers once per round, and the
+//!   decisions come back as masks.
+//! - *The values that are judged are those that are returned*: they are brought within their limits
+//!   first, by whole turns to the side of the start where that is possible.
+//! - *Idle lanes compute along*, from zeros and not from what the scratch held, so that every call
+//!   has the same bits.
 //! - *Restarts are a constant of the type*, so that firmware without them does not hold them.
 
 use super::freedom::Kind;
-use super::model::{Apart, Model, Of, Stepped};
-use super::report::{Options, Outcome, Report};
+use super::model::{Configurations, Decisions, Model, PoseErrors, StepResult};
+use super::report::{Options, Outcome, Report, Tracking};
 use super::scratch::GOAL;
 use dq8::batch::Quat;
 use dq8::scalar::DualQuat;
 use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, MAX_LANES, Mask};
 
-/// What is to be solved, and where the results go; lengths have been checked.
+/// The targets, values and options of a search, and the place of its reports; their lengths fit.
 pub(super) struct Work<'s, R> {
     pub(super) targets: &'s [DualQuat<R>],
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
-    pub(super) options: &'s Options<R>,
-    /// How many frames each clip has, of which each starts from the one before; none if all start
-    /// from their own values.
+    /// Without weights if the search does not track.
+    pub(super) tracking: &'s Tracking<R>,
+    /// The number of frames of each clip, of which each starts from the one before; `None` if every
+    /// configuration starts from its own values.
     pub(super) clips: Option<&'s [usize]>,
 }
 
@@ -56,7 +59,7 @@ pub(super) struct Search<'s, L: Lanes, const TRACK: bool> {
     pub(super) model: Model<'s, L, TRACK>,
     pub(super) work: Work<'s, L::Real>,
     pub(super) lanes: &'s mut [Lane<L::Real>],
-    /// The next configuration, and the next clip.
+    /// The next configuration and the next clip that a lane takes.
     pub(super) next: usize,
     pub(super) clip: usize,
 }
@@ -72,54 +75,41 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         Self { model, work, lanes, next: 0, clip: 0 }
     }
 
-    /// The search; with restarts if `AGAIN`.
+    /// Searches until every configuration has its report; with restarts if `RESTARTS`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn run<const AGAIN: bool>(mut self) {
+    pub(super) fn run<const RESTARTS: bool>(mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         self.model.scratch.values.fill(zero);
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
-        let mut last = Stepped { left: zero, moved: zero };
-        let again = AGAIN && self.work.options.restarts;
+        let mut last = StepResult { residual: zero, change: zero };
+        let may_restart = RESTARTS && self.work.tracking.options.restarts;
         loop {
             self.exchange();
             if !self.is_working() {
                 break;
             }
             self.keep_within();
-            if AGAIN {
-                self.model.place_or_call(Of::Values);
+            if RESTARTS {
+                self.model.place_or_call(Configurations::Current);
             } else {
-                self.model.place(Of::Values);
+                self.model.place(Configurations::Current);
             }
-            let apart = self.model.compare(None);
-            let wish = self.model.wish();
-            self.judge(apart, wish, last);
-            // The decisions become vectors again: numbers and masks for the arithmetic of the step.
-            let caution = self.each(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| lane.caution,
-            );
-            let running = self.each(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| one_if(lane.next == Next::Step),
-            );
-            let arrived = self.each(
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| one_if(lane.converged),
-            );
-            let running = zero.lt(running);
-            // Those that have ended, or begin again, stay where they are.
-            if running.any() {
-                last = self.model.step(apart, caution, running, zero.lt(arrived), again);
+            let errors = self.model.compare(None);
+            let posture_distance = self.model.posture_step();
+            self.decide(errors, posture_distance, last);
+            let decisions = self.decisions(may_restart);
+            // Lanes that have ended, or restart, stay where they are.
+            if decisions.running.any() {
+                last = self.model.step(errors, decisions);
             }
-            if again {
-                self.turn();
+            if may_restart {
+                self.relocate();
             }
         }
     }
 
-    /// Writes what ended, and gives its lane the next configuration.
+    /// Writes the results of lanes that have ended, and gives each the next configuration.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn exchange(&mut self) {
         for index in 0..L::LANES {
@@ -130,14 +120,14 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         }
     }
 
-    /// Puts lanes where they do not step to.
+    /// Moves the lanes that restart or return to their best values.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn turn(&mut self) {
+    fn relocate(&mut self) {
         for index in 0..L::LANES {
             let Some(lane) = self.lanes.get_mut(index) else { break };
             match lane.next {
-                Next::BeginAgain => self.model.begin_again(index, lane),
-                Next::GoBack => self.model.go_back(index),
+                Next::Restart => self.model.restart(index, lane),
+                Next::ReturnToBest => self.model.return_to_best(index),
                 Next::Step | Next::End => {}
             }
         }
@@ -152,7 +142,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         working
     }
 
-    /// Takes the values into their limits, whole turns to where they are nearest to the start.
+    /// Brings the values within their limits, by whole turns to the side of the start.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn keep_within(&mut self) {
         let (level, reach) = (self.model.level, self.model.reach);
@@ -161,12 +151,13 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             let row = freedom.value as usize;
             if freedom.is_single() {
                 let value = scratch.values.get(level, row);
-                // The start as well, once and for all: what has no ends begins again from there.
+                // The start as well, once and for all: restarts keep the start of values whose
+                // range has no end.
                 let start = freedom.range.clamp(scratch.start.get(level, row));
                 scratch.start.set(row, start);
-                scratch.values.set(row, freedom.range.keep(value, start));
+                scratch.values.set(row, freedom.range.wrap(value, start));
             } else if freedom.kind == Kind::FloatingTurn(0) {
-                // Of ±q, the same rotation, the one on the side of the start.
+                // q and −q are the same rotation: take the one on the side of the start.
                 let value = Quat::from_array(scratch.values.record(level, row));
                 let dot = value.dot(Quat::from_array(scratch.start.record(level, row)));
                 let one = dot.constant(1.0);
@@ -176,9 +167,33 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         }
     }
 
+    /// The decisions of all lanes as vectors: numbers and masks for the arithmetic of the step.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn decisions(&self, may_restart: bool) -> Decisions<L> {
+        let zero = L::splat(self.model.level, L::Real::ZERO);
+        let damping_factor = self.gather(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |lane| lane.damping_factor,
+        );
+        let running = self.gather(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |lane| one_if(lane.next == Next::Step),
+        );
+        let arrived = self.gather(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |lane| one_if(lane.converged),
+        );
+        Decisions {
+            damping_factor,
+            running: zero.lt(running),
+            arrived: zero.lt(arrived),
+            may_restart,
+        }
+    }
+
     /// A number of each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn each(&self, of: impl Fn(&Lane<L::Real>) -> L::Real) -> L {
+    fn gather(&self, of: impl Fn(&Lane<L::Real>) -> L::Real) -> L {
         let mut array = L::splat(self.model.level, L::Real::ZERO).to_array();
         for (slot, lane) in array.as_mut().iter_mut().zip(self.lanes.iter()) {
             *slot = of(lane);
@@ -186,33 +201,43 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         L::load(self.model.level, &array)
     }
 
-    /// What each lane does next.
+    /// Decides what each lane does next.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn judge(&mut self, apart: Apart<L>, wish: L, last: Stepped<L>) {
-        // Out of registers once per round: the decisions below are branches, and differ from lane
-        // to lane.
-        let Apart { square, angular, linear } = apart;
+    fn decide(&mut self, errors: PoseErrors<L>, posture_distance: L, last: StepResult<L>) {
+        // Out of the registers once per round: the decisions below are branches, and differ from
+        // lane to lane.
+        let PoseErrors { square, angular, linear } = errors;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
-        let has_posture = self.model.reach.posture.is_some();
-        let weighs = self.model.weighs();
-        let [wish, left, moved] = [wish.to_array(), last.left.to_array(), last.moved.to_array()];
+        let rules = Rules {
+            options: &self.work.tracking.options,
+            has_posture: self.model.reach.posture.is_some(),
+            has_weights: self.model.has_weights(),
+            tracks: TRACK,
+        };
+        let [posture_distance, residual, change] =
+            [posture_distance.to_array(), last.residual.to_array(), last.change.to_array()];
         for index in 0..L::LANES {
             let square = number::<L>(&square, index);
-            let seen = Seen {
-                square: if weighs { square + number::<L>(&wish, index) } else { square },
+            let measured = Measured {
+                square: if rules.has_weights {
+                    square + number::<L>(&posture_distance, index)
+                } else {
+                    square
+                },
                 angular: number::<L>(&angular, index),
                 linear: number::<L>(&linear, index),
-                wish: number::<L>(&wish, index),
-                left: number::<L>(&left, index),
-                moved: number::<L>(&moved, index),
+                posture_distance: number::<L>(&posture_distance, index),
+                residual: number::<L>(&residual, index),
+                change: number::<L>(&change, index),
             };
             let Some(lane) = self.lanes.get_mut(index) else { break };
             if lane.configuration.is_none() {
                 continue;
             }
-            let (is_best, next) = lane.judge(seen, self.work.options, has_posture, weighs, TRACK);
+            let (is_best, next) = lane.decide(measured, rules);
             lane.next = next;
-            // Before the step overwrites them. A search may end far from its best.
+            // The best values are kept before the step overwrites them: a search may end far from
+            // its best.
             if is_best {
                 let scratch = &mut self.model.scratch;
                 for value in 0..self.model.reach.mechanism.values {
@@ -242,83 +267,97 @@ pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     L::load(lanes.level(), &array)
 }
 
-/// The squared error must fall to a part of itself, this one, or where there is no other beginning
-/// the next ...
+/// The part to which the squared error must fall to count as progress, if the lane may restart ...
 const PROGRESS: f32 = 0.4;
+/// ... and the same if it may not.
 const LAST_PROGRESS: f32 = 0.999;
-/// ... in this many steps. Patience costs iterations that a restart could use: with 3, fewer of the
-/// random targets in the tests are reached. Without restarts, patience costs nothing.
+/// The number of steps in which it must. Patience costs iterations that a restart could use: with
+/// 3, fewer of the random targets in the tests are reached. Without restarts patience costs
+/// nothing.
 const PATIENCE: u32 = 2;
+/// The same if it may not restart.
 const LAST_PATIENCE: u32 = 6;
-/// A step that limits cut so short that even its own linear model leaves more than this part of the
-/// squared error is the last, where there is another beginning. Of 10,000 random targets of an arm
-/// of seven axes it is 9,997 that are reached; with the part that is progress as the hope 9,993.
-const HOPE: f32 = 0.2;
-/// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
-const NEAR: f32 = 1e-4;
-/// So many steps may lead past the targets on the way to a posture.
+/// A lane that may restart gives up after a step that limits cut so short that even its own linear
+/// model leaves more than this part of the squared error. Of 10,000 random targets of an arm of
+/// seven axes 9,997 are reached; with 0.4, the part that counts as progress, 9,993.
+const HOPELESS: f32 = 0.2;
+/// Below this squared error (radians²) a lane is never hopeless.
+const NEAR_TARGET: f32 = 1e-4;
+/// The number of steps on the way to a posture that may leave the targets.
 const POSTURE_PATIENCE: u32 = 60;
-/// A way of less than this, radians, is not worth another step to a posture.
+/// A change of less than this, radians, is not worth another step to a posture.
 const POSTURE_STEP: f32 = 1e-4;
-/// This part of the iterations is the last.
-const LAST: u32 = 12;
-/// How much more a step is damped than one that led away.
-const MORE_CAUTION: f32 = 8.0;
+/// The last of this many equal parts of the iterations is for steps from the best values.
+const LAST_PART: u32 = 12;
+/// The factor by which damping grows after a step that led away.
+const DAMPING_GROWTH: f32 = 8.0;
 
-/// What is known of a lane after a step.
+/// The errors of a lane, and the effect of its last step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen<R> {
-    /// The weighted squared error, and the largest turn and distance that are left.
+pub(super) struct Measured<R> {
+    /// The weighted squared error, and the largest angle and distance to a target.
     pub(super) square: R,
     pub(super) angular: R,
     pub(super) linear: R,
     /// The squared distance from the posture.
-    pub(super) wish: R,
-    /// What the last step would leave of the squared error, if a limit cut it short; zero if none
-    /// did.
-    pub(super) left: R,
-    /// The square of all that the last step changed, in radians.
-    pub(super) moved: R,
+    pub(super) posture_distance: R,
+    /// The squared error that the last step would leave by its own linear model, if a limit cut it
+    /// short; zero if none did.
+    pub(super) residual: R,
+    /// The sum of squares of all changes of the last step, radians².
+    pub(super) change: R,
 }
 
-/// A search for one configuration.
+/// The rules by which all lanes are judged.
+#[derive(Clone, Copy)]
+struct Rules<'s, R> {
+    options: &'s Options<R>,
+    /// `true` if the search goes on to a posture once the targets are reached.
+    has_posture: bool,
+    /// `true` if the posture or the start has a weight in every step.
+    has_weights: bool,
+    tracks: bool,
+}
+
+/// The state of the search for one configuration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lane<R> {
-    /// Which one; none if the lane is idle.
+    /// The configuration; `None` if the lane is idle.
     pub(super) configuration: Option<usize>,
-    /// How many frames of its clip are left.
+    /// The number of frames of its clip that are left.
     pub(super) rest: usize,
     pub(super) iterations: u32,
     pub(super) restarts: u32,
     pub(super) out_of_reach: bool,
-    pub(super) best: Seen<R>,
-    /// Whether nothing has been seen of it yet, and whether it has just begun again.
-    pub(super) is_fresh: bool,
-    begins: bool,
+    pub(super) best: Measured<R>,
+    /// `true` before the first decision on a configuration.
+    is_new: bool,
+    /// `true` before the first decision after the start or a restart.
+    has_restarted: bool,
     is_invalid: bool,
     pub(super) converged: bool,
     ever_stuck: bool,
-    /// Whether it went back to the nearest that it had been, to stay.
-    settles: bool,
-    /// The squared error after the last step, the one that progress is measured from, and the steps
-    /// without progress since.
+    /// `true` once it has returned to the best values for the rest of the iterations.
+    stays_at_best: bool,
+    /// The squared error after the last step, the one that progress is measured from, and the
+    /// number of steps without progress since.
     square: R,
-    mark: R,
+    reference: R,
     idle_steps: u32,
-    /// By how much more than usual steps are damped: where there is no other beginning and a step
-    /// led away, the next are shorter (Marquardt 1963).
-    pub(super) caution: R,
-    /// What it does next.
+    /// The factor by which steps are damped more than usual: if the lane may not restart and a step
+    /// led away, the next ones are shorter (Marquardt 1963).
+    pub(super) damping_factor: R,
+    /// The last decision.
     pub(super) next: Next,
 }
 
-/// What a lane does.
+/// The next action of a lane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     Step,
-    BeginAgain,
-    /// To the nearest so far.
-    GoBack,
+    Restart,
+    /// Return to the best values.
+    ReturnToBest,
     End,
 }
 
@@ -329,109 +368,105 @@ impl<R: Real> Lane<R> {
         iterations: 0,
         restarts: 0,
         out_of_reach: false,
-        best: Seen {
+        best: Measured {
             square: R::NAN,
             angular: R::NAN,
             linear: R::NAN,
-            wish: R::ZERO,
-            left: R::ZERO,
-            moved: R::ZERO,
+            posture_distance: R::ZERO,
+            residual: R::ZERO,
+            change: R::ZERO,
         },
-        is_fresh: false,
-        begins: false,
+        is_new: false,
+        has_restarted: false,
         is_invalid: false,
         converged: false,
         ever_stuck: false,
-        settles: false,
+        stays_at_best: false,
         square: R::ZERO,
-        mark: R::ZERO,
+        reference: R::ZERO,
         idle_steps: 0,
-        caution: R::ONE,
+        damping_factor: R::ONE,
         next: Next::End,
     };
 
     pub(super) fn new(configuration: usize, out_of_reach: bool) -> Self {
         let configuration = Some(configuration);
         let next = Next::Step;
-        Self { configuration, out_of_reach, is_fresh: true, begins: true, next, ..Self::IDLE }
+        Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Whether this is the nearest so far, and what to do next.
-    pub(super) fn judge(
-        &mut self,
-        seen: Seen<R>,
-        options: &Options<R>,
-        has_posture: bool,
-        weighs: bool,
-        track: bool,
-    ) -> (bool, Next) {
-        let arrived = seen.angular <= options.angular_tolerance
-            && seen.linear <= options.linear_tolerance
+    /// Returns whether these values are the best so far, and the next action.
+    fn decide(&mut self, measured: Measured<R>, rules: Rules<'_, R>) -> (bool, Next) {
+        let Rules { options, has_posture, has_weights, tracks } = rules;
+        let arrived = measured.angular <= options.angular_tolerance
+            && measured.linear <= options.linear_tolerance
             && !self.out_of_reach;
-        // Judged before anything ends: what is reported is the best, whichever pose is the last.
-        let is_best = if weighs {
-            self.is_fresh || self.is_nearer(&seen)
-        } else if track && !self.converged && seen.square.is_finite() {
-            // Of a target that moves the last step counts, if its pose is one: where only the best
-            // counted, an arm in front of a pose that it cannot hold would stand until a leap pays.
+        // Before anything ends: the report is that of the best values, not of the last ones.
+        let is_best = if has_weights {
+            self.is_new || self.is_nearer(&measured)
+        } else if tracks && !self.converged && measured.square.is_finite() {
+            // For a moving target the last step counts, if its pose is finite. If only the best
+            // counted, an arm in front of a target out of its reach would stand still until a large
+            // step pays.
             true
         } else {
-            self.is_best(&seen, arrived)
+            self.is_best(&measured, arrived)
         };
         if is_best {
-            self.best = seen;
+            self.best = measured;
         }
         // Finite values can have a pose that overflows. Later poses are judged by comparisons,
-        // which NaN never wins.
-        if self.is_fresh && !seen.square.is_finite() {
+        // which are false for NaN.
+        if self.is_new && !measured.square.is_finite() {
             self.is_invalid = true;
             return (false, Next::End);
         }
-        if weighs {
-            // A wish that always acts is not done with the targets.
+        if has_weights {
+            // With a weight for posture or start, reaching the targets does not end the search.
             self.converged = if is_best { arrived } else { self.converged };
-            return (is_best, self.toward_targets(&seen, options));
+            return (is_best, self.toward_targets(&measured, options));
         }
         if arrived && !has_posture {
             self.converged = true;
             return (is_best, Next::End);
         }
         let next = if arrived || self.converged {
-            self.toward_posture(&seen, arrived, options)
+            self.toward_posture(&measured, arrived, options)
         } else {
-            self.toward_targets(&seen, options)
+            self.toward_targets(&measured, options)
         };
         (is_best, next)
     }
 
-    /// What has arrived is kept even where an earlier pose had the smaller sum of errors: that one
-    /// had one of the two beyond its tolerance. Of those that have arrived, the nearest to the
-    /// posture.
-    fn is_best(&self, seen: &Seen<R>, arrived: bool) -> bool {
-        match (self.is_fresh, self.converged) {
+    /// Values that reach the targets are better than all before, even if an earlier pose had the
+    /// smaller sum of errors: one of its two errors was beyond its tolerance. Among values that
+    /// reach the targets, those nearest to the posture are best.
+    fn is_best(&self, measured: &Measured<R>, arrived: bool) -> bool {
+        match (self.is_new, self.converged) {
             (true, _) => true,
-            (_, false) => arrived || self.is_nearer(seen),
-            (_, true) => arrived && seen.wish < self.best.wish,
+            (_, false) => arrived || self.is_nearer(measured),
+            (_, true) => arrived && measured.posture_distance < self.best.posture_distance,
         }
     }
 
-    /// Nearer than the nearest so far. Of a target out of reach the square is that of the way to a
-    /// place that may be reached; on the way there nothing may be lost of both errors that are
-    /// reported.
-    fn is_nearer(&self, seen: &Seen<R>) -> bool {
-        let gains = seen.linear <= self.best.linear || seen.angular < self.best.angular;
-        seen.square < self.best.square && (gains || !self.out_of_reach)
+    /// `true` if the error is smaller than that of the best values. The squared error of a target
+    /// out of reach is that of the point to which it was drawn; so one of the two reported errors
+    /// must fall as well.
+    fn is_nearer(&self, measured: &Measured<R>) -> bool {
+        let gains = measured.linear <= self.best.linear || measured.angular < self.best.angular;
+        measured.square < self.best.square && (gains || !self.out_of_reach)
     }
 
-    /// Not there yet: a step, unless steps have stopped paying. Then the search begins again if it
-    /// may, or ends. The last part of the iterations is for steps from the nearest pose so far,
-    /// without another beginning.
-    fn toward_targets(&mut self, seen: &Seen<R>, options: &Options<R>) -> Next {
-        let may_restart = options.restarts && !self.out_of_reach && !self.settles;
-        let is_stuck = self.is_stuck(seen, may_restart) | self.gains_little(seen, options);
+    /// The next action of a lane that is not at its targets: a step, unless steps have stopped
+    /// paying. Then it restarts if it may, or ends. In the last part of the iterations it steps
+    /// from the best values, without restarts.
+    fn toward_targets(&mut self, measured: &Measured<R>, options: &Options<R>) -> Next {
+        let may_restart = options.restarts && !self.out_of_reach && !self.stays_at_best;
+        let is_stuck =
+            self.is_stuck(measured, may_restart) | self.gains_too_little(measured, options);
         self.ever_stuck |= is_stuck;
-        self.adapt_caution(seen, may_restart || self.begins);
-        (self.is_fresh, self.begins, self.square) = (false, is_stuck, seen.square);
+        self.adapt_damping(measured, may_restart || self.has_restarted);
+        (self.is_new, self.has_restarted, self.square) = (false, is_stuck, measured.square);
         if is_stuck && !may_restart || self.iterations >= options.max_iterations {
             return Next::End;
         }
@@ -440,66 +475,75 @@ impl<R: Real> Lane<R> {
         if !is_stuck {
             return Next::Step;
         }
-        let last = options.max_iterations / LAST;
-        self.settles = self.iterations > options.max_iterations - last;
-        if self.settles { Next::GoBack } else { Next::BeginAgain }
+        let last = options.max_iterations / LAST_PART;
+        self.stays_at_best = self.iterations > options.max_iterations - last;
+        if self.stays_at_best { Next::ReturnToBest } else { Next::Restart }
     }
 
-    /// Whether too many steps in a row have brought too little, or the last one shows that no more
-    /// will. Where there is another beginning, less patience and more progress are asked for: to
-    /// begin again is cheap.
-    fn is_stuck(&mut self, seen: &Seen<R>, may_restart: bool) -> bool {
+    /// `true` if too many steps in a row have brought too little, or the last one is hopeless. If
+    /// the lane may restart, less patience and more progress are required, because a restart is
+    /// cheap.
+    fn is_stuck(&mut self, measured: &Measured<R>, may_restart: bool) -> bool {
         let (needed, patience) = match may_restart {
             true => (PROGRESS, PATIENCE),
             false => (LAST_PROGRESS, LAST_PATIENCE),
         };
-        let is_hopeless = may_restart && !self.begins && self.is_hopeless(seen);
-        // Measured from the last mark, not from the last step: many small gains are progress too.
-        if self.begins || seen.square < self.mark * R::from(needed) {
-            (self.mark, self.idle_steps) = (seen.square, 0);
+        let is_hopeless = may_restart && !self.has_restarted && self.is_hopeless(measured);
+        // Progress is measured from the last reference, not from the last step: many small gains
+        // are progress too.
+        if self.has_restarted || measured.square < self.reference * R::from(needed) {
+            (self.reference, self.idle_steps) = (measured.square, 0);
         } else {
             self.idle_steps += 1;
         }
         self.idle_steps >= patience || is_hopeless
     }
 
-    /// Whether the last step gained less than is asked of one.
-    fn gains_little(&mut self, seen: &Seen<R>, options: &Options<R>) -> bool {
-        let asked = self.square * (R::ONE - options.least_gain);
-        // NaN gains nothing.
-        let gains = seen.square < asked;
-        let is_little = options.least_gain > R::ZERO && !self.begins && !gains;
-        // It is no iteration that was missing.
+    /// `true` if the last step gained less than the options require.
+    fn gains_too_little(&mut self, measured: &Measured<R>, options: &Options<R>) -> bool {
+        let required = self.square * (R::ONE - options.least_gain);
+        // An error that is NaN gains nothing.
+        let gains = measured.square < required;
+        let is_little = options.least_gain > R::ZERO && !self.has_restarted && !gains;
+        // Count it as a stall, so that the outcome is Stalled and not Unfinished.
         self.idle_steps += u32::from(is_little);
         is_little
     }
 
-    /// A step that led away makes the next ones shorter; one that did not gives half of that back.
-    fn adapt_caution(&mut self, seen: &Seen<R>, is_bold: bool) {
-        self.caution = if is_bold || seen.square <= self.square {
-            let less = self.caution * R::HALF;
+    /// Adapts the damping: a step that led away makes the next ones shorter, and any other gives
+    /// half of that back.
+    fn adapt_damping(&mut self, measured: &Measured<R>, is_bold: bool) {
+        self.damping_factor = if is_bold || measured.square <= self.square {
+            let less = self.damping_factor * R::HALF;
             if less > R::ONE { less } else { R::ONE }
         } else {
-            self.caution * R::from(MORE_CAUTION)
+            self.damping_factor * R::from(DAMPING_GROWTH)
         };
     }
 
-    /// The targets are reached, or have been: on to the posture, until poses that reach them come
-    /// no nearer to it, or next to nothing moves. Between them are some that do not, because the
-    /// way there is bent.
-    fn toward_posture(&mut self, seen: &Seen<R>, arrived: bool, options: &Options<R>) -> Next {
+    /// The next action of a lane that is at its targets, or has been: steps toward the posture,
+    /// until values at the targets come no nearer to it, or hardly anything moves. Steps between
+    /// them may leave the targets, because they follow the null space only to first order.
+    fn toward_posture(
+        &mut self,
+        measured: &Measured<R>,
+        arrived: bool,
+        options: &Options<R>,
+    ) -> Next {
         let least = R::from(POSTURE_STEP);
-        let is_nearer = !self.converged || (seen.wish < self.mark && seen.moved > least * least);
+        let is_nearer = !self.converged
+            || (measured.posture_distance < self.reference && measured.change > least * least);
         let tolerance = options.angular_tolerance;
-        let is_there = arrived && (!is_nearer || seen.wish <= tolerance * tolerance);
-        // Only poses that reach the targets count as progress; on the others the error is what the
-        // posture costs.
+        let is_there =
+            arrived && (!is_nearer || measured.posture_distance <= tolerance * tolerance);
+        // Only values at the targets count as progress; at others the error is the price of the
+        // step toward the posture.
         if arrived {
-            (self.mark, self.idle_steps) = (seen.wish, 0);
+            (self.reference, self.idle_steps) = (measured.posture_distance, 0);
         }
         self.idle_steps += 1;
-        (self.is_fresh, self.begins, self.converged) = (false, false, true);
-        (self.square, self.caution) = (seen.square, R::ONE);
+        (self.is_new, self.has_restarted, self.converged) = (false, false, true);
+        (self.square, self.damping_factor) = (measured.square, R::ONE);
         if is_there
             || self.idle_steps > POSTURE_PATIENCE
             || self.iterations >= options.max_iterations
@@ -510,17 +554,17 @@ impl<R: Real> Lane<R> {
         Next::Step
     }
 
-    /// Whether a limit cut the last step so short that even its own linear model left most of the
+    /// `true` if a limit cut the last step so short that even its own linear model left most of the
     /// error.
-    fn is_hopeless(&self, seen: &Seen<R>) -> bool {
-        seen.left > self.square * R::from(HOPE) && self.square > R::from(NEAR)
+    fn is_hopeless(&self, measured: &Measured<R>) -> bool {
+        measured.residual > self.square * R::from(HOPELESS) && self.square > R::from(NEAR_TARGET)
     }
 
     pub(super) fn outcome(&self, is_at_limits: bool) -> Outcome {
-        // The last step was the best of all: with more iterations it would go on.
+        // If the last step was the best of all, more iterations would go on.
         let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
-        // In falling order of how much they say: a target out of reach also stalls, and may press
-        // joints to their limits.
+        // From the most to the least specific: a search for a target out of reach also stalls, and
+        // may press joints to their limits.
         match self {
             Self { is_invalid: true, .. } => Outcome::Invalid,
             Self { converged: true, .. } => Outcome::Converged,
@@ -534,15 +578,15 @@ impl<R: Real> Lane<R> {
 }
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
-    /// Gives a lane the next configuration that can be sought; it is idle if there is none.
+    /// Gives a lane the next valid configuration, or makes it idle if there is none.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
-        // Configurations that cannot be sought are reported on the way and take no place in a lane.
+        // Invalid configurations are reported on the way, and take no lane.
         let mut next = Lane::IDLE;
         let last = self.lanes.get(lane).copied().unwrap_or(Lane::IDLE);
         let (mut before, mut rest) = (last.configuration, last.rest);
         while next.configuration.is_none()
-            && let Some(configuration) = self.following(before, &mut rest)
+            && let Some(configuration) = self.next_configuration(before, &mut rest)
         {
             match self.load(lane, configuration) {
                 Some(out_of_reach) => {
@@ -558,11 +602,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
     }
 
-    /// The next frame of a clip, with the values of the one before, or the first of the next clip;
-    /// where there are no clips, the next configuration.
+    /// The next frame of a clip, starting from the values of the one before, or the first frame of
+    /// the next clip; without clips, the next configuration.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn following(&mut self, before: Option<usize>, rest: &mut usize) -> Option<usize> {
-        // Only what tracks has clips.
+    fn next_configuration(&mut self, before: Option<usize>, rest: &mut usize) -> Option<usize> {
+        // Only searches that track have clips.
         if TRACK && let (Some(before), 1..) = (before, *rest) {
             *rest -= 1;
             let count = self.model.reach.mechanism.values;
@@ -577,10 +621,10 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         let first = self.next;
         let mut frames = 1;
         if TRACK && let Some(clips) = self.work.clips {
-            // Of those without a frame nothing is asked.
-            let left = clips.get(self.clip..)?;
-            let skipped = left.iter().position(|&frames| frames > 0)?;
-            frames = left.get(skipped).copied()?;
+            // Skip empty clips.
+            let remaining = clips.get(self.clip..)?;
+            let skipped = remaining.iter().position(|&frames| frames > 0)?;
+            frames = remaining.get(skipped).copied()?;
             self.clip += skipped + 1;
         }
         *rest = frames - 1;
@@ -588,21 +632,18 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         (first < self.work.reports.len()).then_some(first)
     }
 
-    /// Puts the targets and the start of a configuration into a lane, and says whether a target is
-    /// beyond the length of what carries the link. `None` if they are not what a search can begin
-    /// with.
+    /// Puts the targets and the start of a configuration into a lane, and returns whether a target
+    /// is out of reach. `None` if an input is invalid.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
-        let options = self.work.options;
-        // Who does not track, does not know them.
-        let weighs = options.posture_weight > L::Real::ZERO || options.start_weight > L::Real::ZERO;
-        if !options.is_valid() || (weighs && !TRACK) {
+        let options = &self.work.tracking.options;
+        if !options.is_valid() || (TRACK && !self.work.tracking.has_valid_weights()) {
             return None;
         }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
         let count = reach.mechanism.values;
         let values = self.work.values.get(configuration * count..)?.get(..count)?;
-        // Only what moves a goal is looked at: a neighbour of the arm may hold anything.
+        // Only values that move a goal are checked: a neighbour of the arm may hold anything.
         for freedom in reach.freedoms {
             let size = if freedom.is_single() { 1 } else { 7 };
             let own = values.get(freedom.value as usize..)?.get(..size)?;
@@ -614,20 +655,20 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         let targets = self.work.targets.get(configuration * goals..)?.get(..goals)?;
         for index in 0..goals {
             let target = *targets.get(index)?;
-            let tolerance = self.work.options.linear_tolerance;
-            let (target, drawn) = reach.clamped(index, target, tolerance)?;
-            beyond |= drawn.is_some();
-            let numbers = target.to_array().into_iter().chain(drawn.unwrap_or_default());
+            let tolerance = options.linear_tolerance;
+            let (target, excess) = reach.clamped(index, target, tolerance)?;
+            beyond |= excess.is_some();
+            let numbers = target.to_array().into_iter().chain(excess.unwrap_or_default());
             for (row, number) in numbers.enumerate() {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
         }
-        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much
-        // as a radian. Weights of what follows do not change on the way.
+        // The default length per radian is an eighth of the longest way to a goal. While tracking
+        // it does not depend on the targets, so that weights stay the same on the way.
         let longest =
             || if TRACK { reach.facts.size } else { reach.typical_length_to(targets, values) };
         let eighth = || longest() * L::Real::from(0.125);
-        let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
+        let length = options.length_per_radian.unwrap_or_else(eighth);
         if !length.is_finite() {
             return None;
         }
@@ -642,13 +683,13 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         Some(beyond)
     }
 
-    /// Writes what a lane has found.
+    /// Writes the result of a lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish(&mut self, index: usize) {
         let Some(&lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
         let outcome = lane.outcome(self.is_at_limits(index));
-        // Only now: until a search ends, the caller's values are its start.
+        // The caller's values are written only now: until a search ends, they are its start.
         if outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;
             let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();
@@ -676,7 +717,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
     }
 
-    /// Whether the best values of a lane have a joint at a limit that stops it.
+    /// `true` if a joint of the best values is at a limit that stops it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn is_at_limits(&self, lane: usize) -> bool {
         let mut is_at_limits = false;
@@ -690,23 +731,24 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     }
 }
 
-/// How many are compared: as many for any lanes, so that all come to the same result. With half as
-/// many, fewer than 998 of 1,000 random targets of an arm of seven axes are reached.
+/// The number of configurations that a restart compares. It does not depend on the number of lanes,
+/// so that results do not either. With half as many, fewer than 998 of 1,000 random targets of an
+/// arm of seven axes are reached.
 const CANDIDATES: usize = 4 * MAX_LANES;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Puts a lane at the nearest of the candidates of its next restart. What has been computed of
-    /// the poses of other lanes is lost.
+    /// Puts a lane at the nearest of the candidates of its next restart. The poses of the other
+    /// lanes are overwritten.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn begin_again(&mut self, lane: usize, search: &mut Lane<L::Real>) {
+    pub(super) fn restart(&mut self, lane: usize, search: &mut Lane<L::Real>) {
         let restart = search.restarts;
         search.restarts += 1;
         let mut nearest = None;
         for first in (0..CANDIDATES).step_by(L::LANES) {
-            // Numbers that no other restart has. They depend on the restart alone, neither on the
-            // lane nor on how many lanes there are, so that results do not either.
+            // Sample numbers that no other restart has. They depend on the restart alone, not on
+            // the lane or the number of lanes, so that results do not either.
             self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
-            self.place_or_call(Of::Candidates);
+            self.place_or_call(Configurations::Candidates);
             let squares = self.compare(Some(lane)).square.to_array();
             let mut picked = None;
             for (index, &square) in squares.as_ref().iter().enumerate() {
@@ -714,7 +756,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     (nearest, picked) = (Some(square), Some(index));
                 }
             }
-            // At once: the next ones overwrite these.
+            // At once, because the next candidates overwrite these.
             if let Some(picked) = picked {
                 let scratch = &mut self.scratch;
                 for value in 0..self.reach.mechanism.values {
@@ -724,16 +766,17 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Puts a lane where it was nearest.
+    /// Puts a lane at its best values.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn go_back(&mut self, lane: usize) {
+    pub(super) fn return_to_best(&mut self, lane: usize) {
         let scratch = &mut self.scratch;
         for value in 0..self.reach.mechanism.values {
             scratch.values.set_number(value, lane, scratch.best.number(value, lane));
         }
     }
 
-    /// Candidates from number `first` on, one in each lane, for a lane.
+    /// Puts samples of the ranges, from number `first` on, one into each lane; the other values are
+    /// those of the start of lane `lane`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn draw(&mut self, lane: usize, first: u64) {
         let scratch = &mut self.scratch;
@@ -742,10 +785,10 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             scratch.candidate.set(value, start);
         }
         for freedom in self.reach.freedoms {
-            // What has no ends has no share of the sequence.
-            if freedom.share > 0 {
+            // A range without ends has no stride, and keeps the start.
+            if freedom.stride > 0 {
                 for index in 0..L::LANES {
-                    let value = freedom.beginning(first + index as u64 + 1);
+                    let value = freedom.sample(first + index as u64 + 1);
                     scratch.candidate.set_number(freedom.value as usize, index, value);
                 }
             }

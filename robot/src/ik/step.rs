@@ -1,106 +1,114 @@
-//! One step toward the targets, within the limits of the joints.
+//! A step toward the targets, within the limits of the joints.
 //!
-//! Damped least squares for all freedoms at once; where that takes one beyond a limit, it goes to
-//! the limit and is *held* there, what its way contributes is taken off the errors, its column
-//! leaves the system, and the others are solved again for the rest (Baerlocher & Boulic 2004). So
-//! the others make up for it, where clipping the result would point the link elsewhere. Each round
-//! holds at least one more, in some lane.
+//! Damped least squares give the change of all freedoms at once. A freedom that would pass its
+//! limit goes to the limit and is *held* there: its contribution is subtracted from the errors, its
+//! column leaves the system, and the others are solved again for the rest (Baerlocher & Boulic
+//! 2004). So the others make up for it, whereas clipping the result would point the link elsewhere.
+//! Each round holds at least one freedom more, in some lane:
 //!
-//! Slides and hinges share the system because everything in it is in radians: rows by the length
-//! that weighs as much as a radian, and the column of a slide by the same.
+//! ```text
+//! residual = e
+//! repeat
+//!     d = Jᵀ (J Jᵀ + λ²)⁻¹ residual          # of the freedoms that are not held
+//!     for each freedom i that passes its limit
+//!         d[i] = the way to the limit;  residual −= J[i] d[i];  J[i] = 0;  hold i
+//! until no freedom passed its limit
+//! ```
 //!
-//! A posture adds what the goals leave free: with the way z to the posture, the change is z +
-//! J⁺(e − Jz).
+//! Slides and hinges share the system, because everything in it is in radians: the rows of lengths,
+//! and the columns of slides, by the length that weighs as much as a radian.
 //!
-//! At the end of the file the normal equations, of a size that is known at run time.
+//! A posture uses the freedom that the goals leave: with z the step to the posture, the change is z
+//! + J⁺(e − Jz).
+//!
+//! The normal equations, of a size that is known at run time, are at the end of the file.
 
 use super::freedom::{Freedom, Kind};
-use super::model::{Apart, Model, Stepped};
-use super::scratch::{Rows, Scratch};
-use crate::mechanism::values::half_turn;
+use super::model::{Decisions, Model, PoseErrors, StepResult};
+use super::scratch::{Registers, Scratch};
+use crate::mechanism::values::checked_cos_sin;
 use dq8::Scalar;
 use dq8::batch::vector::epsilon;
 use dq8::batch::{Quat, vector};
 use dq8_simd::{Lanes, Mask};
 
-/// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|², Sugihara's
-/// choice (*Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011),
-/// which damps far from the target, where the columns promise too much, and in front of a target
-/// out of reach, where nothing limits what they promise, but not at the end. His μ is ½; with
-/// second-order steps anything from 0.01 to 0.05 is as good, and better than ½.
+/// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|² (Sugihara,
+/// *Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011). It
+/// damps far from the target, where the columns promise too much, and in front of a target out of
+/// reach, where nothing limits what they promise, but not at the end. Sugihara's μ is ½; with
+/// steps of second order anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
-/// In searches that track and in which nothing else weighs, of the mean over the goals: Sugihara's.
-/// Their few steps must be right also where nothing reaches the target.
+/// The same in searches that track without weights, as a part of the mean over the goals:
+/// Sugihara's ½. Their few steps must also be good if no step reaches the target.
 const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived,
-    /// toward the posture too.
+    /// Moves the lanes that step; those at their targets, toward the posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn step(
-        &mut self,
-        apart: Apart<L>,
-        caution: L,
-        running: L::Mask,
-        arrived: L::Mask,
-        again: bool,
-    ) -> Stepped<L> {
-        let weighs = self.weighs();
-        let mut square = apart.square;
-        let mut part = caution.constant(DAMPING);
-        if TRACK && !weighs {
-            // To the target itself, and not to the nearest place that may be reached; of many goals
-            // the mean.
-            let way = apart.linear * self.scales.radians_per_length;
+    pub(super) fn step(&mut self, errors: PoseErrors<L>, decisions: Decisions<L>) -> StepResult<L> {
+        let Decisions { damping_factor, running, arrived, may_restart } = decisions;
+        let has_weights = self.has_weights();
+        let mut square = errors.square;
+        let mut part = damping_factor.constant(DAMPING);
+        if TRACK && !has_weights {
+            // The error counts to the target itself, not to the point to which it was drawn; of
+            // many goals the mean counts.
+            let way = errors.linear * self.scales.radians_per_length;
             let whole = way * way;
             square = L::select(square.lt(whole), whole, square);
-            part = caution.constant(TRACK_DAMPING / self.reach.goals.len() as f64);
+            part = damping_factor.constant(TRACK_DAMPING / self.reach.goals.len() as f64);
         }
-        let damping = caution * part;
+        let damping = damping_factor * part;
         let damping = square.mul_add(damping, self.scales.least_damping);
-        let damping =
-            if weighs { damping + (self.follows.posture + self.follows.start) } else { damping };
-        self.keep_wishes(arrived, damping);
-        // The first solution says how far everything moves. Where that pays, the step is solved
-        // again along columns that are bent by half of it: a step of second order, Halley's.
+        let damping = if has_weights {
+            damping + (self.weights.posture + self.weights.start)
+        } else {
+            damping
+        };
+        self.finish_posture_step(arrived, damping);
+        // The first solution is of first order. Where it pays, the step is solved again with
+        // columns that take half of that solution into account: a step of second order (Halley).
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
-        // A loop, so that machine code has it once.
-        let bends = !TRACK && self.reach.bends();
-        for order in 0..=usize::from(bends) {
-            if self.is_by_tree() {
+        // A loop, so that machine code holds it once.
+        let needs_second_order = !TRACK && self.reach.needs_second_order();
+        for order in 0..=usize::from(needs_second_order) {
+            if self.uses_tree() {
                 self.assemble();
             } else {
                 self.linearize(order == 1);
             }
             limited = self.limited_step(damping, running);
         }
-        // Nobody asks where a search cannot begin again.
-        let left =
-            if again && limited.any() { L::select(limited, self.left_after(), zero) } else { zero };
-        let moved = if self.reach.posture.is_some() { self.moved() } else { zero };
+        // Only a search that may restart asks for it.
+        let residual = if may_restart && limited.any() {
+            L::select(limited, self.squared_residual(), zero)
+        } else {
+            zero
+        };
+        let change = if self.reach.posture.is_some() { self.squared_change() } else { zero };
         self.advance(running);
-        Stepped { left, moved }
+        StepResult { residual, change }
     }
 
-    /// How many errors the system has rows for.
+    /// The number of rows of the system of rows.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> usize {
-        if self.is_by_tree() { 0 } else { self.reach.facts.rows }
+        if self.uses_tree() { 0 } else { self.reach.facts.rows }
     }
 
-    /// Changes that no limit forbids, and where a limit stopped one.
+    /// Computes changes within the limits, and returns the lanes in which a limit stopped one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
         let zero = damping.constant(0.0);
-        self.begin_step();
-        // Nowhere yet.
+        self.release_all();
+        // No lane so far.
         let mut limited = zero.lt(zero);
-        // Each round but the last holds one freedom more, in some lane, so there are no more rounds
-        // than freedoms and one. Lanes that no limit stops find the same changes again.
+        // Each round but the last holds one freedom more, in some lane, so there are at most as
+        // many rounds as freedoms, and one. Lanes that no limit stops find the same changes again.
         for _ in 0..=self.reach.freedoms.len() {
             let shrink = self.solve(damping);
-            let stopped = self.take(shrink) & running;
+            let stopped = self.apply_limits(shrink) & running;
             limited = limited | stopped;
             if !stopped.any() {
                 break;
@@ -109,39 +117,39 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         limited
     }
 
-    /// Nothing is held, and nothing changed.
+    /// Releases all freedoms, and sets their changes to zero.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn begin_step(&mut self) {
+    pub(super) fn release_all(&mut self) {
         let zero = self.scales.length.constant(0.0);
-        // `left` is what the free ones must still make up for. It begins as the whole error; each
-        // joint that is held takes off what it does on its way to the limit.
+        // The residual begins as the whole error. Each joint that is held takes off its
+        // contribution.
         self.scratch.held.fill(zero);
         self.scratch.changes.fill(zero);
         for row in 0..self.rows() {
-            self.scratch.left.set(row, self.scratch.error.get(self.level, row));
+            self.scratch.residual.set(row, self.scratch.error.get(self.level, row));
         }
     }
 
-    /// What the free ones should change, in radians, and the factor that makes the longest of it no
-    /// longer than allowed.
+    /// Solves for the changes of the freedoms that are not held, in radians, and returns the factor
+    /// that scales the longest to the longest allowed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.facts.rows, damping.constant(0.0));
-        let wishes = self.reach.posture.is_some() || self.weighs();
-        if self.is_by_tree() {
-            self.solve_tree(damping, wishes);
+        let posture_step = self.reach.posture.is_some() || self.has_weights();
+        if self.uses_tree() {
+            self.solve_tree(damping, posture_step);
             return self.shrink();
         }
         // y of (JJᵀ + λ²)y = e. Its size is that of the goals, six rows for a pose, however
         // many joints there are.
-        self.ask();
+        self.set_right_hand_side();
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
-            // z + Jᵀy; a held column is zero, so that only z must be taken out of it.
-            let mut radians = if wishes {
+            // z + Jᵀy. A held column is zero, so only z must be taken out.
+            let mut radians = if posture_step {
                 let is_held = scratch.held.get(level, index).eq(zero.constant(1.0));
-                L::select(is_held, zero, scratch.wishes.get(level, index))
+                L::select(is_held, zero, scratch.posture_step.get(level, index))
             } else {
                 zero
             };
@@ -154,45 +162,45 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.shrink()
     }
 
-    /// The factor that makes the longest turn no longer than allowed.
+    /// The factor that scales the longest turn to the longest allowed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shrink(&self) -> L {
         let (zero, mut most) = (self.scales.longest.constant(0.0), self.scales.longest);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {
-            // What slides without end may have a long way to go.
+            // A slide may have a long way to go, so its length is not limited.
             let radians = self.scratch.radians.get(self.level, index);
             let length = if freedom.is_slide() { zero } else { radians.abs() };
             most = L::select(most.lt(length), length, most);
         }
-        // All by the same factor: a step cut joint by joint would point elsewhere.
+        // All changes by the same factor: a step cut joint by joint would point elsewhere.
         self.scales.longest / most
     }
 
-    /// Puts what the free ones should make up for where the solution will be: the errors that are
-    /// left, without what the way to the posture contributes.
+    /// Sets the right-hand side, in the memory of the solution: the residual without the
+    /// contribution of the step to the posture.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn ask(&mut self) {
-        let wishes = self.reach.posture.is_some() || self.weighs();
+    fn set_right_hand_side(&mut self) {
+        let posture_step = self.reach.posture.is_some() || self.has_weights();
         let (level, rows, scratch) = (self.level, self.reach.facts.rows, &mut self.scratch);
         for row in 0..rows {
-            scratch.solution.set(row, scratch.left.get(level, row));
+            scratch.solution.set(row, scratch.residual.get(level, row));
         }
-        if !wishes {
+        if !posture_step {
             return;
         }
         for (index, column) in scratch.columns.runs(rows).enumerate() {
-            let wish = scratch.wishes.get(level, index);
+            let posture_step = scratch.posture_step.get(level, index);
             for (row, component) in column.iter().enumerate() {
-                let asked = scratch.solution.get(level, row);
-                scratch.solution.set(row, L::load(level, component).neg_mul_add(wish, asked));
+                let rhs = scratch.solution.get(level, row);
+                scratch.solution.set(row, L::load(level, component).neg_mul_add(posture_step, rhs));
             }
         }
     }
 
-    /// Changes the free ones. Those that a limit stops go as far as it and are held from now on;
-    /// says where there was one.
+    /// Changes the freedoms that are not held. Those that a limit stops go as far as it and are
+    /// held from now on; returns the lanes in which there was one.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn take(&mut self, shrink: L) -> L::Mask {
+    fn apply_limits(&mut self, shrink: L) -> L::Mask {
         let (level, rows, zero) = (self.level, self.rows(), shrink.constant(0.0));
         let one = zero.constant(1.0);
         let mut stopped = one.lt(zero);
@@ -201,14 +209,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let scratch = &mut self.scratch;
             let is_held = scratch.held.get(level, index).eq(one);
             let change = scratch.radians.get(level, index) * shrink * unit;
-            // What is held keeps the change with which it reached its limit in an earlier round.
+            // A held freedom keeps the change with which it reached its limit in an earlier round.
             let change = L::select(is_held, scratch.changes.get(level, index), change);
             scratch.changes.set(index, change);
             if freedom.range.wraps() || !freedom.is_single() {
                 continue;
             }
-            // Compared as values: a joint that stands at its limit and is asked no farther is not
-            // stopped. Nor is one that a turn less takes back between its limits.
+            // Values are compared, not changes: a joint that stands at its limit and should not
+            // move is not stopped. Neither is one that a whole turn brings back within its limits.
             let value = scratch.values.get(level, freedom.value as usize);
             let next = value + change;
             let inside = freedom.range.clamp(next);
@@ -216,7 +224,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if !stops.any() {
                 continue;
             }
-            // It goes to the limit and no farther, what that does is taken off the errors, and its
+            // It goes to the limit and no farther; its contribution leaves the residual, and its
             // column becomes zero.
             stopped = stopped | stops;
             scratch.changes.set(index, L::select(stops, inside - value, change));
@@ -225,35 +233,35 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             for row in 0..rows {
                 let at = index * rows + row;
                 let component = scratch.columns.get(level, at);
-                let left = scratch.left.get(level, row);
-                scratch.left.set(row, component.neg_mul_add(taken, left));
+                let residual = scratch.residual.get(level, row);
+                scratch.residual.set(row, component.neg_mul_add(taken, residual));
                 scratch.columns.set(at, L::select(stops, zero, component));
             }
         }
         stopped
     }
 
-    /// The square of the errors that the changes would leave if everything moved along the columns
-    /// of the last step.
+    /// The squared error that the changes would leave if links moved along the columns of this
+    /// step.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn left_after(&mut self) -> L {
+    fn squared_residual(&mut self) -> L {
         let (level, rows) = (self.level, self.reach.facts.rows);
         let mut square = self.scales.length.constant(0.0);
         for row in 0..rows {
-            let mut left = self.scratch.left.get(level, row);
+            let mut residual = self.scratch.residual.get(level, row);
             for (index, freedom) in self.reach.freedoms.iter().enumerate() {
-                // Zero where it is held, whose part has been taken off.
+                // Held columns are zero; their contribution is in the residual.
                 let component = self.scratch.columns.get(level, index * rows + row);
-                left = component.neg_mul_add(self.radians(index, freedom), left);
+                residual = component.neg_mul_add(self.radians(index, freedom), residual);
             }
-            square = left.mul_add(left, square);
+            square = residual.mul_add(residual, square);
         }
         square
     }
 
     /// The square of all changes, in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn moved(&self) -> L {
+    fn squared_change(&self) -> L {
         let mut square = self.scales.length.constant(0.0);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {
             let radians = self.radians(index, freedom);
@@ -262,14 +270,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// The change of a value, in radians.
+    /// The change of a freedom, in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn radians(&self, index: usize, freedom: &Freedom<L::Real>) -> L {
         let change = self.scratch.changes.get(self.level, index);
         if freedom.is_slide() { change * self.scales.radians_per_length } else { change }
     }
 
-    /// The values moved. What is not finite moves nothing.
+    /// Adds the changes to the values. A change that is not finite is ignored.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn advance(&mut self, running: L::Mask) {
         let (level, values) = (self.level, &mut self.scratch.values);
@@ -283,11 +291,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     values.set(first, L::select(runs, value + change, value));
                 }
                 Kind::FloatingTurn(axis) => {
-                    // On the right, about an axis of the body. Products drift from unit, so each is
-                    // normalized.
+                    // A product from the right turns about an axis of the link. Products drift from
+                    // unit, so each is normalized.
                     let old: [L; 4] = values.record(level, first);
                     let half = change * change.constant(0.5);
-                    let [cos, sin] = half_turn(half);
+                    let [cos, sin] = checked_cos_sin(half);
                     let mut turn = [change.constant(0.0); 3];
                     if let Some(slot) = turn.get_mut(axis as usize) {
                         *slot = sin;
@@ -311,26 +319,27 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// A λ² that is none, but not zero.
+/// The smallest λ², which keeps a division by zero out of systems of zeros.
 pub(super) const FLOOR: f64 = 1e-30;
 
-/// Those of a pose, for which the compiler lays all of it out.
+/// The number of rows of a pose, for which the compiler unrolls the loops.
 const POSE: usize = 6;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// y with (JJᵀ + λ²1) y = e, so that Jᵀy is the x that makes |Jx − e|² + λ²|x|²
-    /// least (Nakamura & Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero. y
-    /// takes the place of e in `solution`.
+    /// Solves (JJᵀ + λ²1) y = e. Then Jᵀy is the x that makes |Jx − e|² + λ²|x|² least
+    /// (Nakamura & Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11). Held columns are zero. y takes
+    /// the place of e in `solution`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_normal(&mut self, damping: L) {
         let (level, rows, scratch) = (self.level, self.reach.facts.rows, &mut self.scratch);
         let none = damping.constant(0.0).to_array();
-        // One pose is what most ask for: its triangle has 21 numbers, which stay on the stack, and
-        // loops of known length. Machine code for one lane would be as long, to gain little:
-        // without std, where memory is short, it is left out.
+        // Most problems are one pose: its triangle has 21 numbers, which stay on the stack, in
+        // loops of known length. For one lane the gain is small, so builds without std, which are
+        // short of memory, leave this branch out.
         if (L::LANES > 1 || cfg!(feature = "std")) && rows == POSE {
             let (mut a, mut b, mut c) = ([none; POSE * (POSE + 1) / 2], [none; POSE], [none; POSE]);
-            let (mut triangle, mut reciprocals, mut y) = (Rows(&mut a), Rows(&mut b), Rows(&mut c));
+            let (mut triangle, mut reciprocals, mut y) =
+                (Registers(&mut a), Registers(&mut b), Registers(&mut c));
             for row in 0..POSE {
                 y.set(row, scratch.solution.get(level, row));
             }
@@ -347,11 +356,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// JJᵀ
+/// The lower triangle of JJᵀ, row by row.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn multiply<L: Lanes<Real: Scalar>>(
-    columns: &Rows<'_, L>,
-    a: &mut Rows<'_, L>,
+    columns: &Registers<'_, L>,
+    a: &mut Registers<'_, L>,
     level: L::Level,
     rows: usize,
 ) {
@@ -370,14 +379,14 @@ fn multiply<L: Lanes<Real: Scalar>>(
     }
 }
 
-/// By Cholesky's factorisation in place: to λ² is added what rounding makes of JJᵀ, so that a
-/// singular J is not a special case; and each pivot is at least λ², as it would be without
-/// rounding.
+/// Solves by a Cholesky factorisation in place. The bound of the rounding error of JJᵀ is added
+/// to λ², so that a singular J is not a special case; and each pivot is at least λ², as it
+/// would be without rounding.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn solve<L: Lanes<Real: Scalar>>(
-    a: &mut Rows<'_, L>,
-    reciprocals: &mut Rows<'_, L>,
-    y: &mut Rows<'_, L>,
+    a: &mut Registers<'_, L>,
+    reciprocals: &mut Registers<'_, L>,
+    y: &mut Registers<'_, L>,
     damping: L,
     rows: usize,
 ) {
@@ -386,11 +395,11 @@ fn solve<L: Lanes<Real: Scalar>>(
     for i in 0..rows {
         trace = trace + a.get(level, i * (i + 1) / 2 + i);
     }
-    // Where nothing moves anything, nothing is asked of it.
+    // In a system of zeros the right-hand side is zero too.
     let floor = damping + damping.constant(FLOOR);
     let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
-    // Row by row: A = LLᵀ and Lz = y at once, z in the place of y. Pivots are kept as reciprocals
-    // of their roots.
+    // Row by row: A = LLᵀ and Lz = e at once, z in the place of e. Of the pivots, the reciprocals
+    // of their square roots are kept.
     for i in 0..rows {
         let of_i = i * (i + 1) / 2;
         let mut pivot = a.get(level, of_i + i) + least;

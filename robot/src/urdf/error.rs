@@ -1,5 +1,5 @@
 use crate::MechanismError;
-use dq8::seams::errors;
+use dq8::internal::errors;
 use std::fmt;
 
 errors! {

@@ -3,7 +3,7 @@ use super::file::{Drive, File, Name};
 use super::tree::{Leader, Node, leaders, nodes};
 use super::xml;
 use crate::{Joint, JointKind, Mechanism, MechanismError, Mimic, OwnedMechanism};
-use dq8::seams::{brief, errors};
+use dq8::internal::{brief, errors};
 use dq8::{DualQuat, Real, Skeleton};
 use std::collections::HashMap;
 use std::fmt;

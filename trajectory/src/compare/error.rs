@@ -1,5 +1,5 @@
 use super::step::Step;
-use dq8::seams::errors;
+use dq8::internal::errors;
 
 errors! {
     /// Two trajectories that cannot be compared in this way.

@@ -1,6 +1,6 @@
 use crate::TrajectoryError;
 use alloc::string::String;
-use dq8::seams::errors;
+use dq8::internal::errors;
 
 errors! {
     /// A file that holds no trajectory. Each names the line, counted from one.

@@ -1,6 +1,6 @@
 use crate::TrajectoryError;
 use alloc::string::String;
-use dq8::seams::errors;
+use dq8::internal::errors;
 
 errors! {
     /// Frames that make no tree, or a question that they have no answer to. Nothing has been

@@ -14,7 +14,7 @@ use crate::clock::Time;
 use crate::job::{GRAIN, Job};
 use crate::segments::Outside;
 use alloc::borrow::ToOwned;
-use dq8::seams::Rows;
+use dq8::internal::Rows;
 use dq8::simd::Block;
 use dq8::storage::{AoSoA, Element, Layout, Number, same_length};
 use dq8::{Backend, DualQuat, Real};

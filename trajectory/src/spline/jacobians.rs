@@ -19,7 +19,7 @@ use crate::job::{GRAIN, Job};
 use crate::screw::horner;
 use crate::{Outside, TrajectoryError};
 use dq8::batch::{self, Dual, vector};
-use dq8::seams::{Rows, exponential_integrals, half_cotangent};
+use dq8::internal::{Rows, exponential_integrals, half_cotangent};
 use dq8::storage::{Element, Register, Tile, same_length};
 use dq8::{Lanes, Level, Scalar, Twist};
 

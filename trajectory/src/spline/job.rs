@@ -8,7 +8,7 @@ use crate::job::{GRAIN, Job};
 use crate::screw::horner;
 use crate::segments::{Outside, Segments};
 use dq8::batch::{self, lie_bracket};
-use dq8::seams::Rows;
+use dq8::internal::Rows;
 use dq8::storage::{Element, Layout, Register, Tile, same_length};
 use dq8::{DualQuat, Lanes, Level, Scalar, Twist};
 

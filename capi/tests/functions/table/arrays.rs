@@ -3,7 +3,7 @@
 use crate::argument::{Of, Read, Written, count, one_of, passes, reads, writes};
 use crate::element::{Element, SCALED};
 use dq8::hierarchy::MatrixOrder;
-use dq8::seams::{for_each_kernel, record};
+use dq8::internal::{for_each_kernel, record};
 use dq8::storage::{self, Block, Layout};
 use dq8::{Backend, DualQuat, Scalar};
 use dq8_capi::{Status, chain, packing, slices, trajectory};

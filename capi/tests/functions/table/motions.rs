@@ -5,7 +5,7 @@ use crate::element::{Element, SCALED, record, wave};
 use crate::function::Function;
 use crate::shape::Shape;
 use dq8::geometry::{DualVector, Screw};
-use dq8::{DualQuat, Line, Plane, Quat, Real, Twist, seams};
+use dq8::{DualQuat, Line, Plane, Quat, Real, Twist, internal};
 use dq8_capi::{Status, geometry, mean, motion, screw};
 
 /// It may lie anywhere.
@@ -143,7 +143,7 @@ macro_rules! add {
                 let equal = vec![1.0; n];
                 let weights = if weights.is_empty() { &equal } else { weights };
                 let pairs = motions.iter().copied().zip(weights.iter().copied());
-                let mean = seams::dib(pairs, tolerance, most).ok_or(Status::NoInfluences)?;
+                let mean = internal::dib(pairs, tolerance, most).ok_or(Status::NoInfluences)?;
                 out[0] = finite(mean.motion)?;
                 converged.fill(mean.converged.into());
             };

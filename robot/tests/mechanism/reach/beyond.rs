@@ -4,7 +4,7 @@ use super::draw;
 use dq8::simd::{Lanes, Portable};
 use dq8::{DualQuat, Quat, Real, Scalar};
 use dq8_fixtures::random::Random;
-use dq8_robot::ik::{Goal, Options, OwnedReach};
+use dq8_robot::ik::{Goal, Options, OwnedReach, Tracking};
 use dq8_robot::{Dh, DhConvention, Joint, OwnedMechanism};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -44,7 +44,7 @@ where
         let target = [ahead, 0.6 * a.sin(), 0.4 + 0.6 * a.cos()];
         let pose = DualQuat::from_rotation_translation(turn.rotation(), target);
         let before = values;
-        reach.track(&[pose.cast()], &mut values, &Options::track()).unwrap();
+        reach.track(&[pose.cast()], &mut values, &Tracking::default()).unwrap();
         if k < 400 {
             continue;
         }

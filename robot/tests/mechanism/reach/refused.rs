@@ -3,7 +3,9 @@
 use super::{START, THERE, Z, at, mechanism, planar, pose, problem, seven, solve, solve_with};
 use dq8::{Backend, DualQuat, ShapeError};
 use dq8_robot::Joint;
-use dq8_robot::ik::{Freedom, Goal, Options, Outcome, OwnedReach, Reach, ReachError, Report};
+use dq8_robot::ik::{
+    Freedom, Goal, Options, Outcome, OwnedReach, Reach, ReachError, Report, Tracking,
+};
 
 /// The error of these goals.
 fn refused(joints: &[Joint<f64>], goals: &[Goal<f64>]) -> ReachError {
@@ -180,9 +182,6 @@ fn options_that_are_none_and_distances_that_overflow_are_invalid_and_values_are_
     }
     options.push(Options { length_per_radian: Some(f64::INFINITY), ..good });
     options.push(Options { damping: f64::INFINITY, ..good });
-    // Nothing that is asked for is dropped: these are for searches that track.
-    options.push(Options { posture_weight: 0.1, ..good });
-    options.push(Options { start_weight: 0.1, ..good });
     let arm = problem(&seven(), [Goal::pose(7)]);
     let (target, mut start) = (pose(&arm, &THERE, 7), START);
     start[6] = 9.0;
@@ -190,6 +189,16 @@ fn options_that_are_none_and_distances_that_overflow_are_invalid_and_values_are_
         let (values, report) = solve_with(&arm, &[target], start, &options);
         assert_eq!((report.outcome, values), (Outcome::Invalid, start), "{options:?}");
         assert!(report.angular_error.is_nan() && report.linear_error.is_nan());
+    }
+    for bad in [f64::NAN, -1.0, f64::INFINITY] {
+        let good = Tracking::default();
+        let posture = Tracking { posture_weight: bad, ..good };
+        for tracking in [posture, Tracking { start_weight: bad, ..good }] {
+            let (mut values, mut scratch) = (start, vec![0.0; arm.view().scratch_len()]);
+            let report = arm.view().track(&[target], &mut values, &mut scratch, &tracking);
+            let outcome = report.expect("lengths fit").outcome;
+            assert_eq!((outcome, values), (Outcome::Invalid, start), "{tracking:?}");
+        }
     }
     let base = problem(&[Joint::floating(None, DualQuat::IDENTITY)], [Goal::position(0)]);
     let start = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];

@@ -8,7 +8,7 @@ use super::{
 use dq8::scalar::vector;
 use dq8::{Backend, DualQuat, Twist};
 use dq8_fixtures::random::Random;
-use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, RatesError, Report};
+use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, RatesError, Report, Tracking};
 use dq8_robot::{Joint, WorldAligned};
 
 /// A body that floats, with limbs of hinges with limits, a slide, a screw, and a part that carries
@@ -61,7 +61,7 @@ fn track_everywhere(
     reach: &OwnedReach<f64>,
     targets: &[DualQuat<f64>],
     start: &[f64],
-    options: &Options<f64>,
+    options: &Tracking<f64>,
 ) -> Vec<Solved<f64>> {
     let track = |backend| {
         let (mut values, mut reports) = (start.to_vec(), vec![Report::default()]);
@@ -84,9 +84,9 @@ fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
     let mut random = Random(41);
     let (mut limited, mut moved) = (0, 0.0_f64);
     for (round, options) in [
-        Options { max_iterations: 1, damping: 0.2, ..Options::track() },
-        Options { max_iterations: 4, ..Options::track() },
-        Options { start_weight: 0.3, posture_weight: 0.2, ..Options::track() },
+        Options { max_iterations: 1, damping: 0.2, ..Options::track() }.into(),
+        Options { max_iterations: 4, ..Options::track() }.into(),
+        Tracking { start_weight: 0.3, posture_weight: 0.2, ..Tracking::default() },
     ]
     .iter()
     .cycle()
@@ -126,14 +126,9 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
     for [posture_weight, start_weight, bound] in
         [[0.5, 0.7, 1e-6], [0.5, 0.0, 1e-4], [0.0, 0.7, 1e-3]]
     {
-        let options = Options {
-            max_iterations: 60,
-            damping: 0.0,
-            least_gain: 0.0,
-            posture_weight,
-            start_weight,
-            ..Options::track()
-        };
+        let options =
+            Options { max_iterations: 60, damping: 0.0, least_gain: 0.0, ..Options::track() };
+        let options = Tracking { options, posture_weight, start_weight };
         let [to_posture, to_start] = [posture_weight, start_weight].map(|weight| weight * weight);
         // From the target itself too, which it leaves for the posture.
         for start in [-1.0, 2.0] {
@@ -154,7 +149,7 @@ fn a_posture_without_a_weight_takes_what_is_free_while_tracking() {
     let posture = [0.3, 0.5, -0.4, 0.8];
     let reach = problem(&planar(&[0.5; 4]), [Goal::position(4)]);
     let reach = reach.with_posture(posture).expect("a posture");
-    let (target, options) = (pose(&reach, &posture, 4), Options::track());
+    let (target, options) = (pose(&reach, &posture, 4), Tracking::default());
     let mut values = [0.6, 0.1, -0.2, 0.9];
     for _ in 0..50 {
         let mut scratch = vec![f64::NAN; reach.view().scratch_len()];
@@ -174,7 +169,7 @@ fn tracking_never_begins_again_whatever_the_options_say() {
     for _ in 0..60 {
         let [there, start] = [(); 2].map(|()| draw(&mut random, &seven()));
         let target = [pose(&reach, &there, 7)];
-        let options = Options { max_iterations: 60, restarts: true, ..Options::track() };
+        let options = Options { max_iterations: 60, restarts: true, ..Options::track() }.into();
         let mut values = start.clone();
         let report = reach.view().track(&target, &mut values, &mut scratch, &options);
         let report = report.expect("lengths fit");
@@ -217,7 +212,7 @@ fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
             values[4] += far;
             let targets: Vec<_> = targets.iter().map(|&target| away * target).collect();
             let reached = match tracks {
-                true => reach.track(&targets, &mut values, &Options::track()),
+                true => reach.track(&targets, &mut values, &Tracking::default()),
                 false => reach.solve(&targets, &mut values, &Options::track()),
             };
             reached.expect("lengths fit");
@@ -256,7 +251,7 @@ fn a_goal_at_a_point_is_that_of_a_link_fixed_there() {
 #[test]
 fn a_clip_is_its_frames_one_after_the_other() {
     let reach = problem(&body(), goals());
-    let (count, options) = (reach.view().mechanism().values(), Options::track());
+    let (count, options) = (reach.view().mechanism().values(), Tracking::default());
     let mut random = Random(47);
     let clips: Vec<usize> = (0..70).map(|clip| [3, 0, 7, 1, 12][clip % 5]).collect();
     let frames: usize = clips.iter().sum();
