@@ -40,7 +40,7 @@
  *   dq8_motion_plane                           A plane moved by a unit motion
  *   dq8_motion_twist                           A twist, six numbers, angular part first, by the adjoint of a unit ...
  *   dq8_motion_to_twist                        The twist, six numbers, angular part first, that leads to a unit ...
- *   dq8_motion_integrate_body                  Where a unit motion is after `dt` seconds of a body twist, six ...
+ *   dq8_motion_integrate_body                  A unit motion after `dt` seconds of a body twist, six numbers, ...
  *   dq8_motion_angle_to                        The angle between two unit motions, one number, radians in 0 to pi
  *   dq8_motion_distance_to                     The distance between the translations of two unit motions, one number
  *   dq8_motion_mean                            The intrinsic mean of `count` unit motions
@@ -370,7 +370,7 @@ typedef int32_t dq8_backend;
 #endif // __cplusplus
 
 /**
- * In which order the numbers of a matrix lie in memory.
+ * The order in which the numbers of a matrix lie in memory.
  */
 enum dq8_matrix_order
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -1129,8 +1129,7 @@ dq8_status dq8_motion_twist_f32(const float *motion, const float *twist, float *
 dq8_status dq8_motion_to_twist_f32(const float *motion, float *twist);
 
 /**
- * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
- * first.
+ * A unit motion after `dt` seconds of a body twist, six numbers, angular part first.
  */
 dq8_status dq8_motion_integrate_body_f32(const float *motion,
                                          const float *twist,
@@ -1172,8 +1171,7 @@ dq8_status dq8_motion_twist_f64(const double *motion, const double *twist, doubl
 dq8_status dq8_motion_to_twist_f64(const double *motion, double *twist);
 
 /**
- * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
- * first.
+ * A unit motion after `dt` seconds of a body twist, six numbers, angular part first.
  */
 dq8_status dq8_motion_integrate_body_f64(const double *motion,
                                          const double *twist,

@@ -1,4 +1,4 @@
-//! Lines, planes and twists moved by one motion, and how far one motion is from another. Inputs are
+//! Lines, planes and twists moved by one motion, and the distance of one motion from another. Inputs are
 //! read before anything is written, so outputs may be inputs.
 
 use crate::memory::{one, two};
@@ -39,8 +39,7 @@ macro_rules! functions {
                 one(motion, twist, |motion: DualQuat<$R>| Ok(motion.to_twist()))
         }
         export_one! { $R
-            /// Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
-            /// first.
+            /// A unit motion after `dt` seconds of a body twist, six numbers, angular part first.
             motion::integrate_body(motion: *const $R, twist: *const $R, dt: $R, out: *mut $R) =
                 two(motion, twist, out, |motion: DualQuat<$R>, twist: Twist<$R>| {
                     Ok(motion.integrate_body(twist, dt))

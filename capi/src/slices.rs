@@ -6,7 +6,7 @@ use dq8::hierarchy::MatrixOrder;
 use dq8::internal::{for_each_kernel, record};
 use dq8::storage::{AoSoA, Aos, Layout};
 
-/// In which order the numbers of a matrix lie in memory.
+/// The order in which the numbers of a matrix lie in memory.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
@@ -17,7 +17,7 @@ pub enum Order {
 }
 
 impl Order {
-    /// What a number from C stands for.
+    /// The order that a number from C stands for.
     pub(crate) fn known(order: i32) -> Result<MatrixOrder, Status> {
         match order {
             rows if rows == Self::Rows as i32 => Ok(MatrixOrder::Rows),
@@ -66,7 +66,7 @@ mod of_each {
     for_each_kernel!(kernels);
 }
 
-/// What C sees of the list, of one number type: the functions on plain arrays, and on `blocks`.
+/// The list as C sees it, of one number type: the functions on plain arrays, and on `blocks`.
 macro_rules! exports {
     ($R:ident [$few:literal $many:literal], $(
         $(#[doc = $brief:literal])+
