@@ -25,7 +25,7 @@ KERNELS = [
     ("points by one motion", r"sweep::Sweep<.*slices::transform::ByOne.*" + BLOCKS, 0),
     ("normalize", r"sweep::Sweep<.*of_each::normalize.*" + BLOCKS, 0),
     ("ScLERP", r"sweep::Sweep<.*of_each::sclerp\b.*" + BLOCKS, None),
-    ("crowd in place", r"blocks::Forward.*" + BLOCKS, 4),
+    ("crowd in place", r"blocks::Blocks.*" + BLOCKS, 4),
     ("one instance, planned", r"plan::Walk<f32>", 0),
     ("plain clips", r"<dq8::hierarchy::clip::Sampled<[^{]*Frames[^{]*::poses", 100),
     ("packed clips", r"<dq8::hierarchy::clip::Sampled<[^{]*Playback[^{]*::poses", 100),

@@ -15,7 +15,7 @@ const SAMPLED: &str = "not proved: the pose is interpolated first; the product i
 const FORMS: &[Row] = &[
     // Instances in blocks: by the product of `batch::DualQuat`.
     (
-        "src/hierarchy/blocks.rs Forward",
+        "src/hierarchy/blocks.rs Blocks",
         &["local_to_model_blocks", "local_to_model_roots_blocks", "bones_blocks"],
         "",
     ),
@@ -28,7 +28,7 @@ const FORMS: &[Row] = &[
     ),
     ("src/hierarchy/plain.rs Walk", &["local_to_model", "bones"], ""),
     ("src/hierarchy/plain.rs product x 1", &["local_to_model", "local_to_model_roots"], ""),
-    ("src/hierarchy/plain.rs Unkept", &["palette_lanes"], ""),
+    ("src/hierarchy/plain.rs PaletteInstances", &["palette_lanes"], ""),
     ("src/hierarchy/plan.rs Walk", &["local_to_model_planned"], ""),
     ("src/hierarchy/plan.rs Begin", &["local_to_model_planned_root"], ""),
     (

@@ -4,9 +4,8 @@
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::number::Scalar;
-use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity};
+use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity, motions};
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat};
 

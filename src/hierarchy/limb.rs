@@ -60,8 +60,7 @@ impl<S, P: Plans> Job<'_, S, P> {
         T: Element<3, Layout = E::Layout>,
         S: Roots<E>,
     {
-        self.check::<E>("models", models.len())?;
-        let run = self.run::<E>();
+        let run = self.check(("models", models.len()), models.len())?;
         let parent =
             |joint: usize| run.parents.get(joint).filter(|&&parent| parent != Hierarchy::ROOT);
         limb.check(|joint| parent(joint).map(|&parent| parent as usize))?;
@@ -73,7 +72,7 @@ impl<S, P: Plans> Job<'_, S, P> {
             same_length(what, length, models.len() / joints)?;
         }
         let limbs = Limbs { run: &run, limb, models, targets, poles };
-        let backend = self.choice.instructions();
+        let backend = run.backend;
         if let Some(fault) = backend.run(Check { limbs, locals }) {
             return Err(fault);
         }

@@ -1,5 +1,5 @@
 //! [`Locals`]: the pose of a joint in its parent, and its form in memory. Locals that are computed
-//! are computed for a group of joints at a time, into [`Rows`], which [`Ahead`] holds.
+//! are computed for a group of joints at a time, into [`Rows`], which a [`LocalBatch`] holds.
 
 use super::run::Run;
 use super::slot::JointSlot;
@@ -284,53 +284,81 @@ pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) ->
 }
 
 /// A group of locals, if they are made.
-pub(super) struct Ahead<E: Element<8>, V: Level>(Option<[Rows<Register<E, V, 8>>; GROUP]>);
+pub(super) struct LocalBatch<E: Element<8>, V: Level>(Option<[Rows<Register<E, V, 8>>; GROUP]>);
 
-impl<E: Element<8>, V: Level> Ahead<E, V> {
+/// The data that a loop over joints copies into registers: loops take it by value, for what a
+/// reference leads to would be loaded again for every joint.
+pub(super) struct Pass<'r, E: Element<8>, L, V> {
+    pub(super) level: V,
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) locals: L,
+}
+
+impl<E: Element<8>, L: Copy, V: Copy> Clone for Pass<'_, E, L, V> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn of<L: Locals<E>>(_: &L) -> Self {
-        Self(if const { L::MADE } { Some([Zeroable::zeroed(); GROUP]) } else { None })
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<E: Element<8>, L: Copy, V: Copy> Copy for Pass<'_, E, L, V> {}
+
+impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
+    /// Memory for a group of locals, if they are made.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn batch(self) -> LocalBatch<E, V> {
+        LocalBatch(if const { L::MADE } { Some([Zeroable::zeroed(); GROUP]) } else { None })
     }
 
-    /// The local of a slot; the slots of all joints of `run` are asked for one after the other.
+    /// The local of a slot; the slots of all joints of the run are asked for one after the other.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn local<L: Locals<E>>(
-        &mut self,
-        level: V,
-        run: &Run<'_, E>,
-        locals: &L,
+    pub(super) fn local(
+        &self,
+        batch: &mut LocalBatch<E, V>,
         models: &[E],
         slot: JointSlot,
     ) -> Option<Numbers<E, V>> {
+        let Self { level, run, locals } = *self;
         if const { !L::MADE } {
             return locals.load(level, models, slot);
         }
-        let rows = self.0.as_mut()?;
+        let rows = batch.0.as_mut()?;
         let step = if slot.is_of_joints() { Register::<E, V, 8>::LANES } else { 1 };
         let at = (slot.joint() - run.joints.start) / step;
         if at.is_multiple_of(GROUP) {
             let all = run.joints.len().div_ceil(step);
-            locals.ahead(level, slot, rows.get_mut(..GROUP.min(all - at))?)?;
+            self.locals.ahead(level, slot, rows.get_mut(..GROUP.min(all - at))?)?;
         }
         Some(load(level, rows.get(at % GROUP)?))
     }
 
-    /// The locals of a slot of a block and of so many joints from it on go where their models will
-    /// be.
+    /// The locals of a slot of a block and of the joints from it on, no more than a group, go where
+    /// their models will be.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn place<L: Locals<E>>(
-        &mut self,
-        level: V,
-        locals: &L,
+    pub(super) fn place(
+        &self,
+        batch: &mut LocalBatch<E, V>,
         models: &mut [E],
         slot: JointSlot,
-        joints: usize,
     ) -> Option<()> {
-        let rows = self.0.as_mut()?.get_mut(..joints)?;
-        locals.ahead(level, slot, rows)?;
+        let joints = GROUP.min(self.run.joints.end - slot.joint());
+        let rows = batch.0.as_mut()?.get_mut(..joints)?;
+        self.locals.ahead(self.level, slot, rows)?;
         for (number, rows) in rows.iter().enumerate() {
-            E::copy(level, rows, models, slot.after(number, 1).own_tile());
+            E::copy(self.level, rows, models, slot.after(number, 1).own_tile());
         }
+        Some(())
+    }
+
+    /// The local of a slot goes to `poses` as a motion.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn write(
+        &self,
+        batch: &mut LocalBatch<E, V>,
+        poses: &mut [E],
+        slot: JointSlot,
+    ) -> Option<()> {
+        let local = self.local(batch, &[], slot)?;
+        E::store(self.locals.motion(local).to_array(), slot.within(poses), slot.tile());
         Some(())
     }
 }

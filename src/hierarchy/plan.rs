@@ -3,16 +3,15 @@
 
 use super::Hierarchy;
 use super::chain::product;
-use super::locals::{Ahead, Locals};
-use super::run::{Epilogue, Renormalize, Run};
+use super::locals::{Locals, Pass};
+use super::run::{Epilogue, Forward, Renormalize, Run};
 use super::slot::JointSlot;
 use crate::backend::{Backend, Kernel};
 use crate::macros::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
-use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Number, Source};
+use crate::storage::{Element, Layout, Number, Source, motions};
 use core::cmp::Reverse;
 use dq8_simd::Level;
 use dq8_simd::internal::CheckedSchedule;
@@ -204,47 +203,46 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
     }
 }
 
-/// `true` if the plan knows this run: one whole instance of single things, nothing normalized on
-/// the way.
-pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
-    E::Layout::THINGS == 1
-        && models == run.parents.len()
-        && run.joints == (0..models)
-        && run.renormalize == Renormalize::Never
-}
-
-/// Locals as motions in place of the models, roots on what they stand on, the plan, the epilogue:
-/// each joint is multiplied onto its parent by the product of all other runs, so a tree has the
-/// same bits.
-pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
-    backend: Backend,
-    plan: Plan<'_>,
-    run: &Run<'_, E>,
-    locals: L,
-    models: &mut [E],
-    epilogue: &mut X,
-) {
-    let root = run.root_of(0);
-    // Motions that lie in memory are read where they are. All else, and roots that stand on
-    // something, is written to the models first and multiplied in place: the plan knows one form
-    // only.
-    let from = match locals.motions() {
-        Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
-        _ => {
-            backend.run(Begin { run, locals, models: &mut *models, root });
-            None
-        }
-    };
-    if let Some(models) = E::plain_mut(models) {
-        let models: &mut [DualQuat<Number<E, 8>>] = bytemuck::must_cast_slice_mut(models);
-        let source = match from {
-            Some(locals) => Source::Slice(bytemuck::must_cast_slice(locals)),
-            None => Source::Output,
-        };
-        plan.run(backend, source, models);
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
+    /// `true` if a plan can order this: one whole instance of single things, nothing normalized on
+    /// the way.
+    #[inline]
+    pub(super) fn is_one_instance(&self) -> bool {
+        let joints = self.models.len();
+        E::Layout::THINGS == 1
+            && joints == self.run.parents.len()
+            && self.run.joints == (0..joints)
+            && self.run.renormalize == Renormalize::Never
     }
-    if const { X::ACTIVE } {
-        backend.run(End { models, epilogue });
+
+    /// Locals as motions in place of the models, roots on what they stand on, the plan, the
+    /// epilogue: each joint is multiplied onto its parent by the product of all other runs, so a
+    /// tree has the same bits.
+    #[inline]
+    pub(super) fn in_order_of(self, plan: Plan<'_>) {
+        let Self { run, locals, models, mut epilogue } = self;
+        let (backend, root) = (run.backend, run.root_of(0));
+        // Motions that lie in memory are read where they are. All else, and roots that stand on
+        // something, is written to the models first and multiplied in place: the plan knows one
+        // form only.
+        let from = match locals.motions() {
+            Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
+            _ => {
+                backend.run(Begin { run, locals, models: &mut *models, root });
+                None
+            }
+        };
+        if let Some(models) = E::plain_mut(models) {
+            let models: &mut [DualQuat<Number<E, 8>>] = bytemuck::must_cast_slice_mut(models);
+            let source = match from {
+                Some(locals) => Source::Slice(bytemuck::must_cast_slice(locals)),
+                None => Source::Output,
+            };
+            plan.run(backend, source, models);
+        }
+        if const { X::ACTIVE } {
+            backend.run(End { models, epilogue: &mut epilogue });
+        }
     }
 }
 
@@ -266,11 +264,13 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
         let joints = run.parents.len();
         // What lies there already stays.
         if !matches!(locals.motions(), Some(Source::Output)) {
-            let mut ahead = Ahead::of(&locals);
+            let pass = Pass { level, run, locals };
+            let mut batch = pass.batch();
             for start in (0..joints).step_by(E::Layout::records::<V>()) {
                 let slot = JointSlot::of_joints(start, 0, joints, joints);
-                let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
-                E::store(locals.motion(local).to_array(), models, slot.own_tile());
+                if pass.write(&mut batch, models, slot).is_none() {
+                    return;
+                }
             }
         }
         // Then a root is the root transform times its local, and the plan needs none.

@@ -2,6 +2,7 @@
 //! [`Root`], when to [`Renormalize`], and the [`Epilogue`] of each model, such as a palette.
 
 use super::slot::JointSlot;
+use crate::backend::Backend;
 use crate::batch;
 use crate::scalar::DualQuat;
 use crate::storage::{self, Element, Layout, MatrixOrder, Motions, Number, PaletteEntry, Tile};
@@ -18,9 +19,11 @@ pub(super) fn grain(joints: usize) -> usize {
     GRAIN.div_ceil(joints)
 }
 
-/// The hierarchy, which joints of it, what they stand on, and when they are normalized.
+/// The hierarchy, which joints of it, what they stand on, when they are normalized, and the
+/// instructions and threads that compute them. Lengths have been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Run<'a, E: Element<8>> {
+    pub(super) backend: Backend,
     pub(super) parents: &'a [u32],
     pub(super) joints: Range<usize>,
     pub(super) root: Root<'a, E>,
@@ -72,6 +75,13 @@ impl<E: Element<8>> Run<'_, E> {
     /// The same for some of the instances (blocks).
     pub(super) fn part(&self, instances: Range<usize>) -> Self {
         Self { root: self.root.part(instances), ..self.clone() }
+    }
+
+    /// `true` if there is work for more threads than the one that calls.
+    #[cfg(feature = "rayon")]
+    #[inline]
+    pub(super) fn many(&self) -> bool {
+        self.backend.many() && !self.parents.is_empty()
     }
 
     /// The base of the root of one instance, where records are single things.
@@ -181,7 +191,6 @@ pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
     const ACTIVE: bool;
     fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
     /// That of the models before number `at`, and that of the others.
-    #[cfg_attr(not(feature = "rayon"), expect(dead_code, reason = "threads take parts"))]
     fn split(self, at: usize) -> (Self, Self);
 }
 
@@ -233,4 +242,21 @@ where
         let of = |entries| Self { entries, ..self };
         (of(begin), of(end))
     }
+}
+
+/// Models to compute, of whole instances, and what the epilogue makes of each.
+pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) locals: L,
+    pub(super) models: &'s mut [E],
+    pub(super) epilogue: X,
+}
+
+/// Instances of which the epilogue alone is asked for, and memory that their models go through.
+pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) locals: L,
+    pub(super) instances: usize,
+    pub(super) scratch: &'s mut [E],
+    pub(super) epilogue: X,
 }

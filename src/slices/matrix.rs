@@ -7,9 +7,8 @@ use crate::macros::errors;
 use crate::number::Real;
 use crate::scalar::{DualQuat, MatrixError};
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{
-    self, Element, Layout, MatrixOrder, Number, PaletteEntry, Register, Tile, motions,
-};
+use crate::storage::{self, Element, Layout, Number, Register, Tile};
+use crate::storage::{MatrixOrder, PaletteEntry, motions};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level, Mask};
 
