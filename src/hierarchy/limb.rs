@@ -151,7 +151,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
         Tile::at(tile.element * joints + joint, tile.register).strided(joints)
     }
 
-    /// Those of some instances (blocks).
+    /// The limbs of some of the instances (blocks).
     fn part<'p>(&'p self, run: &'p Run<'p, E>, instances: Range<usize>) -> Limbs<'p, E, T> {
         let joints = run.parents.len();
         let models = instances.start * joints..instances.end * joints;

@@ -48,7 +48,7 @@ mod slot;
 pub use crate::storage::palette_entry::{MatrixOrder, PaletteEntry};
 #[cfg(feature = "alloc")]
 pub use clip::OwnedClip;
-pub use clip::{Clip, Frames, Keys, PlacedKeys, Sampled};
+pub use clip::{Clip, Sampled};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
@@ -56,13 +56,23 @@ pub use layers::{Either, Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
 #[cfg(feature = "alloc")]
 pub use packed_clip::{Deviation, PackedClip, Tolerance};
-pub use packed_clips::{PackedClips, PackedError, Playback};
+pub use packed_clips::{PackedClips, PackedError};
 pub use parents::{Hierarchy, HierarchyError};
-pub use plan::{NoPlan, Plan, PlanScratch, Plans};
-pub use run::{NoRoot, Renormalize, Root, Roots};
+pub use plan::{Plan, PlanScratch};
+pub use run::{Renormalize, Root};
 #[cfg(feature = "alloc")]
 pub use skeleton::{JointOrder, ParentIndex, Skeleton};
-pub use slot::JointSlot;
+
+/// The types and traits that signatures name and nobody needs to: not documented, and pinned by the
+/// tests of this package and of those that are built of it.
+#[doc(hidden)]
+pub use {
+    clip::{Frames, Keys, KeysAt},
+    packed_clips::Playback,
+    plan::{NoPlan, Plans},
+    run::{NoRoot, Roots},
+    slot::JointSlot,
+};
 
 #[doc(inline)]
 pub use dq8_simd::internal::TrackPlace;

@@ -16,9 +16,9 @@ use core::cmp::Reverse;
 use dq8_simd::Level;
 use dq8_simd::internal::CheckedSchedule;
 
-/// From this many joints on, a chain is cut into segments: on every target, because that decides
-/// the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by one 4.9,
-/// 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
+/// The number of joints from which a chain is cut into segments: on every target, because that
+/// decides the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by
+/// one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
 const MIN_CHAIN: usize = 24;
 
 /// The order in which one instance of a hierarchy is computed, found once, in memory of the
@@ -53,12 +53,13 @@ pub struct Plan<'a> {
 
 brief!([] Plan<'_>: Plan |it| { joints: it.parents.len() });
 
-/// A [`Job`](super::Job) without a plan: whoever has no memory for one links no code of plans.
+/// A [`Job`](super::Job) without a plan. A program that has no memory for plans links no code of
+/// them.
 #[derive(Clone, Copy, Debug)]
 pub struct NoPlan;
 
-/// What a job knows of the order in which one instance is computed: a [`Plan`], or
-/// [nothing](NoPlan). Sealed.
+/// The order in which a job computes one instance: that of a [`Plan`], or [the order of
+/// joints](NoPlan). Sealed.
 pub trait Plans: sealed::Sealed {
     #[doc(hidden)]
     fn plan(&self) -> Option<Plan<'_>>;
@@ -111,7 +112,7 @@ impl<'a> Plan<'a> {
     /// The plan of an order that [`new`](Self::new) wrote for the same parents: to keep an order
     /// where a plan cannot borrow it, such as a constant in flash.
     ///
-    /// What has no memory of its own cannot see all that may be wrong: an order in which joints
+    /// Without memory of its own this cannot see all that may be wrong: an order in which joints
     /// have changed places, or one stands for another, is taken, and models are then wrong.
     ///
     /// # Errors
@@ -143,7 +144,7 @@ impl<'a> Plan<'a> {
         models: &mut [DualQuat<R>],
     ) {
         match self.order {
-            Some(order) => backend.run(Walk { order, locals, models }),
+            Some(order) => backend.run(InOrder { order, locals, models }),
             None => backend.scan(locals, models),
         }
     }
@@ -155,20 +156,20 @@ pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
     order.split_at_checked(roots).unwrap_or_default()
 }
 
-/// Whether every joint hangs from the one before it, and the chain is long.
+/// `true` if every joint hangs from the one before it, and the chain is long.
 pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
     // The mark of the root is what comes before 0.
     let links = |(joint, &pair): (u32, &[u32; 2])| pair == [joint, joint.wrapping_sub(1)];
     order.len() >= MIN_CHAIN && (0..).zip(order).all(links)
 }
 
-struct Walk<'p, 's, R> {
+struct InOrder<'p, 's, R> {
     order: Order<'p>,
     locals: Source<'s, DualQuat<R>>,
     models: &'s mut [DualQuat<R>],
 }
 
-impl<R: Scalar> Kernel for Walk<'_, '_, R> {
+impl<R: Scalar> Kernel for InOrder<'_, '_, R> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -215,9 +216,9 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
             && self.run.renormalize == Renormalize::Never
     }
 
-    /// Locals as motions in place of the models, roots on what they stand on, the plan, the
-    /// epilogue: each joint is multiplied onto its parent by the product of all other runs, so a
-    /// tree has the same bits.
+    /// Stores the locals as motions in place of the models, multiplies roots onto their base, then
+    /// each joint onto its parent in the order of the plan, and runs the epilogue. The product is
+    /// that of all other runs, so a tree has the same bits.
     #[inline]
     pub(super) fn in_order_of(self, plan: Plan<'_>) {
         let Self { run, locals, models, mut epilogue } = self;
@@ -246,7 +247,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
     }
 }
 
-/// Writes the locals, those of roots onto `root`.
+/// The loop that writes the locals, those of roots multiplied onto `root`.
 struct Begin<'r, 's, E: Element<8>, L> {
     run: &'r Run<'r, E>,
     locals: L,
@@ -283,7 +284,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
     }
 }
 
-/// The epilogue of all joints.
+/// The loop that runs the epilogue of all joints.
 struct End<'s, E, X> {
     models: &'s [E],
     epilogue: &'s mut X,
@@ -314,7 +315,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 /// plain level order takes a twentieth longer, depth first half as long again.
 const BETWEEN: u32 = 4;
 
-/// No joint: the end of a list of children.
+/// The end of a list of children.
 const NONE: u32 = Hierarchy::ROOT;
 
 /// The facts about one joint, and one place in each of two queues, while an order is looked for.
