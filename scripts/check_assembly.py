@@ -21,10 +21,10 @@ ROOT = Path(__file__).resolve().parent.parent
 # ScLERP has more constants than there are registers.
 BLOCKS = r"\[f32; {lanes}"
 KERNELS = [
-    ("pairwise product", r"sweep::Sweep<.*slices::product::Product.*" + BLOCKS, 0),
+    ("pairwise product", r"sweep::Sweep<.*of_each::mul.*" + BLOCKS, 0),
     ("points by one motion", r"sweep::Sweep<.*slices::transform::ByOne.*" + BLOCKS, 0),
-    ("normalize", r"sweep::Sweep<.*slices::unit::OrInPlace.*" + BLOCKS + ".*Normalize", 0),
-    ("ScLERP", r"sweep::Sweep<.*slices::interpolate::Interpolation.*" + BLOCKS, None),
+    ("normalize", r"sweep::Sweep<.*of_each::normalize.*" + BLOCKS, 0),
+    ("ScLERP", r"sweep::Sweep<.*of_each::sclerp\b.*" + BLOCKS, None),
     ("crowd in place", r"blocks::Blocks.*" + BLOCKS, 4),
     ("one instance, planned", r"plan::InOrder<f32>", 0),
     ("plain clips", r"<dq8::hierarchy::clip::Sampled<[^{]*Frames[^{]*::load_batch", 100),

@@ -142,10 +142,10 @@ def functions(*folders):
 def declared_kernels():
     """Kernel over slices -> the function of a motion that it is of, as the list of kernels declares them."""
     text = (ROOT / "src/slices/kernels.rs").read_text(encoding="utf-8")
-    row = (r'^ {12}(\w+)(?: as "\w+" )?\[[^]]*\]\s*\([^)]*\)\s*-> \w+: \w+ \w+(?:, in place (\w+))?'
+    row = (r'^ {4}(\w+)(?: as "\w+" )?\[[^]]*\]\s*\([^)]*\)\s*-> \w+: \w+ \w+(?:, in place (\w+))?'
            r"\s*= ([^{}]*), \{$")
     rows = re.findall(row, text, re.M)
-    if len(rows) != text.count(", {\n                ///"):
+    if len(rows) != text.count(", {\n        ///"):
         sys.exit("src/slices/kernels.rs has a row that this script cannot read")
     found = {}
     for name, in_place, one in rows:

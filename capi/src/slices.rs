@@ -1,5 +1,5 @@
-//! Kernels over arrays, plain or in blocks: those of the list in `src/slices/kernels.rs` of dq8, and
-//! those of one motion and of matrices.
+//! Kernels over arrays, plain or in blocks: those of dq8's list (`src/slices/kernels.rs`), those of
+//! one motion for all elements, and matrices.
 
 use crate::status::{Done, Status};
 use dq8::hierarchy::MatrixOrder;

@@ -1,10 +1,15 @@
 //! [`Block`]: structure-of-arrays memory, one row of numbers per component.
+//!
+//! A block needs no transpose: component `c` of all its lanes is one load. That is why kernels over
+//! blocks are the fastest ones, and what the layout is for. A row may be longer than a register;
+//! then a kernel works on one part of the block after the other ([`Native`]), so that all
+//! components of a part fit in registers together.
 
 use crate::lanes::{Float, Lanes, Level};
 use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 
-/// `C` components of [`Row::LANES`] things: row `c` holds component `c` of all of them.
+/// `C` components for each of [`Row::LANES`] lanes: row `c` holds component `c` of all of them.
 ///
 /// ```text
 ///              lane 0  lane 1  …  lane 7
@@ -13,8 +18,8 @@ use core::fmt::Debug;
 ///     …
 /// ```
 ///
-/// Eight components of eight `f32` are 256 bytes: four cache lines, each full of use. The alignment
-/// is that of a cache line, so that no vector load ever crosses one.
+/// Eight components of eight `f32` are 256 bytes, which are exactly four cache lines. A block is
+/// aligned to a cache line, so no load of a vector crosses two of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Block<A, const C: usize>(
@@ -22,28 +27,27 @@ pub struct Block<A, const C: usize>(
     pub [A; C],
 );
 
-// SAFETY: an array of zeroable rows, and every padding byte (there may be some for small C) may be
-// zero as well.
+// SAFETY: all rows are zeroable, and so are padding bytes, which blocks of few components have.
 unsafe impl<A: Row, const C: usize> Zeroable for Block<A, C> {}
 
-/// Blocks without padding, for casts to slices of numbers (to a GPU, say). Rows are 16, 32 or 64
-/// bytes, so four, eight, twelve or sixteen of any fill whole cache lines; of the longer rows,
-/// other counts do as well.
-macro_rules! plain {
+/// Implements `Pod` for blocks without padding, which can be cast to slices of numbers (for a GPU,
+/// say). Rows have 16, 32 or 64 bytes, so 4, 8, 12 or 16 of them fill whole cache lines whatever
+/// their length, and other counts do so with long rows only.
+macro_rules! without_padding {
     ($($count:literal of any;)*) => {$(
-        plain! { $count of f32 4, f32 8, f32 16, f64 2, f64 4, f64 8; }
+        without_padding! { $count of f32 4, f32 8, f32 16, f64 2, f64 4, f64 8; }
     )*};
     ($($count:literal of $($real:ident $lanes:literal),*;)*) => {$($(
         const _: () = assert!(
             size_of::<Block<[$real; $lanes], $count>>() == $count * size_of::<[$real; $lanes]>()
         );
-        // SAFETY: an array of plain numbers, of which any bits are valid, and the assertion above
-        // shows that the alignment adds no padding.
+        // SAFETY: the block is an array of numbers, for which any bits are valid, and the assertion
+        // above shows that the alignment adds no padding.
         unsafe impl Pod for Block<[$real; $lanes], $count> {}
     )*)*};
 }
-plain! { 4 of any; 12 of any; 16 of any; }
-plain! {
+without_padding! { 4 of any; 12 of any; 16 of any; }
+without_padding! {
     1 of f32 16, f64 8;
     2 of f32 8, f32 16, f64 4, f64 8;
     3 of f32 16, f64 8;
@@ -51,12 +55,12 @@ plain! {
     7 of f32 16, f64 8;
 }
 
-// SAFETY: `Row` is sealed, its implementors are plain numbers of 16, 32 or 64 bytes, so eight of
-// them fill whole cache lines and the alignment adds no padding. Any bits are valid numbers.
+// SAFETY: `Row` is sealed, and its implementors are arrays of numbers of 16, 32 or 64 bytes. Eight
+// of them fill whole cache lines, so the alignment adds no padding, and any bits are valid numbers.
 unsafe impl<A: Row> Pod for Block<A, 8> {}
 
 impl<A: Row, const C: usize> Block<A, C> {
-    /// The same record in every lane.
+    /// A block with the same record in every lane.
     #[inline]
     #[must_use]
     pub fn splat(record: [A::Real; C]) -> Self {
@@ -67,14 +71,17 @@ impl<A: Row, const C: usize> Block<A, C> {
         }))
     }
 
-    /// The record in `lane`, or `None` beyond the last lane.
+    /// The record in `lane`, or `None` if the block has no such lane.
     #[inline]
     #[must_use]
     pub fn get(&self, lane: usize) -> Option<[A::Real; C]> {
         (lane < A::LANES).then(|| self.0.map(|row| row.as_ref()[lane]))
     }
 
-    /// Writes the record in `lane`; gives the record back if the block has no such lane.
+    /// Writes the record in `lane`.
+    ///
+    /// # Errors
+    /// Returns the record if the block has no such lane.
     #[inline]
     pub fn set(&mut self, lane: usize, record: [A::Real; C]) -> Result<(), [A::Real; C]> {
         if lane >= A::LANES {
@@ -86,10 +93,10 @@ impl<A: Row, const C: usize> Block<A, C> {
         Ok(())
     }
 
-    /// All lanes of every component.
+    /// Loads all lanes of every component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load<V: Level>(&self, level: V) -> [A::Lanes<V>; C] {
-        // No closure: one inside an inlined kernel is compiled without the kernel's instructions.
+        // A loop and no `map`: its closure would be compiled without the kernel's instructions.
         let mut components = [A::Lanes::<V>::splat(level, A::Real::default()); C];
         for (component, row) in components.iter_mut().zip(&self.0) {
             *component = A::Lanes::<V>::load(level, row);
@@ -97,14 +104,14 @@ impl<A: Row, const C: usize> Block<A, C> {
         components
     }
 
-    /// How many [`Native`]s a row has.
+    /// The number of registers that a row fills: the parts of a block.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn parts<V: Level>() -> usize {
         A::LANES / Native::<A, V>::LANES
     }
 
-    /// One part of every component; zero beyond the last part.
+    /// Loads one part of every component, or zeros if the block has no such part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load_part<V: Level>(&self, level: V, part: usize) -> [Native<A, V>; C] {
         let mut components = [Native::<A, V>::splat(level, A::Real::default()); C];
@@ -118,11 +125,11 @@ impl<A: Row, const C: usize> Block<A, C> {
         components
     }
 
-    /// One part of every component; nothing beyond the last part.
+    /// Stores one part of every component, and nothing if the block has no such part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        // A loop that is handed registers of 16 bytes by value keeps them in memory; handed larger
-        // ones by reference, the compiler orders what was before it worse.
+        // The same loop twice. Over registers of 16 bytes by value, the compiler keeps them in
+        // memory; over larger ones by reference, it schedules the code before the loop worse.
         if size_of::<Native<A, V>>() > 16 {
             for (row, component) in self.0.iter_mut().zip(components) {
                 if let Some(array) = part_of::<A, V>(row, part) {
@@ -138,7 +145,7 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// One part of every component, from memory; nothing beyond the last part.
+    /// Copies one part of every component from memory, and nothing if the block has no such part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn copy_part<V: Level>(&mut self, rows: &[<Native<A, V> as Lanes>::Array], part: usize) {
         for (row, from) in self.0.iter_mut().zip(rows) {
@@ -148,15 +155,16 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// Fills `to` past the caches: `each` computes one part of a block, and its first `None` ends
-    /// the loop. Faster where the caches could not hold `to` anyway, slower where they could.
+    /// Fills the blocks of `to` past the caches. `each(block, part)` computes one part of a block,
+    /// and its first `None` ends the loop. This is faster if `to` is larger than the caches, and
+    /// slower if it is not.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn stream<V: Level>(
         level: V,
         to: &mut [Self],
         mut each: impl FnMut(usize, usize) -> Option<[Native<A, V>; C]>,
     ) {
-        /// Fences also if `each` panics.
+        /// Calls the fence when it is dropped, so also if `each` panics.
         struct Fence<V: Level>(V);
         impl<V: Level> Drop for Fence<V> {
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -170,7 +178,7 @@ impl<A: Row, const C: usize> Block<A, C> {
                 let Some(components) = each(index, part) else { return };
                 for (row, component) in block.0.iter_mut().zip(components) {
                     if let Some(array) = part_of::<A, V>(row, part) {
-                        // SAFETY: `to` is borrowed until the fence.
+                        // SAFETY: nothing else sees `to`, which is borrowed, before the fence.
                         unsafe { component.stream(array) };
                     }
                 }
@@ -178,7 +186,7 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// All lanes of every component.
+    /// Stores all lanes of every component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store<V: Level>(&mut self, components: [A::Lanes<V>; C]) {
         for (row, component) in self.0.iter_mut().zip(components) {
@@ -187,7 +195,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     }
 }
 
-/// A part of a row: the memory of one register.
+/// One part of a row, which is the memory of one register. `None` if the row has no such part.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn part_of<A: Row, V: Level>(
     row: &mut A,
@@ -199,7 +207,8 @@ fn part_of<A: Row, V: Level>(
 
 /// A row of numbers in memory, `[f32; N]` or `[f64; N]`, and the lanes that read it.
 ///
-/// Sealed: blocks rely on a row being plain numbers of at least sixteen bytes.
+/// The trait is sealed, because a block relies on its rows to be numbers of at least 16 bytes and
+/// nothing else.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no row of a block",
     note = "a row has 4, 8 or 16 numbers of `f32`, or 2, 4 or 8 of `f64`: as in `Block<f32, 8>` and `Crowd::<f64, 4>`"
@@ -207,22 +216,23 @@ fn part_of<A: Row, V: Level>(
 pub trait Row:
     Pod + Send + Sync + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed::Sealed
 {
-    /// The number.
+    /// The type of the numbers.
     type Real: Float;
-    /// The lane type of `V` that holds one row.
+    /// The lanes of `V` that hold one row.
     type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V, Array = Self>;
-    /// How many numbers.
+    /// The number of numbers, and so of lanes.
     const LANES: usize;
 }
 
-/// The lanes of one register that read a row, or a part of it.
+/// The lanes of one register: those of a row, or of one part of it if the row fills several.
 pub type Native<A, V> = <<A as Row>::Lanes<V> as Lanes>::Native;
 
 mod sealed {
     pub trait Sealed {}
 }
 
-/// Half a record: of every number alike, so that proofs can have blocks of numbers of their own.
+/// Rows of four numbers exist for every [`Float`] alike, so that proofs can make blocks of a number
+/// type of their own.
 impl<R: Float> sealed::Sealed for [R; 4] {}
 impl<R: Float> Row for [R; 4] {
     type Real = R;
@@ -230,7 +240,8 @@ impl<R: Float> Row for [R; 4] {
     const LANES: usize = 4;
 }
 
-/// One line per row type; the others have nothing in common that a generic `impl` could name.
+/// Implements [`Row`] for the other row types. Each has lanes of another name, which no generic
+/// `impl` can express.
 macro_rules! rows {
     ($($real:ty, $lanes:literal => $lane:ident;)*) => {$(
         impl sealed::Sealed for [$real; $lanes] {}

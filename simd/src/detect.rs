@@ -1,4 +1,4 @@
-//! What the CPU has, found once and remembered; also without std.
+//! Detection of the CPU's instructions, which is done once and remembered. It needs no std.
 
 use core::arch::x86_64::__cpuid;
 use core::sync::atomic::{AtomicU8, Ordering};
@@ -6,20 +6,20 @@ use core::sync::atomic::{AtomicU8, Ordering};
 cpufeatures::new!(avx2_and_fma, "avx2", "fma");
 cpufeatures::new!(avx512_f_vl_dq, "avx2", "fma", "avx512f", "avx512vl", "avx512dq");
 
-/// AVX2 and FMA, and an operating system that keeps their registers.
+/// True if the CPU has AVX2 and FMA, and the operating system saves their registers.
 #[inline]
 pub(crate) fn avx2() -> bool {
     avx2_and_fma::get()
 }
 
-/// AVX-512 F, VL and DQ, and an operating system that keeps their registers.
+/// True if the CPU has AVX-512 F, VL and DQ, and the operating system saves their registers.
 #[inline]
 pub(crate) fn avx512() -> bool {
     avx512_f_vl_dq::get()
 }
 
-/// Whether 512 bits are shuffled as quickly as 256: on AMD's CPUs. Intel's have one port for that,
-/// and two for 256 bits.
+/// True if the CPU shuffles 512 bits as quickly as 256, as AMD's CPUs do. Intel's have one port for
+/// shuffles of 512 bits, and two for 256.
 #[inline]
 pub(crate) fn shuffles_wide() -> bool {
     static KNOWN: AtomicU8 = AtomicU8::new(UNKNOWN);
@@ -36,9 +36,9 @@ pub(crate) fn shuffles_wide() -> bool {
 
 #[cold]
 fn is_amd() -> bool {
-    // In later releases of Rust this is safe.
-    #[allow(unused_unsafe, reason = "it is unsafe in the oldest that is promised")]
-    // SAFETY: every x86-64 CPU has the instruction and this leaf.
+    // Later releases of Rust made this function safe.
+    #[allow(unused_unsafe, reason = "unsafe in the oldest supported release")]
+    // SAFETY: every x86-64 CPU has the instruction `cpuid`, and leaf 0.
     let maker = unsafe { __cpuid(0) };
     [maker.ebx, maker.edx, maker.ecx].map(u32::to_le_bytes) == [*b"Auth", *b"enti", *b"cAMD"]
 }

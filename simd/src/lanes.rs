@@ -1,6 +1,23 @@
-//! Numbers, vectors of them, and instruction sets: [`Float`], [`Lanes`] and [`Mask`], [`Level`],
-//! [`PackedDualQuat`]. They name each other: a number has vectors, a vector belongs to an
-//! instruction set, and an instruction set has vectors of each number.
+//! Numbers ([`Float`]), vectors of them ([`Lanes`], [`Mask`], [`PackedDualQuat`]), and instruction
+//! sets ([`Level`]).
+//!
+//! The idea is that a kernel is written once, for any `L: Lanes`, and compiled once for every level
+//! that is worth it. Which of these versions runs is decided by a value and not by a `cfg`:
+//!
+//! ```text
+//! if let Some(level) = Avx2::detect() {    // asks the CPU; `level` is the proof
+//!     level.run(|| {                       // from here on the compiler may use AVX2
+//!         let x = L::load(level, &input);  // lanes are made from a level or from other lanes,
+//!         (x * x).store(&mut output);      // so whoever holds lanes holds the proof too
+//!     });
+//! }
+//! ```
+//!
+//! This is why arithmetic on lanes is not `unsafe`, although an AVX2 instruction on a CPU without
+//! AVX2 is undefined behaviour: where there is no proof there are no lanes.
+//!
+//! The three traits name each other, which is why they are in one file: a number has vectors, a
+//! vector belongs to an instruction set, and an instruction set has vectors of each number.
 
 use crate::sealed::Sealed;
 use bytemuck::{Pod, Zeroable};
@@ -16,11 +33,11 @@ pub const MAX_LANES: usize = 16;
 /// [`neg_mul_add`](Self::neg_mul_add) may differ between types: they round once where the hardware
 /// fuses, twice elsewhere.
 ///
-/// A constant needs a [`Level`] or another value of the type ([`constant`](Self::constant)): a
-/// value of the type is itself proof that the CPU can compute with it.
+/// A constant is made from a [`Level`], or from another value of the type
+/// ([`constant`](Self::constant)), which proves as well that the CPU can compute with it.
 ///
-/// Sealed: [`Records`](crate::Records) takes the word of an implementation for how much it reads
-/// and writes.
+/// The trait is sealed, because [`Records`](crate::Records) trusts an implementation to read and
+/// write as many numbers as it says.
 pub trait Lanes:
     Sealed
     + Copy
@@ -38,42 +55,43 @@ pub trait Lanes:
     type Mask: Mask;
     /// The instructions that these lanes need.
     type Level: Level;
-    /// The lanes of one register: these, or a fraction of them where they are several registers. A
-    /// kernel that works part by part keeps its numbers in registers.
+    /// The lanes of one register. They are these lanes, or a fraction of them if these fill several
+    /// registers. A kernel that works on one such part after the other keeps its numbers in
+    /// registers.
     type Native: Lanes<Real = Self::Real, Level = Self::Level>;
     /// The lanes in memory: `[Real; LANES]`.
     type Array: Pod + Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
-    /// How many numbers there are.
+    /// The number of lanes.
     const LANES: usize;
 
-    /// The proof that this value is.
+    /// The level of these lanes, which they prove.
     fn level(self) -> Self::Level;
     /// `value` in every lane.
     fn splat(level: Self::Level, value: Self::Real) -> Self;
-    /// The number nearest to `value` in every lane, for code that holds a lane and no level.
+    /// The number nearest to `value` in every lane, for code that holds lanes and no level.
     #[inline(always)]
     #[must_use]
     fn constant(self, value: f64) -> Self {
         Self::splat(self.level(), Self::Real::from_f64(value))
     }
 
-    /// Lane `i` from element `i`.
+    /// Reads lane `i` from element `i`.
     fn load(level: Self::Level, from: &Self::Array) -> Self;
-    /// Element `i` from lane `i`.
+    /// Writes lane `i` to element `i`.
     fn store(self, to: &mut Self::Array);
 
-    /// [`store`](Self::store) past the caches, where the CPU has such an instruction and `to` is
-    /// aligned for it.
+    /// Stores like [`store`](Self::store), but past the caches, if the CPU has such an instruction
+    /// and `to` is aligned for it.
     ///
     /// # Safety
-    /// Before anything else reads or writes `to`, [`Level::fence`] must have been called.
+    /// [`Level::fence`] must be called before anything else reads or writes `to`.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn stream(self, to: &mut Self::Array) {
         self.store(to);
     }
 
-    /// The first elements of `from`, at most `LANES`; `padding` in the lanes that are left.
+    /// Reads the first elements of `from`, at most `LANES`. Lanes without an element are `padding`.
     #[inline(always)]
     fn load_partial(level: Self::Level, from: &[Self::Real], padding: Self::Real) -> Self {
         let mut array = Self::Array::zeroed();
@@ -83,7 +101,8 @@ pub trait Lanes:
         }
         Self::load(level, &array)
     }
-    /// The first lanes into `to`, at most `LANES`; elements beyond are left as they were.
+    /// Writes the first lanes to `to`, as many as it has elements. Elements after the first `LANES`
+    /// are left as they were.
     #[inline(always)]
     fn store_partial(self, to: &mut [Self::Real]) {
         for (slot, &value) in to.iter_mut().zip(self.to_array().as_ref()) {
@@ -98,68 +117,74 @@ pub trait Lanes:
         array
     }
 
-    /// Transposes on the way in: lane `i` of four vectors is the four numbers at `from + place(i)`.
-    /// `place` must be `#[inline(always)]`.
+    /// Loads four numbers per lane and transposes them: number `c` at `from + offset(i)` becomes
+    /// lane `i` of vector `c`. `offset` must be `#[inline(always)]`.
     ///
     /// # Safety
-    /// All those numbers may be read.
+    /// The four numbers at each of these `LANES` places must be readable.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn load_quads(
         level: Self::Level,
         from: *const Self::Real,
-        place: impl Fn(usize) -> usize,
+        offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
         let mut rows = [Self::Array::zeroed(); 4];
         for lane in 0..Self::LANES {
             for (c, row) in rows.iter_mut().enumerate() {
-                // SAFETY: promised.
-                row.as_mut()[lane] = unsafe { *from.add(place(lane) + c) };
+                // SAFETY: the caller promises this.
+                row.as_mut()[lane] = unsafe { *from.add(offset(lane) + c) };
             }
         }
         let [x, y, z, w] = &rows;
         [Self::load(level, x), Self::load(level, y), Self::load(level, z), Self::load(level, w)]
     }
-    /// Transposes on the way out: lane `i` of four vectors goes to the four numbers at
-    /// `to + i · stride`.
+    /// Transposes four vectors and stores four numbers per lane: lane `i` of vector `c` becomes
+    /// number `c` at `to + i · stride`.
     ///
     /// # Safety
-    /// All those numbers may be written, and nothing else reads or writes them.
+    /// The four numbers at each of these `LANES` places must be writable, and nothing else may read
+    /// or write them meanwhile.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_quads(components: [Self; 4], to: *mut Self::Real, stride: usize) {
-        // SAFETY: promised.
+        // SAFETY: the caller promises this.
         unsafe { store_rows(components, to, stride) };
     }
-    /// Transposes on the way out: lane `i` of three vectors goes to the three numbers at `to + 3i`.
+    /// Transposes three vectors and stores three numbers per lane: lane `i` of vector `c` becomes
+    /// number `c` at `to + 3i`.
     ///
     /// # Safety
     /// As for [`store_quads`](Self::store_quads).
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_triples(components: [Self; 3], to: *mut Self::Real) {
-        // SAFETY: promised.
+        // SAFETY: the caller promises this.
         unsafe { store_rows(components, to, 3) };
     }
 
-    /// Lane `i` of four vectors is 2¹⁴((1−t)a + tb), exact but for the last rounding, of the
-    /// four numbers of the records a and b of `from` whose places are `place(i)`. t is cut to [0,
-    /// 1], NaN to 0, and rounded to a multiple of 2⁻¹⁴. The bits are the same on every target.
-    /// `place` must be `#[inline(always)]`.
+    /// Interpolates between two records of four 16-bit numbers per lane. With
+    /// `[a, b] = records(i)`, lane `i` of vector `c` is 2¹⁴((1−t)·aᶜ + t·bᶜ), where aᶜ
+    /// is number `c` of record `from + a` and t is lane `i` of `t`.
+    ///
+    /// t is clamped to [0, 1], with 0 for NaN, and rounded to a multiple of 2⁻¹⁴. The result
+    /// is exact before it is rounded to the type of a lane, so its bits are the same on every
+    /// target. `records` must be `#[inline(always)]`.
     ///
     /// # Safety
-    /// All those records may be read.
+    /// All these records must be readable.
     #[doc(hidden)]
     unsafe fn between_shorts(
         level: Self::Level,
         from: *const [u8; 8],
-        place: impl Fn(usize) -> [usize; 2],
+        records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4];
 
-    /// In each group of four lanes, lane `i` is the sum of the group's numbers of vector `i`, as
-    /// (0 + 2) + (1 + 3): four dot products whose products are there. For vectors of four lanes or
-    /// a multiple of that.
+    /// Sums the lanes of four vectors in groups of four lanes: lane `i` of a group of the result is
+    /// (v₀ + v₂) + (v₁ + v₃), where v are the lanes of that group in vector `i`. These are
+    /// four dot products per group, if the vectors are the products. The number of lanes must be a
+    /// multiple of four.
     #[inline(always)]
     #[must_use]
     fn sum_quads(vectors: [Self; 4]) -> Self {
@@ -176,37 +201,37 @@ pub trait Lanes:
         Self::load(vectors[0].level(), &sums)
     }
 
-    /// `self · factor + addend`, rounded once where the hardware fuses.
+    /// `self · factor + addend`, rounded once if the hardware fuses.
     #[must_use]
     fn mul_add(self, factor: Self, addend: Self) -> Self;
-    /// `addend − self · factor`, rounded once where the hardware fuses.
+    /// `addend − self · factor`, rounded once if the hardware fuses.
     #[must_use]
     fn neg_mul_add(self, factor: Self, addend: Self) -> Self;
-    /// The correctly rounded square root; NaN below zero.
+    /// The correctly rounded square root. Below zero it is NaN.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// The value without its sign; NaN stays NaN.
+    /// The value without its sign. NaN stays NaN.
     #[must_use]
     fn abs(self) -> Self;
     /// The magnitude of `self` with the sign bit of `sign`.
     #[must_use]
     fn copysign(self, sign: Self) -> Self;
 
-    /// `self < other`; false where either is NaN.
+    /// `self < other`, which is false if either is NaN.
     fn lt(self, other: Self) -> Self::Mask;
-    /// `self ≤ other`; false where either is NaN.
+    /// `self ≤ other`, which is false if either is NaN.
     fn le(self, other: Self) -> Self::Mask;
-    /// `self = other`; false where either is NaN, true for zeros of either sign.
+    /// `self = other`, which is false if either is NaN, and true for zeros of either sign.
     fn eq(self, other: Self) -> Self::Mask;
-    /// `yes` in the lanes where `mask` holds, `no` in the others.
+    /// `yes` in the lanes in which `mask` is true, and `no` in the others.
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// Transposes on the way out one number at a time.
+/// Transposes `C` vectors and stores one number at a time.
 ///
 /// # Safety
-/// As for [`Lanes::store_quads`], of `C` numbers.
+/// The same as for [`Lanes::store_quads`], with `C` numbers per lane.
 #[inline(always)]
 unsafe fn store_rows<L: Lanes, const C: usize>(
     components: [L; C],
@@ -215,7 +240,7 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
 ) {
     for (c, component) in components.into_iter().enumerate() {
         for (lane, &number) in component.to_array().as_ref().iter().enumerate() {
-            // SAFETY: promised.
+            // SAFETY: the caller promises this.
             unsafe { *to.add(lane * stride + c) = number };
         }
     }
@@ -225,22 +250,21 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// How many lanes there are.
+    /// The number of lanes.
     const LANES: u32;
-    /// True if some lane is.
+    /// True if at least one lane is.
     fn any(self) -> bool;
     /// True if every lane is.
     fn all(self) -> bool;
-    /// Bit `i` is lane `i`; the bits beyond the last lane are zero.
+    /// The lanes as bits: bit `i` is lane `i`. The bits beyond the last lane are zero.
     fn to_bitmask(self) -> u32;
 }
 
 /// A set of instructions, held as a value that proves the CPU has them.
 ///
-/// [`Portable`](crate::Portable) is free to construct, because its lanes use what the build target
-/// already promises. A level whose instructions are found at run time has a private field, so that
-/// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too.
-/// Sealed.
+/// Anyone may construct [`Portable`](crate::Portable), because its lanes use only what the build
+/// target promises. A level whose instructions are detected at run time has a private field, so
+/// only its `detect` can make one. The trait is sealed.
 pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f32`.
     type F32x4: Lanes<Real = f32, Level = Self, Array = [f32; 4]>;
@@ -260,30 +284,30 @@ pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     /// The `f64` lanes that fill a register.
     type Double: Lanes<Real = f64, Level = Self>;
 
-    /// Waits until what was stored past the caches is where other instructions see it.
+    /// Waits until other instructions see what was stored past the caches.
     #[inline(always)]
     fn fence(self) {}
 
-    /// Asks for the cache lines of `value`, which will be read or written soon. For what is read
-    /// one after the other over more memory than the first cache holds: the CPU guesses that too,
-    /// but later.
+    /// Prefetches the cache lines of `value`, which will be read or written soon. This pays for
+    /// memory that is read in order and is larger than the first-level cache: the CPU foresees such
+    /// reads too, but later.
     #[inline(always)]
     fn prefetch<T>(self, value: &T) {
         let _ = value;
     }
 
-    /// Asks for where `count` values begin, `stride` apart, of which the first is the first of
-    /// `memory`; for lanes that lie apart. Those beyond its end are asked for too, which harms
-    /// nobody and saves the question.
+    /// Prefetches the first cache line of every `stride`-th value of `memory`, `count` of them in
+    /// all, for lanes whose values are not neighbours. Places beyond the end of `memory` are
+    /// prefetched too: that is harmless, and cheaper than to test for the end.
     #[inline(always)]
     fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
         let _ = (memory, stride, count);
     }
 
-    /// `value`, whose address is in a register of its own. For values of which single numbers are
-    /// multiplied into every lane: AVX-512 loads, multiplies and adds in one step from such an
-    /// address, and in two from a sum of registers, which a compiler would take to save an
-    /// instruction.
+    /// Returns `value`, and makes the compiler hold its address in one register. AVX-512 can load a
+    /// number into every lane, multiply and add in one step, but only in two if the address is a
+    /// sum of registers; a compiler prefers the sum, which saves the instruction that computes the
+    /// address.
     #[inline(always)]
     fn locate<T>(self, value: &T) -> &T {
         value
@@ -295,8 +319,7 @@ pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R;
 }
 
-/// `f32` or `f64`, as far as a kernel must tell them apart: to write constants and to find its
-/// lanes. Sealed.
+/// `f32` or `f64`: the number in a lane, its vectors, and constants of it. The trait is sealed.
 pub trait Float:
     Pod
     + Send
@@ -310,7 +333,7 @@ pub trait Float:
     + core::ops::Add<Output = Self>
     + Sealed
 {
-    /// Whether this is `f32`.
+    /// True for `f32`, false for `f64`.
     const SINGLE: bool;
     /// The lanes of this number that fill a register of `V`.
     type Lanes<V: Level>: Lanes<Real = Self, Level = V>;
@@ -318,9 +341,9 @@ pub trait Float:
     type Packed<V: Level>: PackedDualQuat<Real = Self, Level = V, Array = [Self; 8]>;
     /// The lanes that hold half a record of eight.
     type Half<V: Level>: Lanes<Real = Self, Level = V, Array = [Self; 4]>;
-    /// The nearest number of this type.
+    /// The number of this type that is nearest to `value`.
     fn from_f64(value: f64) -> Self;
-    /// The nearest number of this type.
+    /// The number of this type that is nearest to `value`.
     fn from_i32(value: i32) -> Self;
 }
 
@@ -358,10 +381,11 @@ impl Float for f64 {
 /// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in
 /// memory.
 ///
-/// Products of such vectors serve where there is only one thing to compute at a time: a child waits
-/// for its parent. Two rearrangements are all that they need in addition to [`Lanes`].
+/// Such vectors serve kernels that have only one motion to compute at a time, as where a child
+/// waits for its parent. A product of two of them needs only two rearrangements that [`Lanes`] does
+/// not have: [`columns`](Self::columns) and [`times_epsilon`](Self::times_epsilon).
 pub trait PackedDualQuat: Lanes {
-    /// Four numbers in both halves.
+    /// Reads the same four numbers into both halves.
     #[inline(always)]
     fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
         let mut twice = Self::Array::zeroed();
@@ -371,11 +395,12 @@ pub trait PackedDualQuat: Lanes {
         Self::load(level, &twice)
     }
 
-    /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
-    /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
+    /// The columns of the matrix of a product from the left, in both halves: for a quaternion b,
+    /// p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
     ///
     /// ```text
-    /// c₀ = (pw, pz, −py, −px)   c₁ = (−pz, pw, px, −py)   c₂ = (py, −px, pw, −pz)   c₃ = p
+    /// c₀ = (pw, pz, −py, −px)   c₁ = (−pz, pw, px, −py)
+    /// c₂ = (py, −px, pw, −pz)   c₃ = p
     /// ```
     #[inline(always)]
     #[must_use]
@@ -396,17 +421,18 @@ pub trait PackedDualQuat: Lanes {
         [Self::load(level, x), Self::load(level, y), Self::load(level, z), self]
     }
 
-    /// εσ: the lower half in the upper one, and −0 below, for ε² = 0.
+    /// ε·(p + εq) = εp: the lower half moved to the upper one, with −0 in the lower half.
     ///
-    /// A sum with −0 is the other number, of whichever sign; a sum of −0 and +0 would be +0.
+    /// It is −0 and not +0, because the result is added to another dual quaternion: x + (−0) is
+    /// x for every x, but −0 + (+0) is +0.
     #[inline(always)]
     #[must_use]
-    fn raised(self) -> Self {
-        let mut raised = self.constant(-0.0).to_array();
+    fn times_epsilon(self) -> Self {
+        let mut shifted = self.constant(-0.0).to_array();
         let half = self.to_array();
-        for (slot, &value) in raised.as_mut().iter_mut().skip(4).zip(half.as_ref()) {
+        for (slot, &value) in shifted.as_mut().iter_mut().skip(4).zip(half.as_ref()) {
             *slot = value;
         }
-        Self::load(self.level(), &raised)
+        Self::load(self.level(), &shifted)
     }
 }

@@ -1,16 +1,20 @@
 //! Lanes for `dq8`.
 //!
-//! | module | what it holds |
+//! | module | contents |
 //! |---|---|
-//! | [`lanes`] | [`Lanes`] and [`Mask`], what a kernel may ask of a vector of numbers; [`Float`], the number in a lane; [`Level`], the proof that the CPU can compute with it |
+//! | [`lanes`] | [`Lanes`] and [`Mask`]: the operations of a vector of numbers |
+//! | | [`Float`]: the number in a lane |
+//! | | [`Level`]: a set of instructions, and the proof that the CPU has them |
 //! | [`records`] | [`Records`]: transposes between vectors and records of numbers |
-//! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
+//! | [`mod@portable`] | [`Portable`]: the instructions that the build target has |
+//! | [`x86_64`] | `Avx2` and `Avx512`: instructions that are detected at run time |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
-//! | [`unfused`] | [`Unfused`]: the lanes of another level, whose `mul_add` rounds twice |
-//! | [`block`] | [`Block`]: structure-of-arrays memory, a row of numbers for each component |
+//! | [`unfused`] | [`Unfused`]: another level, whose `mul_add` rounds twice |
+//! | [`block`] | [`Block`]: structure-of-arrays memory, one row of numbers per component |
 //!
-//! Kernels are written once, generic over [`Lanes`], and marked `#[inline(always)]`: a kernel that
-//! is not inlined into its [`Level::run`] pays a call for every instruction.
+//! A kernel is one function, generic over [`Lanes`]. It is marked `#[inline(always)]`, as is
+//! everything that it calls: a function that is not inlined into [`Level::run`] is compiled without
+//! the instructions of the level, and then every operation on lanes is a function call.
 //!
 //! ```
 //! use dq8_simd::{Lanes, Portable};

@@ -1,5 +1,5 @@
-//! Plain `f32` and `f64` as vectors of one lane: the same kernels on targets without SIMD, and the
-//! smallest width that tests can compare.
+//! Plain `f32` and `f64` as vectors of one lane. They run the same kernels on targets without SIMD,
+//! and let tests compare a vector with single numbers.
 
 use crate::internal::square_root;
 use crate::lanes::{Lanes, Mask};
@@ -22,7 +22,8 @@ impl Mask for bool {
     }
 }
 
-/// The two differ in name only; their methods are inherent, so no generic `impl` can reach them.
+/// Implements [`Lanes`] for a number. `f32` and `f64` differ in nothing but names, but their
+/// methods are inherent, so no generic `impl` can call them.
 macro_rules! one_lane {
     ($($real:ident, $bits:ty;)*) => {$(
         impl Lanes for $real {
@@ -53,15 +54,16 @@ macro_rules! one_lane {
             unsafe fn between_shorts(
                 _: Portable,
                 from: *const Shorts,
-                place: impl Fn(usize) -> [usize; 2],
+                records: impl Fn(usize) -> [usize; 2],
                 t: Self,
             ) -> [Self; 4] {
-                // SAFETY: promised.
-                unsafe { shorts::one_by_one(Portable, from, place, t) }
+                // SAFETY: the caller promises this.
+                unsafe { shorts::one_by_one(Portable, from, records, t) }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
-                // Not `f32::mul_add`: without the instruction that is a slow library call.
+                // `f32::mul_add` would be a slow call into a library if the target has no such
+                // instruction.
                 self * factor + addend
             }
             #[inline(always)]

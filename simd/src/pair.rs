@@ -1,4 +1,5 @@
-//! [`Pair`]: two vectors as one of twice the width, for levels whose registers are narrower.
+//! [`Pair`]: two vectors as one of twice the width. A level has it for the vectors that are wider
+//! than its registers.
 
 use crate::lanes::Float;
 use crate::lanes::{Lanes, Mask};
@@ -6,16 +7,16 @@ use crate::shorts::Shorts;
 use bytemuck::Pod;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// The lower lanes and the upper lanes.
+/// A vector as its lower half and its upper half.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
-/// The memory of `Pair<L>` for lanes of `[R; N]`: `[R; 2N]`, which generic code cannot name.
-/// Sealed.
+/// An array `[R; N]`, with the array of twice the length, which generic code cannot name: the
+/// memory of a `Pair` of lanes whose memory is `[R; N]`. The trait is sealed.
 pub trait Doubled: Pod + crate::sealed::Sealed {
-    /// `[R; 2N]`
+    /// The array `[R; 2N]`.
     type Twice: Pod + core::fmt::Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
-    /// R
+    /// The number R.
     type Real: Float;
 }
 
@@ -66,17 +67,17 @@ where
     unsafe fn load_quads(
         level: L::Level,
         from: *const L::Real,
-        place: impl Fn(usize) -> usize,
+        offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: promised, for all lanes.
+        // SAFETY: the caller promises this for the lanes of both halves.
         let [a, b] = unsafe {
             [
-                L::load_quads(level, from, &place),
+                L::load_quads(level, from, &offset),
                 L::load_quads(
                     level,
                     from,
                     #[inline(always)]
-                    |lane| place(L::LANES + lane),
+                    |lane| offset(L::LANES + lane),
                 ),
             ]
         };
@@ -87,18 +88,18 @@ where
     unsafe fn between_shorts(
         level: L::Level,
         from: *const Shorts,
-        place: impl Fn(usize) -> [usize; 2],
+        records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: promised, for all lanes.
+        // SAFETY: the caller promises this for the lanes of both halves.
         let [a, b] = unsafe {
             [
-                L::between_shorts(level, from, &place, t.0),
+                L::between_shorts(level, from, &records, t.0),
                 L::between_shorts(
                     level,
                     from,
                     #[inline(always)]
-                    |lane| place(L::LANES + lane),
+                    |lane| records(L::LANES + lane),
                     t.1,
                 ),
             ]
@@ -108,7 +109,7 @@ where
     }
     #[inline(always)]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: promised, for all lanes.
+        // SAFETY: the caller promises this for the lanes of both halves.
         unsafe {
             L::store_quads([x.0, y.0, z.0, w.0], to, stride);
             L::store_quads([x.1, y.1, z.1, w.1], to.add(L::LANES * stride), stride);
@@ -116,7 +117,7 @@ where
     }
     #[inline(always)]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: promised, for all lanes.
+        // SAFETY: the caller promises this for the lanes of both halves.
         unsafe {
             L::store_triples([x.0, y.0, z.0], to);
             L::store_triples([x.1, y.1, z.1], to.add(3 * L::LANES));
@@ -164,7 +165,7 @@ where
     }
 }
 
-/// The four operators act on each half; a trait and a method name are all that differs.
+/// Implements an operator, which acts on both halves.
 macro_rules! operator {
     ($($trait:ident $method:ident;)*) => {$(
         impl<L: $trait<Output = L>> $trait for Pair<L> {

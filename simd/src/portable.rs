@@ -1,4 +1,4 @@
-//! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
+//! [`Portable`]: the lanes of the crate [`wide`], with the instructions that the build target has.
 
 use crate::internal::square_root::VECTORS;
 use crate::lanes::{Lanes, Level, Mask, PackedDualQuat};
@@ -6,8 +6,8 @@ use crate::shorts::{Shorts, four_at_once, one_by_one};
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
-/// What the build target has: SSE2 on a default x86-64 build, AVX2 with
-/// `-C target-cpu=x86-64-v3`, NEON on aarch64, simd128 on wasm, plain arrays elsewhere.
+/// The instructions of the build target: SSE2 for a default x86-64 build, AVX2 with
+/// `-C target-cpu=x86-64-v3`, NEON on aarch64, simd128 on wasm, and scalar code elsewhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Portable;
 
@@ -28,8 +28,9 @@ impl Level for Portable {
     }
 }
 
-/// The registers of the build target: 256 bits with AVX, 128 with SSE2, NEON or simd128, and one
-/// number where packed types would be emulated. The largest that fit, by lanes.
+/// The lanes of one register of the build target, for vectors of each length ([`Lanes::Native`]):
+/// at most 256 bits with AVX, at most 128 with SSE2, NEON or simd128, and one number on a target
+/// without vectors, where `wide` would emulate them.
 mod part {
     #[cfg(not(any(
         target_feature = "avx",
@@ -55,12 +56,12 @@ mod part {
     };
 }
 
-/// A mask of [`wide`]: a vector whose lanes are all ones or all zeros.
+/// A mask of [`wide`]: a vector in which all bits of a lane are ones, or all are zeros.
 #[derive(Clone, Copy, Debug)]
 pub struct WideMask<V>(V);
 
-/// Multiply-adds of relaxed-simd, which round once where the machine has such an instruction; those
-/// of `wide` round twice on wasm.
+/// The multiply-adds of relaxed-simd, which round once if the machine has such an instruction. On
+/// wasm, those of `wide` always round twice.
 #[cfg(target_feature = "relaxed-simd")]
 mod relaxed {
     use core::arch::wasm32::{
@@ -87,7 +88,7 @@ mod relaxed {
                     each::<$vector, $registers>(self, factor, addend, |a, b, c| $nmadd(a, b, c))
                 }
             }
-            // `wide` has such a vector as registers one after the other.
+            // In `wide`, such a vector is its registers one after the other.
             const _: () = assert!(size_of::<$vector>() == $registers * size_of::<v128>());
         )*};
     }
@@ -100,10 +101,10 @@ mod relaxed {
         f64x8: 4, f64x2_relaxed_madd, f64x2_relaxed_nmadd;
     }
 
-    /// Register by register.
+    /// Calls `of` for each register of three vectors.
     #[inline(always)]
     fn each<V: Copy, const N: usize>(a: V, b: V, c: V, of: impl Fn(v128, v128, v128) -> v128) -> V {
-        // SAFETY: V is N registers, as asserted for every V that calls this.
+        // SAFETY: V has the size of N registers, as asserted for every V that this is called with.
         let [mut a, b, c] =
             [a, b, c].map(|vector| unsafe { core::mem::transmute_copy::<V, [v128; N]>(&vector) });
         for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
@@ -114,7 +115,8 @@ mod relaxed {
     }
 }
 
-/// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
+/// Implements lanes and masks for the vectors of `wide`, whose operations are inherent methods that
+/// no generic `impl` can call.
 macro_rules! wide_lanes {
     ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(=> $half:ident)?;)*) => {$(
         impl crate::sealed::Sealed for $vector {}
@@ -147,19 +149,21 @@ macro_rules! wide_lanes {
                 unsafe fn load_quads(
                     _: Portable,
                     from: *const $real,
-                    place: impl Fn(usize) -> usize,
+                    offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
-                        // SAFETY: promised; an array needs no more alignment than its numbers.
-                        *row = Self::new(unsafe { *from.add(place(i)).cast::<[$real; $lanes]>() });
+                        // SAFETY: the caller promises that the numbers are readable, and an array
+                        // needs no more alignment than a number.
+                        *row = Self::new(unsafe { *from.add(offset(i)).cast::<[$real; $lanes]>() });
                     }
                     Self::$transpose(rows)
                 }
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     for (i, row) in Self::$transpose(components).iter().enumerate() {
-                        // SAFETY: promised; an array needs no more alignment than its numbers.
+                        // SAFETY: the caller promises that the numbers are writable, and an array
+                        // needs no more alignment than a number.
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
                 }
@@ -170,8 +174,8 @@ macro_rules! wide_lanes {
                 }
             )?
             $(
-                // Left to sum number by number, the compiler goes through memory: five times as
-                // slow with SSE2.
+                // For the loop over numbers of `Lanes::sum_quads` the compiler goes through memory,
+                // which takes five times as long with SSE2.
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
                     let halves = vectors.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
@@ -183,11 +187,11 @@ macro_rules! wide_lanes {
             unsafe fn between_shorts(
                 _: Portable,
                 from: *const Shorts,
-                place: impl Fn(usize) -> [usize; 2],
+                records: impl Fn(usize) -> [usize; 2],
                 t: Self,
             ) -> [Self; 4] {
-                // SAFETY: promised.
-                unsafe { $between(Portable, from, place, t) }
+                // SAFETY: the caller promises this.
+                unsafe { $between(Portable, from, records, t) }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {

@@ -1,14 +1,41 @@
-//! [`Records`]: between vectors of components and records of numbers in memory.
+//! [`Records`]: transposes between records in memory and vectors of components.
+//!
+//! A *record* is the `C` numbers of one thing: a point has 3, a motion 8. Plain memory holds one
+//! record after the other, while a kernel wants one vector per component:
+//!
+//! ```text
+//! memory   x₀ y₀ z₀  x₁ y₁ z₁  x₂ y₂ z₂  x₃ y₃ z₃
+//! vectors  [x₀ x₁ x₂ x₃]  [y₀ y₁ y₂ y₃]  [z₀ z₁ z₂ z₃]
+//! ```
+//!
+//! Lanes can transpose four components at a time ([`Lanes::load_quads`]), from any addresses. What
+//! is left to do here is to find these addresses, and to prove once per vector that all of them are
+//! inside the slice:
+//!
+//! ```text
+//! load_strided(from, stride):
+//!     if there is one lane:                   copy the record
+//!     if C = 1 and the records adjoin:        load the numbers as they are
+//!     if C ≥ 3 and the slice is long enough:  transpose, four components at a time
+//!     else:                                   move one number at a time, in a cold function
+//! ```
+//!
+//! 1. If `C` is not a multiple of four, the last four components overlap the ones before: seven are
+//!    read as 0 to 3 and 3 to 6. So nothing outside of the record is read, and a transpose of three
+//!    components would cost as much as one of four.
+//! 2. Of a record of three numbers, a fourth one is read and dropped. The slice must have it, so
+//!    the vector that ends with the last record of a slice takes the cold function.
+//! 3. The cold function passes no vectors, so the loop around the call keeps its registers.
 
 use crate::internal::GatheredRows;
 use crate::lanes::Lanes;
 use bytemuck::Zeroable;
 
-/// Transposes between `C` vectors and records of `C` numbers: component `c` of record `i` is lane
-/// `i` of vector `c`.
+/// Transposes between `C` vectors and records of `C` numbers: number `c` of record `i` is lane `i`
+/// of vector `c`.
 pub trait Records: Lanes {
-    /// Transposes on the way in: record `i` of `from` becomes lane `i` of `C` vectors.
-    /// Lanes without a record take `padding`.
+    /// Loads records: record `i` of `from` becomes lane `i` of `C` vectors. Lanes without a record
+    /// take `padding`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_records<const C: usize>(
         level: Self::Level,
@@ -17,53 +44,52 @@ pub trait Records: Lanes {
     ) -> [Self; C] {
         Self::load_strided(level, from, None, &padding)
     }
-    /// Transposes on the way in of four numbers from each of `LANES` rows that begin `apart`
-    /// numbers from each other, the first of them at the beginning of `from`; for rows whose length
-    /// is known at run time. `None` if `from` ends before the last of these numbers.
+    /// Loads four numbers from each of `LANES` rows: lane `i` of vector `c` is number
+    /// `i · stride + c` of `from`. This is for rows whose length is known at run time only.
+    /// Returns `None` if `from` ends before the last of these numbers.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load_rows(level: Self::Level, from: &[Self::Real], apart: usize) -> Option<[Self; 4]> {
-        if from.len() < reach(Self::LANES, apart, 4) {
+    fn load_rows(level: Self::Level, from: &[Self::Real], stride: usize) -> Option<[Self; 4]> {
+        if from.len() < reach(Self::LANES, stride, 4) {
             return None;
         }
-        // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and
-        // four numbers from there on are part of `from`: checked above.
+        // SAFETY: the last row begins at number `(LANES − 1) · stride`, and `from` has four
+        // numbers from there on, as checked above.
         Some(unsafe {
             Self::load_quads(
                 level,
                 from.as_ptr(),
                 #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| lane * apart,
+                |lane| lane * stride,
             )
         })
     }
-    /// Transposes on the way out of `4 · Q` numbers to each of `LANES` rows that begin `apart`
-    /// numbers from each other, the first of them at the beginning of `to`: what
-    /// [`load_rows`](Self::load_rows) reads. `false`, and nothing is written, if `to` ends before
-    /// the last of these numbers.
+    /// Stores `4 · Q` numbers to each of `LANES` rows: lane `i` of vector `c` of quad `q` becomes
+    /// number `i · stride + 4q + c` of `to`. Returns `false`, and writes nothing, if `to` ends
+    /// before the last of these numbers.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_rows<const Q: usize>(
         quads: [[Self; 4]; Q],
         to: &mut [Self::Real],
-        apart: usize,
+        stride: usize,
     ) -> bool {
-        if to.len() < reach(Self::LANES, apart, 4 * Q) {
+        if to.len() < reach(Self::LANES, stride, 4 * Q) {
             return false;
         }
         for (index, quad) in quads.into_iter().enumerate() {
-            // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and
-            // the numbers of each quad from there on are part of `to`: checked above.
-            unsafe { Self::store_quads(quad, to.as_mut_ptr().add(4 * index), apart) };
+            // SAFETY: the last row begins at number `(LANES − 1) · stride`, and `to` has the
+            // `4Q` numbers of all quads from there on, as checked above.
+            unsafe { Self::store_quads(quad, to.as_mut_ptr().add(4 * index), stride) };
         }
         true
     }
-    /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
-    /// Records beyond `LANES` are left as they were.
+    /// Stores records: lane `i` of `C` vectors becomes record `i` of `to`. Records after the first
+    /// `LANES` are left as they were.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
         Self::store_strided(components, to, None);
     }
-    /// [`load_records`](Self::load_records) of every `stride`-th record; `None` is 1, which the
-    /// compiler can see.
+    /// Loads every `stride`-th record, otherwise like [`load_records`](Self::load_records). `None`
+    /// stands for a stride of 1 that the compiler knows of.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_strided<const C: usize>(
         level: Self::Level,
@@ -71,7 +97,7 @@ pub trait Records: Lanes {
         stride: Option<usize>,
         padding: &[Self::Real; C],
     ) -> [Self; C] {
-        // What constants decide is decided before there is code of it, here and below.
+        // A `const` block, here and below: the branch that is not taken is never compiled.
         if const { Self::LANES == 1 } {
             let mut components = [Self::splat(level, Self::Real::default()); C];
             for (component, &number) in components.iter_mut().zip(from.first().unwrap_or(padding)) {
@@ -80,8 +106,8 @@ pub trait Records: Lanes {
             return components;
         }
         let flat = from.as_flattened();
-        let apart = C.saturating_mul(stride.unwrap_or(1));
-        // Numbers one after the other need no transpose.
+        let spacing = C.saturating_mul(stride.unwrap_or(1));
+        // Records of one number each need no transpose.
         if const { C == 1 }
             && let (None, Some(row)) = (stride, flat.get(..Self::LANES))
         {
@@ -89,9 +115,9 @@ pub trait Records: Lanes {
             array.as_mut().copy_from_slice(row);
             return [Self::load(level, &array); C];
         }
-        // Four numbers are read of a record of three.
+        // Of a record of three numbers four are read.
         if const { C < 3 }
-            || flat.len() < reach(Self::LANES, apart, const { if C < 4 { 4 } else { C } })
+            || flat.len() < reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } })
         {
             let rows = load_each::<Self, C>(from, stride.unwrap_or(1), padding);
             let mut components = [Self::splat(level, Self::Real::default()); C];
@@ -102,19 +128,19 @@ pub trait Records: Lanes {
             }
             return components;
         }
-        // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and
-        // the numbers of each, or, of three, a fourth one, are there: checked above.
+        // SAFETY: the last record begins at number `(LANES − 1) · spacing`, and `from` has `C`
+        // numbers from there on, or four if `C` is three, as checked above.
         unsafe {
             load_all(
                 level,
                 flat.as_ptr(),
                 #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| lane * apart,
+                |lane| lane * spacing,
             )
         }
     }
-    /// Lane `i` of `C` vectors is the record `column` of its row. `None` if a row of the
-    /// `Gather` or the column does not exist. `C` must be at least four.
+    /// Loads record `column` of each lane's own row, into `C` vectors. Returns `None` if `from`
+    /// does not have that record for all of the rows. `C` must be at least four.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_gathered<const C: usize>(
@@ -127,8 +153,8 @@ pub trait Records: Lanes {
         if rows.greatest.saturating_add(column) >= from.len() {
             return None;
         }
-        // SAFETY: there are as many rows as any vector has lanes; the record of the greatest is
-        // there, and no other lies beyond it.
+        // SAFETY: there are as many rows as any vector has lanes, and none begins after the
+        // greatest, whose record `column` is in `from`, as checked above.
         Some(unsafe {
             load_all(
                 level,
@@ -138,19 +164,19 @@ pub trait Records: Lanes {
             )
         })
     }
-    /// Four components of the first records, from component `first` on. `None` if there are not as
-    /// many records as lanes, or no such components.
+    /// Loads four components of the first `LANES` records, from component `first` on. Returns
+    /// `None` if there are fewer records, or no such components.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_four<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
         first: usize,
     ) -> Option<[Self; 4]> {
-        // Not `first + 4`, which may wrap.
+        // `first + 4 > C` would be wrong: the sum may wrap.
         if from.len() < Self::LANES || C < 4 || first > C - 4 {
             return None;
         }
-        // SAFETY: there is a record for each lane, and four of its numbers begin at `first`.
+        // SAFETY: there is a record for each lane, with four numbers from `first` on.
         Some(unsafe {
             Self::load_quads(
                 level,
@@ -160,7 +186,8 @@ pub trait Records: Lanes {
             )
         })
     }
-    /// [`store_records`](Self::store_records) to every `stride`-th record; `None` is 1.
+    /// Stores to every `stride`-th record, otherwise like [`store_records`](Self::store_records).
+    /// `None` stands for 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_strided<const C: usize>(
         components: [Self; C],
@@ -177,10 +204,10 @@ pub trait Records: Lanes {
             return;
         }
         let flat = to.as_flattened_mut();
-        let apart = C.saturating_mul(stride.unwrap_or(1));
-        let fits = flat.len() >= reach(Self::LANES, apart, C);
+        let spacing = C.saturating_mul(stride.unwrap_or(1));
+        let fits = flat.len() >= reach(Self::LANES, spacing, C);
         if const { C == 3 }
-            && let (&[x, y, z], true, 3) = (components.as_slice(), fits, apart)
+            && let (&[x, y, z], true, 3) = (components.as_slice(), fits, spacing)
         {
             // SAFETY: checked above.
             return unsafe { Self::store_triples([x, y, z], flat.as_mut_ptr()) };
@@ -195,58 +222,59 @@ pub trait Records: Lanes {
             return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
         }
         // SAFETY: checked above.
-        unsafe { store_all(components, flat.as_mut_ptr(), apart) };
+        unsafe { store_all(components, flat.as_mut_ptr(), spacing) };
     }
 }
 
 impl<L: Lanes> Records for L {}
 
-/// Where four of `C` components begin, the fours one after the other; the last begin earlier where
-/// `C` is not a multiple of four.
+/// The first component of four out of `C`. Fours follow each other, but the last one ends with the
+/// last component, so it overlaps the one before it if `C` is not a multiple of four.
 #[cfg_attr(not(opt_level_0), inline(always))]
-const fn four<const C: usize>(number: usize) -> usize {
+const fn first_of_four<const C: usize>(number: usize) -> usize {
     if 4 * number + 4 <= C { 4 * number } else { C.saturating_sub(4) }
 }
 
-/// Does something for each four of `C` components.
+/// Runs `$each` for each four of `C` components, with the first of the four as `$first`.
 ///
-/// Written four times where a loop would do, which is left to matrices of six rows: whether the
-/// compiler unrolls a loop depends on how it weighs bytes, and one that it leaves goes through
-/// memory, which takes 1.4 of the time in WebAssembly. What an instance has no fours for is decided
-/// by a constant, and no code of it: a program has dozens of instances.
+/// The body is written out four times, for up to 16 components, and only larger records (matrices
+/// of six rows) take a loop. The compiler does not always unroll a loop, and one that stays a loop
+/// keeps its vectors in memory, which takes 1.4 times as long in WebAssembly. The conditions are
+/// `const` blocks, so a record of four components compiles one body and not four.
 macro_rules! fours {
     ($C:ident, |$first:ident| $each:expr) => {
         fours!(@ $C, |$first| $each, 0 1 2 3);
         if const { $C > 16 } {
             for number in 4..$C.div_ceil(4) {
-                let $first = four::<$C>(number);
+                let $first = first_of_four::<$C>(number);
                 $each
             }
         }
     };
     (@ $C:ident, |$first:ident| $each:expr, $($number:literal)*) => {$(
         if const { 4 * $number < $C } {
-            let $first = const { four::<$C>($number) };
+            let $first = const { first_of_four::<$C>($number) };
             $each
         }
     )*};
 }
 
+/// Loads `C` numbers per lane, which begin `offset(lane)` numbers after `from`.
+///
 /// # Safety
-/// Of the `C` numbers, or of the four if `C` is three, that begin `place(lane)` numbers after
-/// `from`, all may be read, for each lane.
+/// These numbers must be readable for each lane, and a fourth one if `C` is three.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn load_all<L: Lanes, const C: usize>(
     level: L::Level,
     from: *const L::Real,
-    place: impl Fn(usize) -> usize + Copy,
+    offset: impl Fn(usize) -> usize + Copy,
 ) -> [L; C] {
     let mut components = [L::splat(level, L::Real::default()); C];
     fours!(C, |first| {
-        // SAFETY: the numbers may be read, as promised. `first` is at most C − 4, or 0 where C is
-        // less, so neither place holds less than is copied.
+        // SAFETY: the caller promises that the numbers are readable. `first` is at most C − 4, or
+        // 0 if C is less than four, so `quad` and `components` both hold what is copied.
         unsafe {
-            let quad = L::load_quads(level, from.add(first), place);
+            let quad = L::load_quads(level, from.add(first), offset);
             let to = components.as_mut_ptr().add(first);
             to.copy_from_nonoverlapping(quad.as_ptr(), const { if C < 4 { C } else { 4 } });
         }
@@ -254,14 +282,16 @@ unsafe fn load_all<L: Lanes, const C: usize>(
     components
 }
 
+/// Stores `C` numbers per lane, which begin `lane · stride` numbers after `to`. `C` is at least
+/// four.
+///
 /// # Safety
-/// `C`, four or more, numbers that begin `i · stride` numbers after `to` may be written, for each
-/// lane `i`.
+/// These numbers must be writable for each lane.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Real, stride: usize) {
     fours!(C, |first| {
-        // SAFETY: `first` is at most C − 4, and C at least four, so four components are there;
-        // the rest is promised.
+        // SAFETY: `first` is at most C − 4, and C at least four, so there are four components
+        // from `first` on. The caller promises the rest.
         unsafe {
             let quad = components.as_ptr().add(first).cast::<[L; 4]>().read();
             L::store_quads(quad, to.add(first), stride);
@@ -269,14 +299,14 @@ unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Re
     });
 }
 
-/// How many numbers `lanes` records of `count` reach over, `stride` apart.
+/// The length that a slice needs for `lanes` records of `count` numbers whose first numbers are
+/// `spacing` numbers apart.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn reach(lanes: usize, stride: usize, count: usize) -> usize {
-    stride.saturating_mul(lanes - 1).saturating_add(count)
+fn reach(lanes: usize, spacing: usize, count: usize) -> usize {
+    spacing.saturating_mul(lanes - 1).saturating_add(count)
 }
 
-/// [`Records::load_strided`] one number at a time: where the records end. Not inlined, and without
-/// vectors: the loop that calls it keeps its registers.
+/// Loads one number at a time where the slice ends: the rare case of [`Records::load_strided`].
 #[cold]
 #[inline(never)]
 fn load_each<L: Lanes, const C: usize>(
@@ -294,7 +324,7 @@ fn load_each<L: Lanes, const C: usize>(
     rows
 }
 
-/// [`Records::store_strided`] one number at a time: where the records end.
+/// Stores one number at a time where the slice ends: the rare case of [`Records::store_strided`].
 #[cold]
 #[inline(never)]
 fn store_each<L: Lanes, const C: usize>(

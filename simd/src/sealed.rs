@@ -1,7 +1,9 @@
-//! [`Sealed`]: what only this crate makes lanes, levels and numbers of.
+//! [`Sealed`]: the trait that keeps other crates from implementing lanes, levels and numbers.
 
-/// Of safe code with lanes of its own, whose `LANES` is not the length of `Array`, four records
-/// would be written where there are two:
+/// A trait that other crates cannot name, and so cannot implement.
+///
+/// If they could, safe code could write out of bounds. These lanes say that they are two, but their
+/// array has four numbers, so the last line would write four records to a slice of two:
 ///
 /// ```compile_fail
 /// use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,42 +1,55 @@
-//! What lies between two records of short numbers: the body of [`Lanes::between_shorts`] for lanes
-//! without an instruction for it, and that of four portable lanes.
+//! Interpolation between records of 16-bit numbers: [`Lanes::between_shorts`] for lanes without an
+//! instruction of their own.
+//!
+//! All lanes compute it in integers, so that every target has the same bits:
+//!
+//! ```text
+//! w = round(2¹⁴·t)                an integer from 0 to 2¹⁴
+//! (2¹⁴ − w)·a + w·b               at most 2²⁹, so it is exact in 32 bits
+//! ```
+//!
+//! This is what "multiply 16-bit numbers and add the products in pairs" computes, an instruction
+//! that SSE2, NEON and simd128 have.
+//!
+//! The weight needs no conversion to an integer: the last bit of an `f32` near 1.5·2²³ stands
+//! for 1, so the last bits of the sum 2¹⁴·t + 1.5·2²³ are w, rounded to nearest. For `f64`
+//! the constant is 1.5·2⁵².
 
 use crate::lanes::{Float, Lanes};
 use bytemuck::Zeroable;
 
-/// Four numbers of 16 bits, the lower byte first on every target: as they lie in files.
+/// A record of four numbers of 16 bits, each with its lower byte first on every target, because
+/// records are read from files in place.
 pub(crate) type Shorts = [u8; 8];
 
-/// The four numbers.
+/// The four numbers of a record.
 #[inline(always)]
 pub(crate) fn numbers(record: Shorts) -> [i16; 4] {
     let word = u64::from_le_bytes(record);
     [word as i16, (word >> 16) as i16, (word >> 32) as i16, (word >> 48) as i16]
 }
 
-/// One number after the other.
+/// Computes one number after the other, for any lanes.
 ///
 /// # Safety
-/// As for [`Lanes::between_shorts`].
+/// The same as for [`Lanes::between_shorts`].
 #[inline(always)]
 pub(crate) unsafe fn one_by_one<L: Lanes>(
     level: L::Level,
     from: *const Shorts,
-    place: impl Fn(usize) -> [usize; 2],
+    records: impl Fn(usize) -> [usize; 2],
     t: L,
 ) -> [L; 4] {
-    // A sum of 1.5·2²³, or 1.5·2⁵² in `f64`, and a number has the number's integer in its
-    // last bits.
     let single = L::Real::SINGLE;
-    let last_bits = t.constant(if single { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
+    let in_last_bits = t.constant(if single { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
     let (zero, one) = (t.constant(0.0), t.constant(1.0));
     let t = L::select(zero.lt(t), t, zero);
     let t = L::select(t.lt(one), t, one);
-    let weights = t.mul_add(t.constant(16384.0), last_bits).to_array();
+    let weights = t.mul_add(t.constant(16384.0), in_last_bits).to_array();
     let mut rows = [L::Array::zeroed(); 4];
     for lane in 0..L::LANES {
-        // SAFETY: promised.
-        let [a, b] = place(lane).map(|place| numbers(unsafe { *from.add(place) }));
+        // SAFETY: the caller promises that the records are readable.
+        let [a, b] = records(lane).map(|record| numbers(unsafe { *from.add(record) }));
         let sum = weights.as_ref()[lane];
         let weight =
             if single { bytemuck::cast(sum) } else { bytemuck::cast::<_, u64>(sum) as u32 };
@@ -50,36 +63,38 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     [L::load(level, x), L::load(level, y), L::load(level, z), L::load(level, w)]
 }
 
-/// Where the lower byte is not the first, four lanes are nothing special.
+/// Four lanes have no code of their own on big-endian targets, where a load of a record would swap
+/// the bytes of its numbers.
 #[cfg(target_endian = "big")]
 pub(crate) use one_by_one as four_at_once;
 
-/// Four lanes at once: SSE2, NEON and simd128 multiply short numbers and add them in pairs.
+/// Computes four lanes at once, with the instruction that multiplies and adds pairs.
 ///
 /// # Safety
-/// As for [`Lanes::between_shorts`].
+/// The same as for [`Lanes::between_shorts`].
 #[cfg(target_endian = "little")]
 #[inline(always)]
 pub(crate) unsafe fn four_at_once(
     _: <wide::f32x4 as Lanes>::Level,
     from: *const Shorts,
-    place: impl Fn(usize) -> [usize; 2],
+    records: impl Fn(usize) -> [usize; 2],
     t: wide::f32x4,
 ) -> [wide::f32x4; 4] {
     use wide::{f32x4, i16x8, i32x4, u32x4};
     let (zero, one) = (f32x4::ZERO, f32x4::ONE);
     let t = t.simd_gt(zero).select(t, zero);
     let t = t.simd_lt(one).select(t, one);
-    // 2¹⁴t is in the last bits of the sum, as above; the other weight stands before it.
+    // In each lane, the two weights beside each other: 2¹⁴ − w below, w above.
     let to: u32x4 = bytemuck::cast(t * f32x4::splat(16384.0) + f32x4::splat(12_582_912.0));
     let low = u32x4::splat(0xffff);
     let weights = ((u32x4::splat(16384) - (to & low)) & low) | (to << 16);
     let weights: i16x8 = bytemuck::cast(weights);
-    // In each row both records of a lane: a₀a₁, a₂a₃, b₀b₁, b₂b₃.
+    // Row `lane` holds both records of that lane, two numbers in each 32 bits: a₀a₁ a₂a₃
+    // b₀b₁ b₂b₃.
     let mut rows = [f32x4::ZERO; 4];
     for (lane, row) in rows.iter_mut().enumerate() {
-        // SAFETY: promised.
-        *row = bytemuck::cast(place(lane).map(|place| unsafe { *from.add(place) }));
+        // SAFETY: the caller promises that the records are readable.
+        *row = bytemuck::cast(records(lane).map(|record| unsafe { *from.add(record) }));
     }
     let [a01, a23, b01, b23]: [u32x4; 4] = bytemuck::cast(f32x4::transpose(rows));
     let between = |pairs: u32x4| {

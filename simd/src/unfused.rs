@@ -1,14 +1,15 @@
 //! [`Unfused`]: the lanes of another level, whose `mul_add` rounds twice.
 //!
-//! IEEE 754 fixes every bit of +, −, ×, ÷ and √, and the compiler never fuses a product with
-//! a sum by itself. So lanes that do not fuse either have the same bits with every instruction set
-//! and every width (NaN aside, of which there are many).
+//! IEEE 754 fixes every bit of +, −, ×, ÷ and √, and the compiler never fuses a product and a
+//! sum on its own. So a kernel whose lanes do not fuse either has the same results, bit by bit,
+//! with every instruction set and every number of lanes. NaN is the exception, because IEEE 754
+//! leaves its bits open.
 
 use crate::lanes::{Lanes, Level, PackedDualQuat};
 use crate::shorts::Shorts;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A level, or a vector of it.
+/// A level that fuses nothing, or a vector of such a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unfused<T>(pub T);
 
@@ -78,10 +79,10 @@ impl<L: Lanes> Lanes for Unfused<L> {
     unsafe fn load_quads(
         level: Self::Level,
         from: *const L::Real,
-        place: impl Fn(usize) -> usize,
+        offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
         // SAFETY: the same promise.
-        let [x, y, z, w] = unsafe { L::load_quads(level.0, from, place) };
+        let [x, y, z, w] = unsafe { L::load_quads(level.0, from, offset) };
         [Self(x), Self(y), Self(z), Self(w)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -98,11 +99,11 @@ impl<L: Lanes> Lanes for Unfused<L> {
     unsafe fn between_shorts(
         level: Self::Level,
         from: *const Shorts,
-        place: impl Fn(usize) -> [usize; 2],
+        records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: the same promise. What it fuses is exact.
-        unsafe { L::between_shorts(level.0, from, place, t.0) }.map(Self)
+        // SAFETY: the same promise. Its products are exact, so it does not matter what it fuses.
+        unsafe { L::between_shorts(level.0, from, records, t.0) }.map(Self)
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {
@@ -157,8 +158,8 @@ impl<L: PackedDualQuat> PackedDualQuat for Unfused<L> {
         [Self(x), Self(y), Self(z), Self(w)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn raised(self) -> Self {
-        Self(self.0.raised())
+    fn times_epsilon(self) -> Self {
+        Self(self.0.times_epsilon())
     }
 }
 

@@ -2,7 +2,7 @@
 //! say.
 #![forbid(unsafe_code)]
 
-use dq8_simd::internal::{OwnedTracks, TrackPlace, Tracks};
+use dq8_simd::internal::{OwnedTracks, TrackError, TrackPlace, Tracks};
 use dq8_simd::{Float, Lanes, Level, Portable};
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
@@ -43,7 +43,7 @@ impl Bytes {
                 .collect(),
         }
     }
-    fn tracks(&self) -> Result<Tracks<'_>, (usize, Option<usize>)> {
+    fn tracks(&self) -> Result<Tracks<'_>, TrackError> {
         Tracks::new(&self.keys, &self.clips, &self.rows, 3)
     }
 }
@@ -166,28 +166,40 @@ fn a_key_that_is_not_there_is_refused_at_its_clip_and_entry() {
     };
     // Four frames on, two keys each, from key 23: the last is 31. One later it is not there.
     assert_eq!(with_entry(0, 2 * 23 + 1), Ok(()));
-    assert_eq!(with_entry(0, 2 * 24 + 1), Err((0, Some(0))));
-    assert_eq!(with_entry(8, 2 * 32), Err((2, Some(8))));
-    assert_eq!(with_entry(4, u16::MAX), Err((1, Some(4))));
+    assert_eq!(with_entry(0, 2 * 24 + 1), Err(TrackError::Entry(0)));
+    assert_eq!(with_entry(8, 2 * 32), Err(TrackError::Entry(8)));
+    assert_eq!(with_entry(4, u16::MAX), Err(TrackError::Entry(4)));
     // From the clip's first key: three frames on, three keys each, from the third after that, is
     // the last.
-    assert_eq!((with(4, 20), with(4, 21)), (Ok(()), Err((1, Some(5)))));
+    assert_eq!((with(4, 20), with(4, 21)), (Ok(()), Err(TrackError::Entry(5))));
     // Moves without a step.
-    assert_eq!(with_entry(6, 1), Err((2, Some(6))));
+    assert_eq!(with_entry(6, 1), Err(TrackError::Entry(6)));
     // No frame; a step without a next frame; more keys than 32 bits count, after the first or with
     // it; no such row.
-    assert_eq!(with(1, 0), Err((0, None)));
-    assert_eq!(with(10, 1), Err((2, None)));
-    assert_eq!(with(5, u32::MAX), Err((1, None)));
-    assert_eq!(with(4, u32::MAX), Err((1, None)));
-    assert_eq!(with(11, 3), Err((2, None)));
+    assert_eq!(with(1, 0), Err(TrackError::Clip(0)));
+    assert_eq!(with(10, 1), Err(TrackError::Clip(2)));
+    assert_eq!(with(5, u32::MAX), Err(TrackError::Clip(1)));
+    assert_eq!(with(4, u32::MAX), Err(TrackError::Clip(1)));
+    assert_eq!(with(11, 3), Err(TrackError::Clip(2)));
     // The row of another clip, which leads too far from the first key of this one.
-    assert_eq!(with(7, 0), Err((1, Some(1))));
+    assert_eq!(with(7, 0), Err(TrackError::Entry(1)));
     let short = Bytes { rows: good.rows[..16].to_vec(), ..Bytes::new() };
-    assert_eq!(short.tracks().map(|_| ()), Err((2, None)));
-    let owned = |ranges| OwnedTracks::new(vec![0; 8].into(), ranges, 0).map(|_| ());
-    assert_eq!(owned([0..8, 8..8, 8..8]), Ok(()));
-    assert_eq!(owned([0..9, 8..8, 8..8]), Err((0, None)));
+    assert_eq!(short.tracks().map(|_| ()), Err(TrackError::Clip(2)));
+}
+
+#[test]
+fn owned_tracks_are_checked_in_their_ranges_and_a_range_beyond_the_bytes_is_empty() {
+    let Bytes { keys, clips, rows } = Bytes::new();
+    let [first, second] = [keys.len(), keys.len() + clips.len()];
+    let all = [keys, clips, rows].concat();
+    let owned = |keys, rows| OwnedTracks::new(all.clone().into(), [keys, first..second, rows], 3);
+    let tracks = owned(0..first, second..all.len()).unwrap();
+    let borrowed = tracks.borrowed();
+    assert_eq!((borrowed.clips(), borrowed.frames(1)), (3, Some(4)));
+    assert_eq!(borrowed.key(1, 2, 3), Bytes::new().tracks().unwrap().key(1, 2, 3));
+    let refused = |keys, rows| owned(keys, rows).map(|_| ()).unwrap_err();
+    assert_eq!(refused(0..all.len() + 1, second..all.len()), TrackError::Entry(0));
+    assert_eq!(refused(0..first, second..all.len() + 1), TrackError::Clip(0));
 }
 
 #[test]

@@ -37,7 +37,8 @@ use dq8_simd::{Level, Portable};
 ///     #[inline(always)]
 ///     fn run<V: Level>(self, level: V) {
 ///         for tile in storage::tiles::<E, V, 8>(self.0.len()) {
-///             let Some(lanes) = E::load(level, self.0, tile, &storage::identity()) else { return };
+///             let padding = storage::identity();
+///             let Some(lanes) = E::load(level, self.0, tile, &padding) else { return };
 ///             let half = batch::DualQuat::from_array(lanes).sqrt();
 ///             E::store(half.to_array(), self.0, tile);
 ///         }
@@ -150,7 +151,8 @@ impl Backend {
     /// let step = DualQuat::from_rotation(Quat::from_rotation_z(0.1_f32));
     /// let mut links = [step; 100];
     /// Backend::reproducible().chain_products_in_place(&mut links);
-    /// assert_eq!(links[99].rotation().to_array().map(f32::to_bits), [0, 0, 0xbf75_7c15, 0x3e91_3c18]);
+    /// let bits = links[99].rotation().to_array().map(f32::to_bits);
+    /// assert_eq!(bits, [0, 0, 0xbf75_7c15, 0x3e91_3c18]);
     /// ```
     #[cfg(feature = "reproducible")]
     pub fn reproducible() -> Self {

@@ -283,7 +283,7 @@ pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -
     let both = x.mul_add(L::splat(level, *px), w * L::splat(level, *pw));
     let both = y.mul_add(L::splat(level, *py), both);
     let both = z.mul_add(L::splat(level, *pz), both);
-    both + dual.raised()
+    both + dual.times_epsilon()
 }
 
 /// [`packed_product`] of a parent and its child in memory.

@@ -12,7 +12,7 @@ use crate::scalar::DualQuat;
 use crate::storage::shape::ShapeError;
 use crate::storage::{Aos, Layout};
 use core::ops::Range;
-use dq8_simd::internal::{PlacedTracks, TrackPlace, Tracks};
+use dq8_simd::internal::{PlacedTracks, TrackError, TrackPlace, Tracks};
 use dq8_simd::{Lanes, MAX_LANES, Mask, Records};
 
 /// What 1 is in a key of a rotation.
@@ -333,14 +333,13 @@ fn rate(timing: &PackedTiming) -> [f32; 2] {
     [0, 1].map(|i| word(timing, i).map_or(0.0, f32::from_bits))
 }
 
-/// An entry of a row that leads nowhere, or a clip that there cannot be.
-pub(super) fn beyond(
-    [_, _, clips, _, rows]: &[Range<usize>; 5],
-    (clip, entry): (usize, Option<usize>),
-) -> PackedError {
-    let (offset, what) = match entry {
-        Some(entry) => (rows.start + 2 * entry, "a track has keys that are not there"),
-        None => (clips.start + 16 * clip, "a clip has no such frames, keys or row"),
+/// The place in the bytes of what is wrong with their tracks.
+pub(super) fn beyond([_, _, clips, _, rows]: &[Range<usize>; 5], error: TrackError) -> PackedError {
+    let (offset, what) = match error {
+        TrackError::Entry(entry) => (rows.start + 2 * entry, "a track has keys that are not there"),
+        TrackError::Clip(clip) => {
+            (clips.start + 16 * clip, "a clip has no such frames, keys or row")
+        }
     };
     PackedError::Bytes { offset, what }
 }

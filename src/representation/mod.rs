@@ -9,11 +9,14 @@
 //! |---|---|---|
 //! | Euler angles, 24 orders | [`EulerAngles::to_quat`] | [`Quat::to_euler`] |
 //! | axis and angle | [`Quat::from_axis_angle`] | [`Quat::to_axis_angle`] |
-//! | directions: coordinate axes, an arc, forward and up | [`Quat::from_rotation_x`], [`Quat::from_rotation_arc`], [`Quat::look_to`] | [`Quat::rotate`] |
+//! | a coordinate axis | [`Quat::from_rotation_x`] and others | |
+//! | an arc, forward and up | [`Quat::from_rotation_arc`], [`Quat::look_to`] | [`Quat::rotate`] |
 //! | axis times angle | [`Quat::from_scaled_axis`] | [`Quat::to_scaled_axis`] |
-//! | 3×3 matrix | [`Quat::from_matrix3`], [`Quat::try_from_matrix3`], [`Polar`] | [`Quat::to_matrix3`] |
-//! | 3×4, 4×4 matrix | [`DualQuat::from_matrix3x4`], [`DualQuat::try_from_matrix4`] | [`DualQuat::to_matrix3x4`], [`DualQuat::to_matrix4`] |
-//! | rotation and translation | `DualQuat::from(`[`RotationTranslation`]`)` | `RotationTranslation::from` |
+//! | 3×3 matrix, near a rotation | [`Quat::try_from_matrix3`] | [`Quat::to_matrix3`] |
+//! | 3×3 matrix, any | [`Polar`] | |
+//! | 3×4 matrix | [`DualQuat::try_from_matrix3x4`] | [`DualQuat::to_matrix3x4`] |
+//! | 4×4 matrix | [`DualQuat::try_from_matrix4`] | [`DualQuat::to_matrix4`] |
+//! | rotation and translation | `DualQuat::from` | [`RotationTranslation`]`::from` |
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
 //! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under

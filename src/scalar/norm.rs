@@ -11,7 +11,8 @@ impl<R: Real> Quat<R> {
     ///
     /// ```
     /// use dq8::Quat;
-    /// assert_eq!(Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse().to_array(), [0.0, 0.0, -0.5, 0.0]);
+    /// let inverse = Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse();
+    /// assert_eq!(inverse.to_array(), [0.0, 0.0, -0.5, 0.0]);
     /// ```
     #[inline]
     #[doc(alias("inv"))]

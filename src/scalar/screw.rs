@@ -122,7 +122,8 @@ impl<R: Real> DualQuat<R> {
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::DualVector};
-    /// let half_turn = DualVector { real: [0.0, 0.0, core::f64::consts::FRAC_PI_2], dual: [0.0; 3] };
+    /// let quarter = core::f64::consts::FRAC_PI_2;
+    /// let half_turn = DualVector { real: [0.0, 0.0, quarter], dual: [0.0; 3] };
     /// let [x, y, _] = DualQuat::exp(half_turn).transform_point([1.0, 0.0, 0.0]);
     /// assert!((x + 1.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```

@@ -28,7 +28,7 @@ errors! {
 ///
 /// ```
 /// use dq8::ik::{Span, TwoBone};
-/// // A leg of 0.4 and 0.4 under a hip at height 0.8, with its foot on a step; the knee bends forward, +y.
+/// // A leg of 0.4 and 0.4 under a hip at height 0.8, its foot on a step; the knee bends to +y.
 /// let hip = [0.0_f64, 0.0, 0.8];
 /// let leg = TwoBone::reach(hip, [0.4, 0.4], [0.0, 0.2, 0.2], [0.0, 1.0, 0.0])?;
 /// assert_eq!(leg.span, Span::Within);

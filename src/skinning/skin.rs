@@ -21,7 +21,9 @@ use dq8_simd::internal::{CheckedIndices, Index, PickRows, PickedInPlace, Picks};
 /// let weights = [1.0_f32, 0.0, 0.5, 0.5];
 /// assert_eq!(Skin::new(3, 2, &[0_u16, 0, 1, 2], &weights)?.vertices(), 2);
 /// let error = Skin::new(2, 2, &[0_u16, 0, 1, 2], &weights).unwrap_err();
-/// assert_eq!(error, SkinningError::JointOutOfRange { vertex: 1, influence: 1, joint: 2, joints: 2 });
+/// let (vertex, influence) = (1, 1);
+/// let expected = SkinningError::JointOutOfRange { vertex, influence, joint: 2, joints: 2 };
+/// assert_eq!(error, expected);
 /// # Ok::<(), SkinningError>(())
 /// ```
 #[derive(Clone, Copy)]

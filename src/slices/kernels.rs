@@ -12,359 +12,365 @@ use dq8_simd::{Lanes, Level};
 /// Calls the macro `callback`, with what it is given, and with every kernel:
 ///
 /// ```text
-/// /// What it computes, in words that are as right in C.
-/// name as "name in C" [E: numbers of a record, T: …](input: kind E, …; parameter) -> output: kind E,
-///     in place name_in_place = one element by the scalar reference, { /// The rest of the doc. }
+/// /// Sentences about the output, which C users read too.
+/// name as "name in C" [E: numbers of a record, T: numbers of another]
+///     (input: kind E, other: kind T; parameter) -> output: kind E, in place name_in_place
+///     = one element of the output, {
+///     /// The rest of the documentation.
+/// }
 /// ```
 ///
-/// The first record decides on the layout of all. Kinds are those of [`__record`]; the operation is
-/// the same text for one motion and for lanes. From this follow the methods of [`Backend`] and their
-/// documentation, the table of `slices`, the functions in C, the page of operations, and the tests
-/// of all of them (see CONTRIBUTING.md).
+/// The first record decides on the layout of all. Kinds are those of [`__record`], and the formula
+/// is the same text for one motion and for lanes. From this list come the methods of [`Backend`]
+/// with their documentation, the table in the documentation of `slices`, the functions in C, the
+/// page of operations, and the tests of all of them.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __for_each_kernel {
     ($($callback:ident)::+ $(, $($given:tt)*)?) => {
         $($callback)::+! { $($($given)*,)?
-            /// The products `a[i] b[i]`: b acts first.
-            mul[M: 8](a: any M, b: any M) -> products: any M, in place mul_in_place = a * b, {
-                /// `products[i]` = aᵢbᵢ
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let step = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
-                /// let mut two = [DualQuat::IDENTITY; 3];
-                /// Backend::best().mul(&step, &step, &mut two)?;
-                /// assert_eq!(two[2].translation(), [2.0, 0.0, 0.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
 
-            /// The unit motions beside `motions`, exactly; NaN where there is none.
-            normalize[M: 8](motions: any M) -> units: unit M, in place normalize_in_place
-                = motions.normalize(), {
-                /// `units[i]` = σᵢ/√(σᵢσᵢ*); some component is NaN where the result does not exist
-                /// (see [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let twice = [DualQuat::from_translation([1.0_f32, 2.0, 3.0]).scale(2.0); 5];
-                /// let mut units = [DualQuat::ZERO; 5];
-                /// Backend::best().normalize(&twice, &mut units)?;
-                /// assert_eq!(units[4].translation(), [1.0, 2.0, 3.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The products `a[i] b[i]`: b acts first.
+    mul[M: 8](a: any M, b: any M) -> products: any M, in place mul_in_place = a * b, {
+        /// `products[i]` = aᵢbᵢ
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let step = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
+        /// let mut two = [DualQuat::IDENTITY; 3];
+        /// Backend::best().mul(&step, &step, &mut two)?;
+        /// assert_eq!(two[2].translation(), [2.0, 0.0, 0.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// The inverses of `motions`, unit or not; NaN or infinite where there is none.
-            inverse[M: 8](motions: any M) -> inverses: any M, in place inverse_in_place
-                = motions.inverse(), {
-                /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where it does not exist
-                /// (see [`Motion::inverse_checked`](crate::Motion::inverse_checked)).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let far = [DualQuat::from_translation([1.0_f32, 2.0, 4.0]).scale(2.0); 5];
-                /// let (mut inverses, mut one) = (far, far);
-                /// Backend::best().inverse(&far, &mut inverses)?;
-                /// Backend::best().mul(&far, &inverses, &mut one)?;
-                /// assert_eq!(one, [DualQuat::IDENTITY; 5]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The unit motions beside `motions`, exactly; NaN where there is none.
+    normalize[M: 8](motions: any M) -> units: unit M, in place normalize_in_place
+        = motions.normalize(), {
+        /// `units[i]` = σᵢ/√(σᵢσᵢ*); some component is NaN where the result does not
+        /// exist (see [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let twice = [DualQuat::from_translation([1.0_f32, 2.0, 3.0]).scale(2.0); 5];
+        /// let mut units = [DualQuat::ZERO; 5];
+        /// Backend::best().normalize(&twice, &mut units)?;
+        /// assert_eq!(units[4].translation(), [1.0, 2.0, 3.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// The inverses of unit `motions`, which cost nothing but signs.
-            conjugate[M: 8](motions: any M) -> conjugates: any M, in place conjugate_in_place
-                = motions.conjugate(), {
-                /// `conjugates[i]` = σᵢ* = p* + εq*
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let there = [DualQuat::from_translation([1.0_f32, 2.0, 3.0]); 5];
-                /// let mut back = there;
-                /// Backend::best().conjugate(&there, &mut back)?;
-                /// assert_eq!(back[4].translation(), [-1.0, -2.0, -3.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The inverses of `motions`, unit or not; NaN or infinite where there is none.
+    inverse[M: 8](motions: any M) -> inverses: any M, in place inverse_in_place
+        = motions.inverse(), {
+        /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where it does not exist
+        /// (see [`Motion::inverse_checked`](crate::Motion::inverse_checked)).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let far = [DualQuat::from_translation([1.0_f32, 2.0, 4.0]).scale(2.0); 5];
+        /// let (mut inverses, mut one) = (far, far);
+        /// Backend::best().inverse(&far, &mut inverses)?;
+        /// Backend::best().mul(&far, &inverses, &mut one)?;
+        /// assert_eq!(one, [DualQuat::IDENTITY; 5]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
-            nlerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.nlerp(b, t), {
-                /// `between[i]` = normalize((1−t)aᵢ ± tbᵢ); see
-                /// [`DualQuat::nlerp`](crate::DualQuat::nlerp).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let at = |x| [DualQuat::from_translation([x, 0.0_f32, 0.0]); 5];
-                /// let mut between = at(0.0);
-                /// Backend::best().nlerp(&at(0.0), &at(4.0), 0.25, &mut between)?;
-                /// assert_eq!(between[4].translation(), [1.0, 0.0, 0.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The inverses of unit `motions`, which cost nothing but signs.
+    conjugate[M: 8](motions: any M) -> conjugates: any M, in place conjugate_in_place
+        = motions.conjugate(), {
+        /// `conjugates[i]` = σᵢ* = p* + εq*
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let there = [DualQuat::from_translation([1.0_f32, 2.0, 3.0]); 5];
+        /// let mut back = there;
+        /// Backend::best().conjugate(&there, &mut back)?;
+        /// assert_eq!(back[4].translation(), [-1.0, -2.0, -3.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
-            nlerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
-                = a.nlerp(b, t), {
-                /// Numbers are in the precision of the motions: `&[0.5_f32; 4]`, where bare
-                /// literals are `f64`. See [`nlerp`](Self::nlerp).
-            }
+    /// From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
+    nlerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.nlerp(b, t), {
+        /// `between[i]` = normalize((1−t)aᵢ ± tbᵢ); see
+        /// [`DualQuat::nlerp`](crate::DualQuat::nlerp).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let at = |x| [DualQuat::from_translation([x, 0.0_f32, 0.0]); 5];
+        /// let mut between = at(0.0);
+        /// Backend::best().nlerp(&at(0.0), &at(4.0), 0.25, &mut between)?;
+        /// assert_eq!(between[4].translation(), [1.0, 0.0, 0.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
-            /// constant speed.
-            sclerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.sclerp(b, t), {
-                /// `between[i]` = aᵢ(aᵢ*bᵢ)ᵗ; see [`DualQuat::sclerp`](crate::DualQuat::sclerp).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let at = |x| [DualQuat::from_translation([x, 0.0_f32, 0.0]); 5];
-                /// let (a, b) = (at(0.0), at(4.0));
-                /// let mut between = a;
-                /// Backend::best().sclerp(&a, &b, 0.25, &mut between)?;
-                /// assert_eq!(between[4].translation(), [1.0, 0.0, 0.0]);
-                /// let t = [0.0_f32, 0.25, 0.5, 0.75, 1.0];
-                /// Backend::best().sclerp_each(&a, &b, &t, &mut between)?;
-                /// assert_eq!(between[3].translation(), [3.0, 0.0, 0.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
+    nlerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
+        = a.nlerp(b, t), {
+        /// Numbers are in the precision of the motions: `&[0.5_f32; 4]`, where bare
+        /// literals are `f64`. See [`nlerp`](Self::nlerp).
+    }
 
-            /// From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
-            sclerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
-                = a.sclerp(b, t), {
-                /// Numbers are in the precision of the motions. [`sclerp`](Self::sclerp) has an
-                /// example of both.
-            }
+    /// From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
+    /// constant speed.
+    sclerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.sclerp(b, t), {
+        /// `between[i]` = aᵢ(aᵢ*bᵢ)ᵗ; see [`DualQuat::sclerp`](crate::DualQuat::sclerp).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let at = |x| [DualQuat::from_translation([x, 0.0_f32, 0.0]); 5];
+        /// let (a, b) = (at(0.0), at(4.0));
+        /// let mut between = a;
+        /// Backend::best().sclerp(&a, &b, 0.25, &mut between)?;
+        /// assert_eq!(between[4].translation(), [1.0, 0.0, 0.0]);
+        /// let t = [0.0_f32, 0.25, 0.5, 0.75, 1.0];
+        /// Backend::best().sclerp_each(&a, &b, &t, &mut between)?;
+        /// assert_eq!(between[3].translation(), [3.0, 0.0, 0.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
-            /// translations go straight.
-            slerp_lerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.slerp_lerp(b, t), {
-                /// Rotation by SLERP and translation by LERP, each for itself; see
-                /// [`DualQuat::slerp_lerp`](crate::DualQuat::slerp_lerp).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat, Quat};
-                /// let turn = Quat::from_rotation_z(core::f32::consts::FRAC_PI_2);
-                /// let b = [DualQuat::from_rotation_translation(turn, [4.0, 0.0, 0.0]); 3];
-                /// let mut between = b;
-                /// Backend::best().slerp_lerp(&[DualQuat::IDENTITY; 3], &b, 0.25, &mut between)?;
-                /// let [x, y, _] = between[2].translation();
-                /// // Straight, where `sclerp` goes on an arc.
-                /// assert!((x - 1.0).abs() < 1e-6 && y.abs() < 1e-6);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
+    sclerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
+        = a.sclerp(b, t), {
+        /// Numbers are in the precision of the motions. [`sclerp`](Self::sclerp) has an
+        /// example of both.
+    }
 
-            /// From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
-            slerp_lerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
-                = a.slerp_lerp(b, t), {
-                /// Numbers are in the precision of the motions. See
-                /// [`slerp_lerp`](Self::slerp_lerp).
-            }
+    /// From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
+    /// translations go straight.
+    slerp_lerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.slerp_lerp(b, t), {
+        /// Rotation by SLERP and translation by LERP, each for itself; see
+        /// [`DualQuat::slerp_lerp`](crate::DualQuat::slerp_lerp).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat, Quat};
+        /// let turn = Quat::from_rotation_z(core::f32::consts::FRAC_PI_2);
+        /// let b = [DualQuat::from_rotation_translation(turn, [4.0, 0.0, 0.0]); 3];
+        /// let mut between = b;
+        /// Backend::best().slerp_lerp(&[DualQuat::IDENTITY; 3], &b, 0.25, &mut between)?;
+        /// let [x, y, _] = between[2].translation();
+        /// // Straight, where `sclerp` goes on an arc.
+        /// assert!((x - 1.0).abs() < 1e-6 && y.abs() < 1e-6);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
-            /// and the slide.
-            pow_each[M: 8, T: 1](motions: unit M, t: number T) -> powers: unit M
-                = motions.pow(t), {
-                /// `powers[i]` = σᵢᵗ; see [`DualQuat::pow`](crate::DualQuat::pow).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let steps = [DualQuat::from_translation([2.0_f32, 4.0, 6.0]); 3];
-                /// let mut powers = steps;
-                /// Backend::best().pow_each(&steps, &[0.0_f32, 0.5, 1.0], &mut powers)?;
-                /// assert_eq!(powers[1].translation(), [1.0, 2.0, 3.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+    slerp_lerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
+        = a.slerp_lerp(b, t), {
+        /// Numbers are in the precision of the motions. See
+        /// [`slerp_lerp`](Self::slerp_lerp).
+    }
 
-            /// The motions of `logs`, six numbers each.
-            exp[L: 6, M: 8](logs: log L) -> motions: unit M = DualQuat::exp(logs), {
-                /// `motions[i]` = exp(a + εb) of the six numbers of `logs[i]`, first a, then b; see
-                /// [`DualQuat::exp`](crate::DualQuat::exp). [`log`](Self::log) has an example.
-            }
+    /// The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
+    /// and the slide.
+    pow_each[M: 8, T: 1](motions: unit M, t: number T) -> powers: unit M
+        = motions.pow(t), {
+        /// `powers[i]` = σᵢᵗ; see [`DualQuat::pow`](crate::DualQuat::pow).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let steps = [DualQuat::from_translation([2.0_f32, 4.0, 6.0]); 3];
+        /// let mut powers = steps;
+        /// Backend::best().pow_each(&steps, &[0.0_f32, 0.5, 1.0], &mut powers)?;
+        /// assert_eq!(powers[1].translation(), [1.0, 2.0, 3.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// The motions to which `twists`, six numbers each, angular part first, lead in one
-            /// second.
-            from_twist[T: 6, M: 8](twists: twist T) -> motions: unit M
-                = DualQuat::from_twist(twists), {
-                /// `motions[i]` = exp(½ξᵢ); see [`DualQuat::from_twist`](crate::DualQuat::from_twist).
-                /// [`to_twist`](Self::to_twist) has an example.
-            }
+    /// The motions of `logs`, six numbers each.
+    exp[L: 6, M: 8](logs: log L) -> motions: unit M = DualQuat::exp(logs), {
+        /// `motions[i]` = exp(a + εb) of the six numbers of `logs[i]`, first a, then b; see
+        /// [`DualQuat::exp`](crate::DualQuat::exp). [`log`](Self::log) has an example.
+    }
 
-            /// The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
-            /// each, angular part first.
-            integrate_body[M: 8, T: 6](motions: unit M, twists: twist T; dt) -> later: unit M
-                = motions.integrate_body(twists, dt), {
-                /// `later[i]` = σᵢ exp(½ξᵢ dt); see
-                /// [`DualQuat::integrate_body`](crate::DualQuat::integrate_body).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat, Twist};
-                /// let poses = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
-                /// let twists = [Twist { angular: [0.0; 3], linear: [0.0, 2.0, 0.0] }; 3];
-                /// let mut later = poses;
-                /// Backend::best().integrate_body(&poses, &twists, 0.5, &mut later)?;
-                /// assert_eq!(later[2].translation(), [1.0, 1.0, 0.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The motions to which `twists`, six numbers each, angular part first, lead in one
+    /// second.
+    from_twist[T: 6, M: 8](twists: twist T) -> motions: unit M
+        = DualQuat::from_twist(twists), {
+        /// `motions[i]` = exp(½ξᵢ); see [`DualQuat::from_twist`](crate::DualQuat::from_twist).
+        /// [`to_twist`](Self::to_twist) has an example.
+    }
 
-            /// The logarithms of unit `motions`, six numbers each: half the angle times the axis,
-            /// and its moment. Twice that is the twist that leads there in one second.
-            log[M: 8, L: 6](motions: unit M) -> logs: log L = motions.log(), {
-                /// `logs[i]` = log σᵢ = (θ̂/2)(l + εm): six numbers, a and then b of a + εb; see
-                /// [`DualQuat::log`](crate::DualQuat::log).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let steps = [DualQuat::from_translation([2.0_f32, 4.0, 6.0]); 5];
-                /// let (mut logs, mut back) = ([[0.0; 6]; 5], [DualQuat::ZERO; 5]);
-                /// Backend::best().log(&steps, &mut logs)?;
-                /// assert_eq!(logs[4], [0.0, 0.0, 0.0, 1.0, 2.0, 3.0]);
-                /// Backend::best().exp(&logs, &mut back)?;
-                /// assert_eq!(back, steps);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
+    /// each, angular part first.
+    integrate_body[M: 8, T: 6](motions: unit M, twists: twist T; dt) -> later: unit M
+        = motions.integrate_body(twists, dt), {
+        /// `later[i]` = σᵢ exp(½ξᵢ dt); see
+        /// [`DualQuat::integrate_body`](crate::DualQuat::integrate_body).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat, Twist};
+        /// let poses = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
+        /// let twists = [Twist { angular: [0.0; 3], linear: [0.0, 2.0, 0.0] }; 3];
+        /// let mut later = poses;
+        /// Backend::best().integrate_body(&poses, &twists, 0.5, &mut later)?;
+        /// assert_eq!(later[2].translation(), [1.0, 1.0, 0.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// The twists, six numbers each, angular part first, that lead to unit `motions` in one
-            /// second.
-            to_twist[M: 8, T: 6](motions: unit M) -> twists: twist T = motions.to_twist(), {
-                /// `twists[i]` = 2 log σᵢ; see [`DualQuat::to_twist`](crate::DualQuat::to_twist).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat, Twist};
-                /// let steps = [DualQuat::from_translation([2.0_f32, 4.0, 6.0]); 5];
-                /// let (mut twists, mut back) = ([Twist::ZERO; 5], [DualQuat::ZERO; 5]);
-                /// Backend::best().to_twist(&steps, &mut twists)?;
-                /// assert_eq!(twists[4].linear, [2.0, 4.0, 6.0]);
-                /// Backend::best().from_twist(&twists, &mut back)?;
-                /// assert_eq!(back, steps);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The logarithms of unit `motions`, six numbers each: half the angle times the axis,
+    /// and its moment. Twice that is the twist that leads there in one second.
+    log[M: 8, L: 6](motions: unit M) -> logs: log L = motions.log(), {
+        /// `logs[i]` = log σᵢ = (θ̂/2)(l + εm): six numbers, a and then b of a + εb; see
+        /// [`DualQuat::log`](crate::DualQuat::log).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let steps = [DualQuat::from_translation([2.0_f32, 4.0, 6.0]); 5];
+        /// let (mut logs, mut back) = ([[0.0; 6]; 5], [DualQuat::ZERO; 5]);
+        /// Backend::best().log(&steps, &mut logs)?;
+        /// assert_eq!(logs[4], [0.0, 0.0, 0.0, 1.0, 2.0, 3.0]);
+        /// Backend::best().exp(&logs, &mut back)?;
+        /// assert_eq!(back, steps);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
-            angles[M: 8, T: 1](a: unit M, b: unit M) -> angles: number T = a.angle_to(b), {
-                /// See [`DualQuat::angle_to`](crate::DualQuat::angle_to).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat, Quat};
-                /// let turned = DualQuat::from_rotation(Quat::from_rotation_z(0.5_f32));
-                /// let mut angles = [0.0_f32; 5];
-                /// Backend::best().angles(&[DualQuat::IDENTITY; 5], &[turned; 5], &mut angles)?;
-                /// assert!((angles[4] - 0.5).abs() < 1e-6);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The twists, six numbers each, angular part first, that lead to unit `motions` in one
+    /// second.
+    to_twist[M: 8, T: 6](motions: unit M) -> twists: twist T = motions.to_twist(), {
+        /// `twists[i]` = 2 log σᵢ; see [`DualQuat::to_twist`](crate::DualQuat::to_twist).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat, Twist};
+        /// let steps = [DualQuat::from_translation([2.0_f32, 4.0, 6.0]); 5];
+        /// let (mut twists, mut back) = ([Twist::ZERO; 5], [DualQuat::ZERO; 5]);
+        /// Backend::best().to_twist(&steps, &mut twists)?;
+        /// assert_eq!(twists[4].linear, [2.0, 4.0, 6.0]);
+        /// Backend::best().from_twist(&twists, &mut back)?;
+        /// assert_eq!(back, steps);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// The distances between the translations of unit `a[i]` and unit `b[i]`, one number
-            /// each.
-            distances[M: 8, T: 1](a: unit M, b: unit M) -> distances: number T
-                = a.distance_to(b), {
-                /// `distances[i]` = |t_a − t_b|; see
-                /// [`DualQuat::distance_to`](crate::DualQuat::distance_to).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let there = DualQuat::from_translation([0.0_f32, 3.0, 4.0]);
-                /// let mut distances = [0.0_f32; 5];
-                /// Backend::best().distances(&[DualQuat::IDENTITY; 5], &[there; 5], &mut distances)?;
-                /// assert_eq!(distances, [5.0; 5]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+    angles[M: 8, T: 1](a: unit M, b: unit M) -> angles: number T = a.angle_to(b), {
+        /// See [`DualQuat::angle_to`](crate::DualQuat::angle_to).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat, Quat};
+        /// let turned = DualQuat::from_rotation(Quat::from_rotation_z(0.5_f32));
+        /// let mut angles = [0.0_f32; 5];
+        /// Backend::best().angles(&[DualQuat::IDENTITY; 5], &[turned; 5], &mut angles)?;
+        /// assert!((angles[4] - 0.5).abs() < 1e-6);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// `points[i]`, three numbers each, moved by the unit `motions[i]`.
-            transform_points_each as "points_each" [M: 8, P: 3](motions: unit M, points: point P)
-                -> moved: point P = motions.transform_point(points), {
-                /// `moved[i]` = Rᵢ·`points[i]` + tᵢ
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// let steps = [1.0_f32, 2.0, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
-                /// let mut moved = [[0.0; 3]; 3];
-                /// Backend::best().transform_points_each(&steps, &[[10.0, 0.0, 5.0]; 3], &mut moved)?;
-                /// assert_eq!(moved[2], [13.0, 0.0, 5.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// The distances between the translations of unit `a[i]` and unit `b[i]`, one number
+    /// each.
+    distances[M: 8, T: 1](a: unit M, b: unit M) -> distances: number T
+        = a.distance_to(b), {
+        /// `distances[i]` = |t_a − t_b|; see
+        /// [`DualQuat::distance_to`](crate::DualQuat::distance_to).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let there = DualQuat::from_translation([0.0_f32, 3.0, 4.0]);
+        /// let mut distances = [0.0_f32; 5];
+        /// Backend::best().distances(&[DualQuat::IDENTITY; 5], &[there; 5], &mut distances)?;
+        /// assert_eq!(distances, [5.0; 5]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
-            transform_vectors_each as "vectors_each" [M: 8, P: 3](motions: unit M, vectors: vector P)
-                -> turned: vector P = motions.transform_vector(vectors), {
-                /// `turned[i]` = Rᵢ·`vectors[i]`
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat, Quat};
-                /// let half = DualQuat::from_rotation(Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0));
-                /// let mut turned = [[0.0; 3]; 5];
-                /// Backend::best().transform_vectors_each(&[half; 5], &[[1.0, 2.0, 3.0]; 5], &mut turned)?;
-                /// assert_eq!(turned[4], [-1.0, -2.0, 3.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// `points[i]`, three numbers each, moved by the unit `motions[i]`.
+    transform_points_each as "points_each" [M: 8, P: 3](motions: unit M, points: point P)
+        -> moved: point P = motions.transform_point(points), {
+        /// `moved[i]` = Rᵢ·`points[i]` + tᵢ
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let steps = [1.0_f32, 2.0, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+        /// let mut moved = [[0.0; 3]; 3];
+        /// Backend::best().transform_points_each(&steps, &[[10.0, 0.0, 5.0]; 3], &mut moved)?;
+        /// assert_eq!(moved[2], [13.0, 0.0, 5.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
-            /// its moment p x direction of any point p on it (Plücker coordinates).
-            transform_lines_each as "lines_each" [M: 8, P: 6](motions: unit M, lines: line P)
-                -> moved: line P = motions.transform_line(lines), {
-                /// `moved[i]` = Rᵢl + ε(Rᵢm + tᵢ × Rᵢl); see [`Line`](crate::Line).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// // The axis x, carried up by 2: its moment is (0, 0, 2) × x.
-                /// let up = [DualQuat::from_translation([0.0_f32, 0.0, 2.0])];
-                /// let axis = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-                /// let mut moved = [[0.0; 6]];
-                /// Backend::best().transform_lines_each(&up, &[axis], &mut moved)?;
-                /// assert_eq!(moved[0], [1.0, 0.0, 0.0, 0.0, 2.0, 0.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+    transform_vectors_each as "vectors_each" [M: 8, P: 3](motions: unit M, vectors: vector P)
+        -> turned: vector P = motions.transform_vector(vectors), {
+        /// `turned[i]` = Rᵢ·`vectors[i]`
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat, Quat};
+        /// let half = DualQuat::from_rotation(Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0));
+        /// let mut turned = [[0.0; 3]; 5];
+        /// let vectors = [[1.0, 2.0, 3.0]; 5];
+        /// Backend::best().transform_vectors_each(&[half; 5], &vectors, &mut turned)?;
+        /// assert_eq!(turned[4], [-1.0, -2.0, 3.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
-            /// n, and n . p of any point p on it.
-            transform_planes_each as "planes_each" [M: 8, P: 4](motions: unit M, planes: plane P)
-                -> moved: plane P = motions.transform_plane(planes), {
-                /// `moved[i]` is the plane n′ = Rᵢn, d′ = d + n′·tᵢ; see [`Plane`](crate::Plane).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat};
-                /// // The ground, carried up by 2.
-                /// let up = [DualQuat::from_translation([5.0_f32, 0.0, 2.0])];
-                /// let mut moved = [[0.0; 4]];
-                /// Backend::best().transform_planes_each(&up, &[[0.0, 0.0, 1.0, 0.0]], &mut moved)?;
-                /// assert_eq!(moved[0], [0.0, 0.0, 1.0, 2.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+    /// its moment p x direction of any point p on it (Plücker coordinates).
+    transform_lines_each as "lines_each" [M: 8, P: 6](motions: unit M, lines: line P)
+        -> moved: line P = motions.transform_line(lines), {
+        /// `moved[i]` = Rᵢl + ε(Rᵢm + tᵢ × Rᵢl); see [`Line`](crate::Line).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// // The axis x, carried up by 2: its moment is (0, 0, 2) × x.
+        /// let up = [DualQuat::from_translation([0.0_f32, 0.0, 2.0])];
+        /// let axis = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        /// let mut moved = [[0.0; 6]];
+        /// Backend::best().transform_lines_each(&up, &[axis], &mut moved)?;
+        /// assert_eq!(moved[0], [1.0, 0.0, 0.0, 0.0, 2.0, 0.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
 
-            /// `twists[i]`, six numbers, angular part first, by the adjoint of the unit
-            /// `motions[i]`: a body twist becomes the spatial one.
-            transform_twists_each as "twists_each" [M: 8, T: 6](motions: unit M, twists: twist T)
-                -> moved: twist T = motions.adjoint(twists), {
-                /// `moved[i]` = (ω′, v′) with ω′ = Rᵢω, v′ = Rᵢv + tᵢ × ω′; see
-                /// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
-                ///
-                /// ```
-                /// use dq8::{Backend, DualQuat, Twist};
-                /// let away = [DualQuat::from_translation([1.0_f32, 0.0, 0.0])];
-                /// let turning = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0; 3] };
-                /// let mut moved = [Twist::ZERO];
-                /// Backend::best().transform_twists_each(&away, &[turning], &mut moved)?;
-                /// assert_eq!(moved[0].linear, [0.0, -1.0, 0.0]);
-                /// # Ok::<(), dq8::ShapeError>(())
-                /// ```
-            }
+    /// `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+    /// n, and n . p of any point p on it.
+    transform_planes_each as "planes_each" [M: 8, P: 4](motions: unit M, planes: plane P)
+        -> moved: plane P = motions.transform_plane(planes), {
+        /// `moved[i]` = (n′, d′) with n′ = Rᵢn, d′ = d + n′·tᵢ; see
+        /// [`Plane`](crate::Plane).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// // The ground, carried up by 2.
+        /// let up = [DualQuat::from_translation([5.0_f32, 0.0, 2.0])];
+        /// let mut moved = [[0.0; 4]];
+        /// Backend::best().transform_planes_each(&up, &[[0.0, 0.0, 1.0, 0.0]], &mut moved)?;
+        /// assert_eq!(moved[0], [0.0, 0.0, 1.0, 2.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
+
+    /// `twists[i]`, six numbers, angular part first, by the adjoint of the unit
+    /// `motions[i]`: a body twist becomes the spatial one.
+    transform_twists_each as "twists_each" [M: 8, T: 6](motions: unit M, twists: twist T)
+        -> moved: twist T = motions.adjoint(twists), {
+        /// `moved[i]` = (ω′, v′) with ω′ = Rᵢω, v′ = Rᵢv + tᵢ × ω′; see
+        /// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat, Twist};
+        /// let away = [DualQuat::from_translation([1.0_f32, 0.0, 0.0])];
+        /// let turning = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0; 3] };
+        /// let mut moved = [Twist::ZERO];
+        /// Backend::best().transform_twists_each(&away, &[turning], &mut moved)?;
+        /// assert_eq!(moved[0].linear, [0.0, -1.0, 0.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+    }
         }
     };
 }
 
-/// The records that kernels read and write, by their kinds: how many numbers, one `from` numbers,
-/// and the numbers `of` one. Motions of the kind `any` need not be unit. `DualQuat` is the scalar one
-/// or that of lanes, as the caller has imported it.
+/// The records that kernels read and write, by their kinds: the count of numbers, a record `from`
+/// numbers, and the numbers `of` a record. Motions of the kind `any` need not be unit. `DualQuat`
+/// is the scalar one or that of lanes, as the caller has imported it.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __record {

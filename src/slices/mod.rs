@@ -11,10 +11,13 @@
 //! | method | what it computes |
 //! |---|---|
 //! | [`mul_left_in_place`](Backend::mul_left_in_place) | products with one motion: a bᵢ |
-//! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | points and vectors, moved by one motion |
+//! | [`transform_points`](Backend::transform_points), and in place | points, moved by one motion |
+//! | [`transform_vectors`](Backend::transform_vectors), and in place | vectors, turned by one |
 //! | [`dlb`](Backend::dlb) | linear blends of several motions, by a weight each |
 //! | [`dib_windows`](Backend::dib_windows) | means of windows of poses that follow each other |
-//! | [`matrices`](Backend::matrices), [`from_matrices`](Backend::from_matrices), [`try_from_matrices`](Backend::try_from_matrices) | to and from 3×4 and 4×4 matrices, by rows or by columns |
+//! | [`matrices`](Backend::matrices) | 3×4 or 4×4 matrices of motions, by rows or by columns |
+//! | [`from_matrices`](Backend::from_matrices) | motions of such matrices, known to be rigid |
+//! | [`try_from_matrices`](Backend::try_from_matrices) | motions of such matrices, checked |
 //! | [`two_bone`](Backend::two_bone) | limbs of two bones with their ends at targets |
 //!
 //! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
@@ -35,14 +38,11 @@
 mod blend;
 mod kernels;
 mod matrix;
-mod rigid_matrix;
 mod sweep;
 mod transform;
 mod two_bone;
-mod windows;
 
-pub use matrix::MatricesError;
-pub use rigid_matrix::RigidMatrix;
+pub use matrix::{MatricesError, RigidMatrix};
 
 #[cfg(doc)]
 use crate::Backend;

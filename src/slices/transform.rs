@@ -11,7 +11,7 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it. The products of
+    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it. Products of
     /// two slices are [`mul`](Self::mul).
     ///
     /// ```

@@ -46,9 +46,11 @@ pub enum Domain {
     Other,
 }
 
-/// What the answers are held against.
+/// What the answers are held against, and for which arguments.
 #[derive(Debug)]
 pub enum Held {
+    /// Any motions may be given, though the bounds are those of unit ones.
+    TakesAny { reason: &'static str },
     /// Lanes against the scalar reference of the same precision. About 1.6 times the worst of 150
     /// 000 random cases of each kind, built for SSE2 and for AVX2 with fused multiplication.
     Scalar(Bound),
@@ -176,6 +178,11 @@ impl Operation {
         let domains = || self.arguments.iter().map(|argument| argument.domain);
         let restricted = domains().any(|d| matches!(d, Domain::Unit | Domain::Rotation));
         !restricted && domains().any(|d| d == Domain::Any)
+    }
+
+    /// Whether it takes motions that are not unit, though its bounds are those of unit ones.
+    pub fn takes_any(&self) -> bool {
+        self.bounds.iter().any(|held| matches!(held, Held::TakesAny { .. }))
     }
 
     /// Whether both ways between two motions of the case are equally long up to rounding: either is

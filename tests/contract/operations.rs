@@ -7,7 +7,8 @@
 //! name(kind of argument and where in a Case it is, …) -> kind of answer, scale of the error, [bounds];
 //! ```
 //!
-//! Arguments that are `unit` must be unit, `any` may be any dual quaternion. Bounds: `agrees`,
+//! Arguments that are `unit` must be unit, `any` may be any dual quaternion; of an operation that
+//! `takes_any`, only the bounds are those of unit ones. Bounds: `agrees`,
 //! lanes with the scalar reference of the same precision; `double`, with the scalar path in `f64`;
 //! `digits`, with answers of 60 digits. Every operation has one of the first two.
 //!
@@ -38,6 +39,10 @@ const SMALL: &[&str] = &["near0", "close", "translation"];
 
 const fn agrees(units: f64, reason: &'static str) -> Held {
     Held::Scalar(within(units, reason))
+}
+
+const fn takes_any(reason: &'static str) -> Held {
+    Held::TakesAny { reason }
 }
 
 const fn double(inputs: Inputs, sign: Sign, bounds: &'static [Bound]) -> Held {

@@ -2,7 +2,7 @@
 operations! {
     // Constructors and parts.
     identity(level l) -> motion, scale::of_a, [agrees(0.0, "constants")];
-    from_rotation(rotation a) -> motion, scale::of_a, [agrees(0.0, "copies")];
+    from_rotation(rotation a) -> motion, scale::of_a, [takes_any("a copy"), agrees(0.0, "copies")];
     from_translation(vector v) -> motion, scale::of_v, [agrees(0.0, "a product with one half is exact")];
     from_rotation_translation(rotation a, vector v) -> motion, scale::of_v, [
         agrees(3.0, "fused products, and another order of summands"),
@@ -68,13 +68,13 @@ operations! {
         digits("normalize", &["a"], of_digits::plain, &[
             within(3.5, "norm, reciprocal, product, and the part of q along p")])];
     normalize_checked(any a) -> checked, scale::quotient, [agrees(12.5, "as normalize")];
-    is_unit(unit a, real tolerance) -> mask, scale::one, [agrees(0.0, "a truth value")];
+    is_unit(unit a, real tolerance) -> mask, scale::one, [takes_any("it asks"), agrees(0.0, "a truth value")];
     inverse(any a) -> motion, scale::inverse, [
         agrees(32.0, "another length, which divides thrice around p*qp*"),
         digits("inverse", &["a"], of_digits::inverse, &[
             within(5.0, "two divisions by the norm, two quaternion products")])];
     inverse_checked(any a) -> checked, scale::inverse, [agrees(32.0, "as inverse")];
-    abs_diff_eq(unit a, unit b, real tolerance) -> mask, scale::one, [agrees(0.0, "a truth value")];
+    abs_diff_eq(unit a, unit b, real tolerance) -> mask, scale::one, [takes_any("it compares numbers"), agrees(0.0, "a truth value")];
     add(any a, any b) -> motion, scale::sum, [agrees(0.0, "one sum"),
         digits("add", &["a", "b"], of_digits::sum, &[within(1.25, "one sum")])];
     sub(any a, any b) -> motion, scale::sum, [agrees(0.0, "one difference"),
@@ -103,12 +103,15 @@ operations! {
 
     // Blends.
     nlerp(unit a, unit b, real t) -> unit, scale::nlerp, [
+        takes_any("the answer is normalized"),
         agrees(12.5, "a fused sum, then as normalize"),
         digits("nlerp", &["a", "b", "t"], of_digits::plain, &[within(3.0, "as dlb, of two")])];
     dlb(influences weights a b c) -> blend, scale::dlb, [
+        takes_any("the answer is normalized"),
         agrees(12.5, "a fused sum, then as normalize"),
         digits_of_either_sign("dlb", &["s w"], &[within(4.0, "up to 4 poses normalized, summed, normalized")])];
     dlb_running(influences weights a b c d) -> blend, scale::poses, [
+        takes_any("the answer is normalized"),
         double(Clusters, Either, &[within(4.5, "four poses summed and normalized")]),
         digits_of_either_sign("dlb_running", &["s w"], &[within(3.0, "as dlb, of four at most")])];
     dib(influences weights a b c d, settled tolerance, at_most iterations) -> mean, scale::poses, [
@@ -185,10 +188,12 @@ operations! {
 
     // Velocities.
     derivative_spatial(unit a, twist x) -> motion, scale::derivative, [
+        takes_any("linear in the motion"),
         double(Twists, Kept, &[within(5.0, "sums of 3 and 7 products")]),
         digits("derivative_spatial", &["a", "angular:3 linear:3"], of_digits::derivative, &[
             within(2.0, "normalized first; sums of 3 and 7 products")])];
     derivative_body(unit a, twist x) -> motion, scale::derivative, [
+        takes_any("linear in the motion"),
         double(Twists, Kept, &[within(3.0, "sums of 3 and 7 products")]),
         digits("derivative_body", &["a", "angular:3 linear:3"], of_digits::derivative, &[
             within(1.5, "normalized first; sums of 3 and 7 products")])];
@@ -222,10 +227,12 @@ operations! {
         digits("twist_to", &["a", "b"], of_digits::plain, &[
             within(9.0, "both ends normalized; a product, and twice a log")])];
     integrate_spatial(unit a, twist x, real dt) -> unit, scale::integrate, [
+        takes_any("linear in the motion"),
         double(Twists, Kept, &[within(3.5, "exp and a product")]),
         digits("integrate_spatial", &["a", "angular:3 linear:3", "dt"], of_digits::integrate, &[
             within(4.0, "normalized first; exp and a product")])];
     integrate_body(unit a, twist x, real dt) -> unit, scale::integrate, [
+        takes_any("linear in the motion"),
         double(Twists, Kept, &[within(3.0, "exp and a product")]),
         digits("integrate_body", &["a", "angular:3 linear:3", "dt"], of_digits::integrate, &[
             within(3.0, "normalized first; exp and a product")])];

@@ -89,6 +89,7 @@ pub(crate) fn judge(
 /// own error.
 fn allowed(operation: &Operation, case: &Case) -> f64 {
     let of = |held: &Held| match held {
+        Held::TakesAny { .. } => 0.0,
         Held::Scalar(bound) => bound.units,
         Held::Double { bounds, .. } => bounds.iter().map(|bound| bound.units).fold(0.0, f64::max),
         Held::Digits { bounds, .. } => bounds.iter().map(|bound| bound.units).fold(0.0, f64::max),

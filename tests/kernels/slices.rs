@@ -179,7 +179,7 @@ impl<L: Memory> Kernel<L> {
     }
 }
 
-/// The kernels that are declared in the list: their methods, and of single things what the list says.
+/// The kernels that are declared in the list: their methods, and the same formula of single things.
 macro_rules! of_each {
     ($(
         $(#[doc = $brief:literal])+

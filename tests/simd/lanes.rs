@@ -198,7 +198,11 @@ fn packed<L: PackedDualQuat>(level: L::Level) {
     same("columns, z", &numbers(z), &[2.0, -1.0, 4.0, -3.0, 6.0, -5.0, 8.0, -7.0]);
     same("columns, w", &numbers(w), &numbers(motion));
     // Below is −0: a sum with it has the bits of the other number, also of zeros.
-    same("raised", &numbers(motion.raised()), &[-0.0, -0.0, -0.0, -0.0, 1.0, 2.0, 3.0, 4.0]);
+    same(
+        "times_epsilon",
+        &numbers(motion.times_epsilon()),
+        &[-0.0, -0.0, -0.0, -0.0, 1.0, 2.0, 3.0, 4.0],
+    );
     // Wherever they lie: these begin one number after each other.
     let row = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(L::Real::from_f64);
     for (first, four) in row.windows(4).enumerate() {

@@ -2,8 +2,7 @@
 
 use super::goal::{Goal, ReachError};
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::step::endless;
-use crate::mechanism::step::{NONE, Step};
+use crate::mechanism::step::{NONE, Step, unlimited};
 use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
@@ -101,7 +100,7 @@ impl<R: Real> Freedom<R> {
             JointKind::Screw { pitch, .. } => (Kind::Turn, pitch == R::ZERO, 0),
             _ => (Kind::Turn, true, index),
         };
-        let [low, high] = step.limits.unwrap_or(endless());
+        let [low, high] = step.limits.unwrap_or(unlimited());
         let whole_turn = if is_hinge { WholeTurn::Blocked } else { WholeTurn::Differs };
         let value = step.value.saturating_add(value as u32);
         let range = Range { low, high, whole_turn };
@@ -229,7 +228,7 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     let keeps = is_hinge && is_whole(step.multiplier);
     let range =
         Range { whole_turn: if keeps { range.whole_turn } else { WholeTurn::Differs }, ..range };
-    match step.narrows([range.low, range.high]) {
+    match step.narrowed([range.low, range.high]) {
         Some([low, high]) => Range { low, high, ..range },
         // Without a common value, the limits of the follower are ignored.
         None => range,

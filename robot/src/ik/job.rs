@@ -65,8 +65,7 @@ where
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
-        let options = Options { restarts: false, ..*options };
-        self.search::<false, false>(targets, values, scratch, &options.into())
+        self.search::<false, false>(targets, values, scratch, &(*options).into())
     }
 
     /// [`follow`](Self::follow) for many goals. Steps are of first order. If the goals have more
@@ -87,7 +86,7 @@ where
         scratch: &mut [R],
         options: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
-        self.search::<false, true>(targets, values, scratch, &options.without_restarts())
+        self.search::<false, true>(targets, values, scratch, options)
     }
 
     #[inline]
@@ -311,8 +310,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
         let scratch = self.reach.batch_scratch_len();
-        let tracking = &options.without_restarts();
-        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let work = Work { targets, values, reports, tracking: options, clips: Some(clips) };
         let Work { values, reports, .. } = work.checked(&self.reach)?;
         let backend = self.choice.instructions();
         let goals = self.reach.goals.len();
@@ -320,7 +318,7 @@ impl<R: Scalar> ReachJob<'_, R> {
             let before: usize = clips.iter().take(first).sum();
             let targets = targets.get(before * goals..).unwrap_or_default();
             let Clips { clips, values, reports } = part;
-            let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+            let work = Work { targets, values, reports, tracking: options, clips: Some(clips) };
             self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         let all = Clips { clips, values, reports };
@@ -347,8 +345,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
-        let tracking = &options.without_restarts();
-        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let work = Work { targets, values, reports, tracking: options, clips: Some(clips) };
         let work = work.checked(&self.reach)?;
         check_scratch(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<false, true>(self.choice.instructions(), work, scratch);

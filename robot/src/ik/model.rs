@@ -2,19 +2,24 @@
 //!
 //! In the order of a round: poses and screws ([`Model::place`]), errors ([`Model::compare`]), the
 //! step to the posture ([`Model::posture_step`]), and the Jacobian ([`Model::linearize`]).
+//!
+//! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
+//! limits, all different from those before, and takes the one whose links are nearest to the
+//! targets. All lanes help to compute them. A value whose range has no end stays as it was at the
+//! start.
 
 use super::freedom::Freedom;
 use super::goal::Goal;
 use super::problem::Reach;
 use super::report::Tracking;
 use super::scratch::{EXCESS, GOAL, POSE, Registers, Scratch, TARGET, TURN};
-use crate::mechanism::step::NONE;
-use crate::mechanism::values::JointNumbers;
-use crate::mechanism::walk::{Joined, Placed, moved};
+use crate::mechanism::step::{JointFrame, JointScrews, NONE};
+use crate::mechanism::values::LaneValues;
+use crate::mechanism::walk::{HalfPose, LinkFrames};
 use dq8::batch::{DualQuat, half_turns, lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
-use dq8_simd::{Lanes, Level};
+use dq8_simd::{Lanes, Level, MAX_LANES};
 
 /// A configuration and its targets in each lane. With `TRACK`, steps are of first order, and those
 /// of many goals solve a system in the shape of the tree. It is a constant of the type so that
@@ -137,7 +142,7 @@ pub(super) enum Configurations {
 /// The values of all lanes, as the walk reads them.
 struct ValueRegisters<'r, 's, L: Lanes>(&'r Registers<'s, L>);
 
-impl<L: Lanes> JointNumbers<L> for ValueRegisters<'_, '_, L> {
+impl<L: Lanes> LaneValues<L> for ValueRegisters<'_, '_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(&mut self, level: L::Level, index: usize) -> L {
         self.0.get(level, index)
@@ -165,14 +170,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             position += 1;
             let before = if step.parent == NONE {
-                Placed::root(level, step)
+                HalfPose::root(level, step)
             } else {
                 get(level, &scratch.slots, step.parent_slot as usize * POSE).place(step)
             };
-            let pose = moved(level, before, step, &mut numbers);
+            let pose = before.link_frame(step, &mut numbers);
             put(&mut scratch.slots, step.slot as usize * POSE, pose);
             if of == Configurations::Current {
-                let joined = Joined { before, pose };
+                let joined = LinkFrames { joint: before, link: pose };
                 for index in 0..step.kind.rates() {
                     scratch.twists.set_record(twist, joined.screw(step, index).to_array());
                     twist += 6;
@@ -208,7 +213,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn put<L: Lanes<Real: Scalar>>(rows: &mut Registers<'_, L>, at: usize, pose: Placed<L>) {
+pub(super) fn put<L: Lanes<Real: Scalar>>(
+    rows: &mut Registers<'_, L>,
+    at: usize,
+    pose: HalfPose<L>,
+) {
     rows.set_record(at, pose.rotation);
     rows.set_record(at + 4, pose.half);
 }
@@ -218,8 +227,8 @@ pub(super) fn get<L: Lanes<Real: Scalar>>(
     level: L::Level,
     rows: &Registers<'_, L>,
     at: usize,
-) -> Placed<L> {
-    Placed { rotation: rows.record(level, at), half: rows.record(level, at + 4) }
+) -> HalfPose<L> {
+    HalfPose { rotation: rows.record(level, at), half: rows.record(level, at + 4) }
 }
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
@@ -315,7 +324,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn pose(&self, goal: usize) -> Placed<L> {
+    pub(super) fn pose(&self, goal: usize) -> HalfPose<L> {
         get(self.level, &self.scratch.goals, goal * GOAL + TARGET)
     }
 }
@@ -577,6 +586,69 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             self.scratch
                 .posture_step
                 .set(index, L::select(arrived, posture_step, posture_step.constant(0.0)));
+        }
+    }
+}
+
+/// The number of configurations that a restart compares. It does not depend on the number of lanes,
+/// so that results do not either. With half as many, fewer than 998 of 1,000 random targets of an
+/// arm of seven axes are reached.
+const CANDIDATES: usize = 4 * MAX_LANES;
+
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
+    /// Puts a lane at the nearest of the candidates of restart number `restart`. The poses of the other
+    /// lanes are overwritten.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn restart(&mut self, lane: usize, restart: u32) {
+        let mut nearest = None;
+        for first in (0..CANDIDATES).step_by(L::LANES) {
+            // Sample numbers that no other restart has. They depend on the restart alone, not on
+            // the lane or the number of lanes, so that results do not either.
+            self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
+            self.place_or_call(Configurations::Candidates);
+            let squares = self.compare(Some(lane)).square.to_array();
+            let mut picked = None;
+            for (index, &square) in squares.as_ref().iter().enumerate() {
+                if nearest.is_none_or(|nearest| square < nearest) {
+                    (nearest, picked) = (Some(square), Some(index));
+                }
+            }
+            // At once, because the next candidates overwrite these.
+            if let Some(picked) = picked {
+                let scratch = &mut self.scratch;
+                for value in 0..self.reach.mechanism.values {
+                    scratch.values.set_number(value, lane, scratch.candidate.number(value, picked));
+                }
+            }
+        }
+    }
+
+    /// Puts a lane at its best values.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn return_to_best(&mut self, lane: usize) {
+        let scratch = &mut self.scratch;
+        for value in 0..self.reach.mechanism.values {
+            scratch.values.set_number(value, lane, scratch.best.number(value, lane));
+        }
+    }
+
+    /// Puts samples of the ranges, from number `first` on, one into each lane; the other values are
+    /// those of the start of lane `lane`.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn draw(&mut self, lane: usize, first: u64) {
+        let scratch = &mut self.scratch;
+        for value in 0..self.reach.mechanism.values {
+            let start = L::splat(self.level, scratch.start.number(value, lane));
+            scratch.candidate.set(value, start);
+        }
+        for freedom in self.reach.freedoms {
+            // A range without ends has no stride, and keeps the start.
+            if freedom.stride > 0 {
+                for index in 0..L::LANES {
+                    let value = freedom.sample(first + index as u64 + 1);
+                    scratch.candidate.set_number(freedom.value as usize, index, value);
+                }
+            }
         }
     }
 }

@@ -159,11 +159,6 @@ impl<R: Real> Tracking<R> {
         Tracking { options: self.options.cast(), posture_weight, start_weight }
     }
 
-    /// The same options without restarts.
-    pub(super) fn without_restarts(&self) -> Self {
-        Self { options: Options { restarts: false, ..self.options }, ..*self }
-    }
-
     /// `true` if both weights are finite and not negative.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn has_valid_weights(&self) -> bool {

@@ -16,11 +16,6 @@
 //! twelfth of the iterations a lane does not restart any more but returns to the best values that
 //! it found, and steps on from there.
 //!
-//! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
-//! limits, all different from those before, and takes the one whose links are nearest to the
-//! targets. All lanes help to compute them. A value whose range has no end stays as it was at the
-//! start.
-//!
 //! # Why it is as it is
 //!
 //! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group, and
@@ -41,7 +36,7 @@ use super::scratch::GOAL;
 use dq8::batch::Quat;
 use dq8::scalar::DualQuat;
 use dq8::{Real, Scalar};
-use dq8_simd::{Lanes, MAX_LANES, Mask};
+use dq8_simd::{Lanes, Mask};
 
 /// The targets, values and options of a search, and the place of its reports; their lengths fit.
 pub(super) struct Work<'s, R> {
@@ -97,7 +92,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             }
             let errors = self.model.compare(None);
             let posture_distance = self.model.posture_step();
-            self.decide(errors, posture_distance, last);
+            self.decide::<RESTARTS>(errors, posture_distance, last);
             let decisions = self.decisions(may_restart);
             // Lanes that have ended, or restart, stay where they are.
             if decisions.running.any() {
@@ -126,7 +121,10 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         for index in 0..L::LANES {
             let Some(lane) = self.lanes.get_mut(index) else { break };
             match lane.next {
-                Next::Restart => self.model.restart(index, lane),
+                Next::Restart => {
+                    self.model.restart(index, lane.restarts);
+                    lane.restarts += 1;
+                }
                 Next::ReturnToBest => self.model.return_to_best(index),
                 Next::Step | Next::End => {}
             }
@@ -203,23 +201,24 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
 
     /// Decides what each lane does next.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn decide(&mut self, errors: PoseErrors<L>, posture_distance: L, last: StepResult<L>) {
+    fn decide<const RESTARTS: bool>(
+        &mut self,
+        errors: PoseErrors<L>,
+        posture_distance: L,
+        last: StepResult<L>,
+    ) {
         // Out of the registers once per round: the decisions below are branches, and differ from
         // lane to lane.
         let PoseErrors { square, angular, linear } = errors;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
-        let rules = Rules {
-            options: &self.work.tracking.options,
-            has_posture: self.model.reach.posture.is_some(),
-            has_weights: self.model.has_weights(),
-            tracks: TRACK,
-        };
+        let has_posture = self.model.reach.posture.is_some();
+        let has_weights = self.model.has_weights();
         let [posture_distance, residual, change] =
             [posture_distance.to_array(), last.residual.to_array(), last.change.to_array()];
         for index in 0..L::LANES {
             let square = number::<L>(&square, index);
             let measured = Measured {
-                square: if rules.has_weights {
+                square: if has_weights {
                     square + number::<L>(&posture_distance, index)
                 } else {
                     square
@@ -234,7 +233,9 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             if lane.configuration.is_none() {
                 continue;
             }
-            let (is_best, next) = lane.decide(measured, rules);
+            let options = &self.work.tracking.options;
+            let (is_best, next) =
+                lane.decide::<RESTARTS, TRACK>(measured, options, has_posture, has_weights);
             lane.next = next;
             // The best values are kept before the step overwrites them: a search may end far from
             // its best.
@@ -306,17 +307,6 @@ pub(super) struct Measured<R> {
     pub(super) residual: R,
     /// The sum of squares of all changes of the last step, radians².
     pub(super) change: R,
-}
-
-/// The rules by which all lanes are judged.
-#[derive(Clone, Copy)]
-struct Rules<'s, R> {
-    options: &'s Options<R>,
-    /// `true` if the search goes on to a posture once the targets are reached.
-    has_posture: bool,
-    /// `true` if the posture or the start has a weight in every step.
-    has_weights: bool,
-    tracks: bool,
 }
 
 /// The state of the search for one configuration.
@@ -395,16 +385,23 @@ impl<R: Real> Lane<R> {
         Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Returns whether these values are the best so far, and the next action.
-    fn decide(&mut self, measured: Measured<R>, rules: Rules<'_, R>) -> (bool, Next) {
-        let Rules { options, has_posture, has_weights, tracks } = rules;
+    /// Returns whether these values are the best so far, and the next action. With `has_posture` the
+    /// search goes on to a posture once the targets are reached; with `has_weights` the posture or
+    /// the start has a weight in every step.
+    fn decide<const RESTARTS: bool, const TRACK: bool>(
+        &mut self,
+        measured: Measured<R>,
+        options: &Options<R>,
+        has_posture: bool,
+        has_weights: bool,
+    ) -> (bool, Next) {
         let arrived = measured.angular <= options.angular_tolerance
             && measured.linear <= options.linear_tolerance
             && !self.out_of_reach;
         // Before anything ends: the report is that of the best values, not of the last ones.
         let is_best = if has_weights {
             self.is_new || self.is_nearer(&measured)
-        } else if tracks && !self.converged && measured.square.is_finite() {
+        } else if TRACK && !self.converged && measured.square.is_finite() {
             // For a moving target the last step counts, if its pose is finite. If only the best
             // counted, an arm in front of a target out of its reach would stand still until a large
             // step pays.
@@ -424,7 +421,7 @@ impl<R: Real> Lane<R> {
         if has_weights {
             // With a weight for posture or start, reaching the targets does not end the search.
             self.converged = if is_best { arrived } else { self.converged };
-            return (is_best, self.toward_targets(&measured, options));
+            return (is_best, self.toward_targets::<RESTARTS>(&measured, options));
         }
         if arrived && !has_posture {
             self.converged = true;
@@ -433,7 +430,7 @@ impl<R: Real> Lane<R> {
         let next = if arrived || self.converged {
             self.toward_posture(&measured, arrived, options)
         } else {
-            self.toward_targets(&measured, options)
+            self.toward_targets::<RESTARTS>(&measured, options)
         };
         (is_best, next)
     }
@@ -460,8 +457,12 @@ impl<R: Real> Lane<R> {
     /// The next action of a lane that is not at its targets: a step, unless steps have stopped
     /// paying. Then it restarts if it may, or ends. In the last part of the iterations it steps
     /// from the best values, without restarts.
-    fn toward_targets(&mut self, measured: &Measured<R>, options: &Options<R>) -> Next {
-        let may_restart = options.restarts && !self.out_of_reach && !self.stays_at_best;
+    fn toward_targets<const RESTARTS: bool>(
+        &mut self,
+        measured: &Measured<R>,
+        options: &Options<R>,
+    ) -> Next {
+        let may_restart = RESTARTS && options.restarts && !self.out_of_reach && !self.stays_at_best;
         let is_stuck =
             self.is_stuck(measured, may_restart) | self.gains_too_little(measured, options);
         self.ever_stuck |= is_stuck;
@@ -728,70 +729,5 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
             }
         }
         is_at_limits
-    }
-}
-
-/// The number of configurations that a restart compares. It does not depend on the number of lanes,
-/// so that results do not either. With half as many, fewer than 998 of 1,000 random targets of an
-/// arm of seven axes are reached.
-const CANDIDATES: usize = 4 * MAX_LANES;
-
-impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Puts a lane at the nearest of the candidates of its next restart. The poses of the other
-    /// lanes are overwritten.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn restart(&mut self, lane: usize, search: &mut Lane<L::Real>) {
-        let restart = search.restarts;
-        search.restarts += 1;
-        let mut nearest = None;
-        for first in (0..CANDIDATES).step_by(L::LANES) {
-            // Sample numbers that no other restart has. They depend on the restart alone, not on
-            // the lane or the number of lanes, so that results do not either.
-            self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
-            self.place_or_call(Configurations::Candidates);
-            let squares = self.compare(Some(lane)).square.to_array();
-            let mut picked = None;
-            for (index, &square) in squares.as_ref().iter().enumerate() {
-                if nearest.is_none_or(|nearest| square < nearest) {
-                    (nearest, picked) = (Some(square), Some(index));
-                }
-            }
-            // At once, because the next candidates overwrite these.
-            if let Some(picked) = picked {
-                let scratch = &mut self.scratch;
-                for value in 0..self.reach.mechanism.values {
-                    scratch.values.set_number(value, lane, scratch.candidate.number(value, picked));
-                }
-            }
-        }
-    }
-
-    /// Puts a lane at its best values.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn return_to_best(&mut self, lane: usize) {
-        let scratch = &mut self.scratch;
-        for value in 0..self.reach.mechanism.values {
-            scratch.values.set_number(value, lane, scratch.best.number(value, lane));
-        }
-    }
-
-    /// Puts samples of the ranges, from number `first` on, one into each lane; the other values are
-    /// those of the start of lane `lane`.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn draw(&mut self, lane: usize, first: u64) {
-        let scratch = &mut self.scratch;
-        for value in 0..self.reach.mechanism.values {
-            let start = L::splat(self.level, scratch.start.number(value, lane));
-            scratch.candidate.set(value, start);
-        }
-        for freedom in self.reach.freedoms {
-            // A range without ends has no stride, and keeps the start.
-            if freedom.stride > 0 {
-                for index in 0..L::LANES {
-                    let value = freedom.sample(first + index as u64 + 1);
-                    scratch.candidate.set_number(freedom.value as usize, index, value);
-                }
-            }
-        }
     }
 }

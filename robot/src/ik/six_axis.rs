@@ -12,8 +12,8 @@ use super::scratch::check_scratch;
 use super::search::Work;
 use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{NONE, UNIT};
-use crate::mechanism::values::half_turn;
-use crate::mechanism::walk::Placed;
+use crate::mechanism::values::checked_cos_sin;
+use crate::mechanism::walk::HalfPose;
 use core::ops::Deref;
 use dq8::batch::{self, cos_sin, half_turns, vector};
 use dq8::internal::Choice;
@@ -502,18 +502,19 @@ impl<R: Scalar> SixAxisArm<'_, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn reaches<L: Lanes<Real = R>>(&self, values: [L; 6], target: batch::DualQuat<L>) -> L::Mask {
         let (reach, level) = (&self.reach, values[0].level());
-        let mut pose = Placed::<L>::identity(level);
+        let mut pose = HalfPose::<L>::identity(level);
         let mut values = values.into_iter();
         for (position, step) in reach.mechanism.steps.iter().enumerate() {
             if !reach.moves_goal(position) {
                 continue;
             }
-            pose = if step.parent == NONE { Placed::root(level, step) } else { pose.place(step) };
+            pose = if step.parent == NONE { HalfPose::root(level, step) } else { pose.place(step) };
             if let JointKind::Revolute { .. } = step.kind
                 && let Some(value) = values.next()
             {
-                let [cos, sin] = half_turn(value * value.constant(0.5));
-                pose.rotation = pose.turn(step, cos, sin * L::splat(level, step.sign));
+                let [cos, sin] = checked_cos_sin(value * value.constant(0.5));
+                pose.rotation =
+                    pose.rotation_about_axis(step, cos, sin * L::splat(level, step.sign));
             }
         }
         let goal = reach.goals.first().map_or([R::ZERO; 3], |goal| goal.point);

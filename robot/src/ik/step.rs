@@ -26,7 +26,7 @@
 use super::freedom::{Freedom, Kind};
 use super::model::{Decisions, Model, PoseErrors, StepResult};
 use super::scratch::{Registers, Scratch};
-use crate::mechanism::values::half_turn;
+use crate::mechanism::values::checked_cos_sin;
 use dq8::Scalar;
 use dq8::batch::vector::epsilon;
 use dq8::batch::{Quat, vector};
@@ -295,7 +295,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     // unit, so each is normalized.
                     let old: [L; 4] = values.record(level, first);
                     let half = change * change.constant(0.5);
-                    let [cos, sin] = half_turn(half);
+                    let [cos, sin] = checked_cos_sin(half);
                     let mut turn = [change.constant(0.0); 3];
                     if let Some(slot) = turn.get_mut(axis as usize) {
                         *slot = sin;

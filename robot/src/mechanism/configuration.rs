@@ -3,11 +3,13 @@
 //! pose that has been written.
 
 use super::jacobians::Frame;
-use super::job::{Found, Point};
+use super::job::{Point, PointsByLink};
 use super::joint::JointKind;
-use super::step::{Alignment, Factor, Moves, NONE, ORDER, SIGNS, Step, Way};
+use super::step::{
+    Alignment, AxisVector, Factor, JointFrame, JointScrews, Moves, NONE, ORDER, SIGNS, Step,
+};
 use super::tree::Mechanism;
-use super::values::half_turn;
+use super::values::checked_cos_sin;
 use dq8::Real;
 use dq8::geometry::Twist;
 use dq8::internal::{Number, Quick};
@@ -16,7 +18,7 @@ use dq8_simd::{Float, Lanes, Portable, Unfused};
 
 /// The steps from the base to a link.
 #[inline(always)]
-fn way<'s, R: Copy>(
+fn path<'s, R: Copy>(
     mechanism: &Mechanism<'s, R>,
     link: usize,
 ) -> impl Iterator<Item = &'s Step<R>> {
@@ -61,23 +63,25 @@ quick! {
 impl<R: Real + Number> LinkPoses<'_, R> {
     #[inline(always)]
     fn run(self) {
-        let mut turns = Turns::new(self.values);
-        turns.begin(self.mechanism.steps.first());
-        let base = Turned::base();
+        let mut angles = HalfAngles::new(self.values);
+        angles.begin(self.mechanism.steps.first());
+        let base = BaseFrame::base();
         let (mut last, mut at) = (NONE, base);
         for step in self.mechanism.steps {
             // The children of a link but the first come after what the others carry.
             if step.parent != last {
                 let link = step.parent as usize;
                 at = match (self.poses.get(link), self.mechanism.step(link)) {
-                    (Some(pose), Some(parent)) => Turned::of_pose(pose, &parent.planned.own),
+                    (Some(pose), Some(parent)) => {
+                        BaseFrame::of_pose(pose, &parent.plan.link_rotation)
+                    }
                     _ => base,
                 };
             }
-            at = at.placed(step).joined(step, &mut turns);
+            at = at.placed(step).joined(step, &mut angles);
             last = step.link;
             if let Some(slot) = self.poses.get_mut(step.link as usize) {
-                *slot = at.pose(&step.planned.own);
+                *slot = at.pose(&step.plan.link_rotation);
             }
         }
     }
@@ -86,12 +90,12 @@ impl<R: Real + Number> LinkPoses<'_, R> {
 impl<R: Real + Number> LinkPose<'_, R> {
     #[inline(always)]
     fn run(self) -> DualQuat<R> {
-        let mut turns = Turns::new(self.values);
-        turns.begin(way(self.mechanism, self.link).next());
-        let (mut at, mut own) = (Turned::base(), &Factor::ONE);
-        for step in way(self.mechanism, self.link) {
-            at = at.placed(step).joined(step, &mut turns);
-            own = &step.planned.own;
+        let mut angles = HalfAngles::new(self.values);
+        angles.begin(path(self.mechanism, self.link).next());
+        let (mut at, mut own) = (BaseFrame::base(), &Factor::ONE);
+        for step in path(self.mechanism, self.link) {
+            at = at.placed(step).joined(step, &mut angles);
+            own = &step.plan.link_rotation;
         }
         at.pose(own)
     }
@@ -101,18 +105,19 @@ impl<R: Real + Number> LinkJacobian<'_, R> {
     #[inline(always)]
     fn run(self) -> DualQuat<R> {
         self.columns.fill(Twist::from_array([R::ZERO; 6]));
-        let mut turns = Turns::new(self.values);
-        turns.begin(way(self.mechanism, self.link).next());
-        let (mut at, mut own) = (Turned::base(), &Factor::ONE);
-        for step in way(self.mechanism, self.link) {
+        let mut angles = HalfAngles::new(self.values);
+        angles.begin(path(self.mechanism, self.link).next());
+        let (mut at, mut own) = (BaseFrame::base(), &Factor::ONE);
+        for step in path(self.mechanism, self.link) {
             let before = at.placed(step);
-            at = before.joined(step, &mut turns);
-            own = &step.planned.own;
+            at = before.joined(step, &mut angles);
+            own = &step.plan.link_rotation;
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
-            let frames = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
+            let [joint, link] = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
+            let frames = BaseFrames { joint, link, values: self.values };
             for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
                 // What others mimic is moved by all of them.
-                *column = *column + step.screw(index, frames, self.values);
+                *column = *column + frames.screw(step, index);
             }
         }
         let pose = at.pose(own);
@@ -135,26 +140,26 @@ impl<R: Real + Number> LinkJacobian<'_, R> {
 impl<R: Real + Number> LinkPoints<'_, R> {
     #[inline(always)]
     fn run(self) {
-        let mut turns = Turns::new(self.values);
-        turns.begin(self.mechanism.steps.first());
-        let mut found = Found::new(self.points);
-        let (mut last, mut at) = (NONE, Turned::base());
+        let mut angles = HalfAngles::new(self.values);
+        angles.begin(self.mechanism.steps.first());
+        let mut found = PointsByLink::new(self.points);
+        let (mut last, mut at) = (NONE, BaseFrame::base());
         for step in self.mechanism.steps {
             if step.parent != last {
                 // Again, from the base: there is no memory for frames, and few branch off far from
                 // it.
-                at = Turned::base();
-                for step in way(self.mechanism, step.parent as usize) {
-                    at = at.placed(step).joined(step, &mut turns);
+                at = BaseFrame::base();
+                for step in path(self.mechanism, step.parent as usize) {
+                    at = at.placed(step).joined(step, &mut angles);
                 }
             }
-            at = at.placed(step).joined(step, &mut turns);
+            at = at.placed(step).joined(step, &mut angles);
             last = step.link;
             let some = found.of(step.link as usize);
             if some.is_empty() {
                 continue;
             }
-            let [a, b, c] = at.pose(&step.planned.own).to_matrix3x4();
+            let [a, b, c] = at.pose(&step.plan.link_rotation).to_matrix3x4();
             let column = |k: usize| load([a[k], b[k], c[k], R::ZERO]);
             let (across, origin) = ([column(0), column(1), column(2)], column(3));
             for index in some {
@@ -171,48 +176,68 @@ impl<R: Real + Number> LinkPoints<'_, R> {
     }
 }
 
-impl<R: Real> Step<R> {
-    /// The spatial twist of the link for a rate of one of the joint alone, number `index`, from the
-    /// turned frames of the joint and of the link. Where a hinge is, is known also where its angle
-    /// is too far.
+/// The base frames of a joint and of its link, and the values that have moved one to the other.
+struct BaseFrames<'v, R> {
+    joint: DualQuat<R>,
+    link: DualQuat<R>,
+    values: &'v [R],
+}
+
+impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
+    type Number = R;
+
     #[inline(always)]
-    fn screw(&self, index: usize, [before, after]: [DualQuat<R>; 2], values: &[R]) -> Twist<R> {
-        let (own, zero) = (self.planned.own.quaternion(), [R::ZERO; 3]);
-        let axis = self.planned.axis.vector;
-        let slide = |along| Twist { angular: zero, linear: along };
-        let hinge = |angular, at| Twist { angular, linear: vector::cross(at, angular) };
-        let screw = match self.kind {
-            JointKind::Planar { .. } => {
-                let directions = self.plane.map(|direction| own.rotate(direction));
-                if let Some(&direction) = directions.get(index) {
-                    slide(before.transform_vector(direction))
-                } else {
-                    let [x, y, _] = Self::numbers(self.value, values);
-                    let [first, second] = directions;
-                    let at = vector::add(vector::scale(first, x), vector::scale(second, y));
-                    hinge(before.transform_vector(axis), before.transform_point(at))
-                }
-            }
-            JointKind::Floating => {
-                let mut unit = zero;
-                unit[index % 3] = R::ONE;
-                let axis = after.transform_vector(own.rotate(unit));
-                if index < 3 { hinge(axis, after.translation()) } else { slide(axis) }
-            }
-            kind => {
-                let axis = before.transform_vector(axis);
-                match kind {
-                    JointKind::Prismatic { .. } => slide(axis),
-                    JointKind::Screw { pitch, .. } => {
-                        let Twist { angular, linear } = hinge(axis, before.translation());
-                        Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
-                    }
-                    _ => hinge(axis, before.translation()),
-                }
-            }
-        };
-        if self.mimics { screw.scale(self.multiplier) } else { screw }
+    fn number(&self, number: R) -> R {
+        number
     }
+
+    #[inline(always)]
+    fn axis(&self, step: &Step<R>) -> [R; 3] {
+        self.joint.transform_vector(step.plan.axis.vector)
+    }
+
+    #[inline(always)]
+    fn plane_axis(&self, step: &Step<R>, index: usize) -> [R; 3] {
+        let direction = step.plane.get(index).copied().unwrap_or([R::ZERO; 3]);
+        self.joint.transform_vector(step.plan.link_rotation.quaternion().rotate(direction))
+    }
+
+    #[inline(always)]
+    fn link_axis(&self, step: &Step<R>, index: usize) -> [R; 3] {
+        let mut unit = [R::ZERO; 3];
+        unit[index % 3] = R::ONE;
+        self.link.transform_vector(step.plan.link_rotation.quaternion().rotate(unit))
+    }
+
+    #[inline(always)]
+    fn hinge(&self, axis: [R; 3]) -> Twist<R> {
+        hinge(axis, self.joint.translation())
+    }
+
+    #[inline(always)]
+    fn thread(&self, axis: [R; 3], pitch: R) -> Twist<R> {
+        let Twist { angular, linear } = hinge(axis, self.joint.translation());
+        Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
+    }
+
+    /// The axis of a planar joint is known also where its angle is too far, and the link is not.
+    #[inline(always)]
+    fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
+        let JointKind::Planar { .. } = step.kind else {
+            return hinge(axis, self.link.translation());
+        };
+        let own = step.plan.link_rotation.quaternion();
+        let [x, y] = Step::numbers(step.value, self.values);
+        let [first, second] = step.plane.map(|direction| own.rotate(direction));
+        let at = vector::add(vector::scale(first, x), vector::scale(second, y));
+        hinge(axis, self.joint.transform_point(at))
+    }
+}
+
+/// Turning about an axis through a point.
+#[inline(always)]
+fn hinge<R: Real>(axis: [R; 3], point: [R; 3]) -> Twist<R> {
+    Twist { angular: axis, linear: vector::cross(point, axis) }
 }
 
 // The frames of one configuration, turned parallel to the base: four lanes hold a quaternion, p or
@@ -260,12 +285,12 @@ fn product<R: Float>(x: Four<R>, [i, j, k]: [Four<R>; 3], w: Four<R>) -> Four<R>
 
 /// The turned frame of a link.
 #[derive(Clone, Copy)]
-pub(crate) struct Turned<R: Float> {
+pub(crate) struct BaseFrame<R: Float> {
     p: Four<R>,
     q: Four<R>,
 }
 
-impl<R: Real + Number> Turned<R> {
+impl<R: Real + Number> BaseFrame<R> {
     #[inline(always)]
     pub(crate) fn base() -> Self {
         Self::new([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0].map(R::from))
@@ -299,7 +324,7 @@ impl<R: Real + Number> Turned<R> {
         Self { p, q: self.q + added }
     }
 
-    /// Turned by the unit quaternion v + w.
+    /// BaseFrame by the unit quaternion v + w.
     #[inline(always)]
     fn turned(self, about: Alignment, v: [R; 3], w: R) -> Self {
         let [x, y, z] = v;
@@ -338,16 +363,16 @@ impl<R: Real + Number> Turned<R> {
     /// From the frame of the parent to that of the joint.
     #[inline(always)]
     pub(crate) fn placed(self, step: &Step<R>) -> Self {
-        let half_offset = &step.planned.half_offset;
+        let half_offset = &step.plan.half_offset;
         self.moved(half_offset.along, half_offset.vector)
     }
 
     /// From the frame of the joint to that of the link.
     #[inline(always)]
-    pub(crate) fn joined(self, step: &Step<R>, turns: &mut Turns<'_, R>) -> Self {
-        let (at, [x, y, z]) = (self, step.planned.axis.vector);
-        let mut turn = || turns.half_turn(step.value as usize);
-        match step.planned.moves {
+    pub(crate) fn joined(self, step: &Step<R>, angles: &mut HalfAngles<'_, R>) -> Self {
+        let (at, [x, y, z]) = (self, step.plan.axis.vector);
+        let mut turn = || angles.half_angle(step.value as usize);
+        match step.plan.moves {
             Moves::Not => at,
             Moves::AboutX => {
                 let [cos, sin] = turn();
@@ -366,21 +391,8 @@ impl<R: Real + Number> Turned<R> {
                 at.turned(Alignment::Any, [x * sin, y * sin, z * sin], cos)
             }
             // By value: what is in memory here would be there for all.
-            Moves::Otherwise => Self::new(otherwise(at.to_array(), step, turns.values)),
+            Moves::General => Self::new(general_joint(at.to_array(), step, angles.values)),
         }
-    }
-
-    /// Moved along the axis of a joint.
-    fn slid(self, step: &Step<R>, length: R) -> Self {
-        let Way { along, vector } = step.planned.axis;
-        self.moved(along, vector::scale(vector, length * R::HALF))
-    }
-
-    /// Turned about it.
-    fn hinged(self, step: &Step<R>, angle: R) -> Self {
-        let Way { along, vector } = step.planned.axis;
-        let [cos, sin] = half_turn_of(angle);
-        self.turned(along, vector::scale(vector, sin), cos)
     }
 }
 
@@ -388,33 +400,60 @@ impl<R: Real + Number> Turned<R> {
 /// is in it.
 #[cold]
 #[inline(never)]
-fn otherwise<R: Real + Number>(at: [R; 8], step: &Step<R>, values: &[R]) -> [R; 8] {
-    let (at, own) = (Turned::new(at), step.planned.own.quaternion());
-    let moved = |[x, y, z]: [R; 3]| {
-        at.moved(Alignment::Any, own.rotate([x * R::HALF, y * R::HALF, z * R::HALF]))
-    };
-    let at = match step.kind {
-        JointKind::Fixed => at,
-        JointKind::Revolute { .. } => at.hinged(step, step.single(values)),
-        JointKind::Prismatic { .. } => at.slid(step, step.single(values)),
-        JointKind::Screw { pitch, .. } => {
-            let angle = step.single(values);
-            at.slid(step, angle * pitch).hinged(step, angle)
-        }
-        JointKind::Planar { .. } => {
-            let [x, y, angle] = Step::numbers(step.value, values);
-            let [first, second] = step.plane;
-            let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
-            moved(slide).hinged(step, angle)
-        }
-        JointKind::Floating => {
-            let [x, y, z, w, tx, ty, tz] = Step::numbers(step.value, values);
-            let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
-            let [x, y, z, w] = turn.to_array();
-            moved([tx, ty, tz]).turned(Alignment::Any, [x, y, z], w)
-        }
-    };
-    at.to_array()
+fn general_joint<R: Real + Number>(frame: [R; 8], step: &Step<R>, mut values: &[R]) -> [R; 8] {
+    BaseFrame::new(frame).link_frame(step, &mut values).to_array()
+}
+
+impl<R: Real + Number> JointFrame<R, &[R]> for BaseFrame<R> {
+    type Number = R;
+
+    #[inline(always)]
+    fn number(self, number: R) -> R {
+        number
+    }
+
+    #[inline(always)]
+    fn numbers<const C: usize>(self, step: &Step<R>, values: &mut &[R]) -> [R; C] {
+        Step::numbers(step.value, values)
+    }
+
+    #[inline(always)]
+    fn value(self, step: &Step<R>, index: usize, values: &mut &[R]) -> R {
+        step.number(index, values)
+    }
+
+    #[inline(always)]
+    fn half_angle(self, angle: R) -> [R; 2] {
+        half_angle_of(angle)
+    }
+
+    #[inline(always)]
+    fn turn(self, step: &Step<R>, [cos, sin]: [R; 2]) -> Self {
+        let AxisVector { along, vector } = step.plan.axis;
+        self.turned(along, vector::scale(vector, sin), cos)
+    }
+
+    #[inline(always)]
+    fn slide(self, step: &Step<R>, distance: R) -> Self {
+        let AxisVector { along, vector } = step.plan.axis;
+        self.moved(along, vector::scale(vector, distance * R::HALF))
+    }
+
+    #[inline(always)]
+    fn slide_in_plane(self, step: &Step<R>, distances: [R; 2]) -> Self {
+        let [x, y, z] = step.in_plane(distances);
+        let half = [x * R::HALF, y * R::HALF, z * R::HALF];
+        self.moved(Alignment::Any, step.plan.link_rotation.quaternion().rotate(half))
+    }
+
+    #[inline(always)]
+    fn float(self, step: &Step<R>, [x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
+        let own = step.plan.link_rotation.quaternion();
+        let half = own.rotate([tx * R::HALF, ty * R::HALF, tz * R::HALF]);
+        let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
+        let [x, y, z, w] = turn.to_array();
+        self.moved(Alignment::Any, half).turned(Alignment::Any, [x, y, z], w)
+    }
 }
 
 // Cosines and sines of one configuration: they come first, as many at a time as there are lanes
@@ -427,14 +466,14 @@ type Eight<R> = <R as Float>::Packed<Unfused<Portable>>;
 type Native<R> = <R as Float>::Lanes<Unfused<Portable>>;
 
 /// The values, and cosine and sine of half of some that follow each other.
-pub(crate) struct Turns<'v, R> {
+pub(crate) struct HalfAngles<'v, R> {
     pub(crate) values: &'v [R],
     first: usize,
     cos: [R; 8],
     sin: [R; 8],
 }
 
-impl<'v, R: Real + Number> Turns<'v, R> {
+impl<'v, R: Real + Number> HalfAngles<'v, R> {
     /// So many at a time. Where lanes hold one number, a loop that keeps its constants in
     /// registers, over fewer that may not be needed.
     const SOME: usize = if Native::<R>::LANES == 1 { 4 } else { 8 };
@@ -458,7 +497,7 @@ impl<'v, R: Real + Number> Turns<'v, R> {
 
     /// Cosine and sine of half of value number `index`.
     #[inline(always)]
-    pub(crate) fn half_turn(&mut self, index: usize) -> [R; 2] {
+    pub(crate) fn half_angle(&mut self, index: usize) -> [R; 2] {
         if index.wrapping_sub(self.first) >= Self::SOME {
             self.compute_others(index);
         }
@@ -478,9 +517,9 @@ impl<'v, R: Real + Number> Turns<'v, R> {
         if Native::<R>::LANES == 1 {
             self.first = index;
             let rest = self.values.get(index..).unwrap_or_default();
-            let turns = self.cos.iter_mut().zip(&mut self.sin).take(Self::SOME);
-            for ((cos, sin), &value) in turns.zip(rest) {
-                [*cos, *sin] = half_turn_of(value);
+            let angles = self.cos.iter_mut().zip(&mut self.sin).take(Self::SOME);
+            for ((cos, sin), &value) in angles.zip(rest) {
+                [*cos, *sin] = half_angle_of(value);
             }
             return;
         }
@@ -495,7 +534,7 @@ impl<'v, R: Real + Number> Turns<'v, R> {
             }
             _ => Eight::<R>::load_partial(LEVEL, rest, R::ZERO),
         };
-        let [cos, sin] = half_turn(some * some.constant(0.5));
+        let [cos, sin] = checked_cos_sin(some * some.constant(0.5));
         for (to, from) in [(&mut self.cos, cos.to_array()), (&mut self.sin, sin.to_array())] {
             to[..4].copy_from_slice(&from[..4]);
             to[second..][..4].copy_from_slice(&from[4..]);
@@ -504,7 +543,7 @@ impl<'v, R: Real + Number> Turns<'v, R> {
 }
 
 /// Cosine and sine of half an angle.
-pub(crate) fn half_turn_of<R: Real + Number>(angle: R) -> [R; 2] {
+pub(crate) fn half_angle_of<R: Real + Number>(angle: R) -> [R; 2] {
     let angle = Native::<R>::splat(LEVEL, angle);
-    half_turn(angle * angle.constant(0.5)).map(|of| of.to_array().as_ref()[0])
+    checked_cos_sin(angle * angle.constant(0.5)).map(|of| of.to_array().as_ref()[0])
 }

@@ -1,8 +1,8 @@
 use super::job::{Job, carries, first_carried, place_of, repeat, things};
-use super::step::Step;
+use super::step::{JointScrews, Step};
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
-use super::walk::{Joined, Task};
+use super::walk::{LinkFrames, Task};
 use core::fmt::Debug;
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
@@ -194,7 +194,7 @@ where
         level: V,
         group: Group,
         step: &Step<Number<E, 8>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
         (): &(),
         (): &mut (),
     ) {
@@ -225,7 +225,7 @@ where
         }
         if let Some(index) = place_of(self.links, link) {
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
-            E::store(joined.pose.to_motion(), self.poses, tile);
+            E::store(joined.link.to_motion(), self.poses, tile);
         }
     }
 

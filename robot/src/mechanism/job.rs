@@ -1,7 +1,7 @@
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
-use super::walk::{Joined, Task, Walk};
+use super::walk::{LinkFrames, Task, Walk};
 #[cfg(feature = "alloc")]
 use super::{Dh, DhConvention, Joint, MechanismError};
 #[cfg(feature = "alloc")]
@@ -248,20 +248,20 @@ impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
         level: V,
         group: Group,
         step: &Step<Number<E, 8>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
         (): &(),
         (): &mut (),
     ) {
         let (link, count) = (step.link as usize, self.count);
         if ALL {
             let tile = group.tile::<E::Layout, V>(link, count);
-            E::store(joined.pose.to_motion(), self.poses, tile);
+            E::store(joined.link.to_motion(), self.poses, tile);
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
             // The first place only, of a link that is asked for more than once: a loop around the
             // registers of a pose would keep them in memory, which takes half as long again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
-            E::store(joined.pose.to_motion(), self.poses, tile);
+            E::store(joined.link.to_motion(), self.poses, tile);
         }
     }
 }
@@ -295,14 +295,14 @@ pub(crate) type Point<R> = (usize, [R; 3]);
 
 /// Points, of which those of one link are looked for after the other.
 #[derive(Clone, Copy)]
-pub(crate) struct Found<'p, R> {
+pub(crate) struct PointsByLink<'p, R> {
     pub(crate) points: &'p [Point<R>],
     in_order: bool,
     /// Where those of the next link are likely to begin.
     next: usize,
 }
 
-impl<'p, R> Found<'p, R> {
+impl<'p, R> PointsByLink<'p, R> {
     pub(crate) fn new(points: &'p [Point<R>]) -> Self {
         let in_order = points.is_sorted_by(|(a, _), (b, _)| a <= b);
         Self { points, in_order, next: 0 }
@@ -375,7 +375,7 @@ impl<R: Scalar> Job<'_, R> {
         let elements = whole_instances("places", points.len(), places.len())?;
         T::check("values", values, mechanism.values, elements)?;
         self.walk(values, (places, points.len()), |_, (places, count): (&mut [E], usize)| {
-            (things(places, count, elements), Points { places, found: Found::new(points) })
+            (things(places, count, elements), Points { places, found: PointsByLink::new(points) })
         });
         Ok(())
     }
@@ -383,13 +383,13 @@ impl<R: Scalar> Job<'_, R> {
 
 struct Points<'s, E: Element<3>> {
     places: &'s mut [E],
-    found: Found<'s, Number<E, 3>>,
+    found: PointsByLink<'s, Number<E, 3>>,
 }
 
 /// Places of points that follow each other. Three numbers of a point are no register that can be
 /// written at once, but the twelve of four points are three: a quarter of the stores, which are
 /// most of the time where places lie plainly.
-struct Waiting<L> {
+struct PointQuad<L> {
     first: usize,
     count: usize,
     places: [[L; 3]; FOUR],
@@ -398,11 +398,11 @@ struct Waiting<L> {
 /// As many points wait.
 const FOUR: usize = 4;
 
-type Numbers<E, V> = <<E as Element<3>>::Layout as Layout>::Register<V>;
+type Register<E, V> = <<E as Element<3>>::Layout as Layout>::Register<V>;
 
 impl<E: Element<3>> Points<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn write<V: Level>(&mut self, level: V, group: Group, waiting: &mut Waiting<Numbers<E, V>>) {
+    fn write<V: Level>(&mut self, level: V, group: Group, waiting: &mut PointQuad<Register<E, V>>) {
         let (all, first) = (self.found.points.len(), waiting.first);
         let count = core::mem::take(&mut waiting.count);
         group.prefetch_next::<E::Layout, V, E>(level, self.places, first..first + count, all);
@@ -412,7 +412,7 @@ impl<E: Element<3>> Points<'_, E> {
         if let (FOUR, Some(row)) = (count, row) {
             let [[a, b, c], [d, e, f], [g, h, i], [j, k, l]] = waiting.places;
             let quads = [[a, b, c, d], [e, f, g, h], [i, j, k, l]];
-            if Numbers::<E, V>::store_rows(quads, row, 3 * all) {
+            if Register::<E, V>::store_rows(quads, row, 3 * all) {
                 return;
             }
         }
@@ -423,13 +423,13 @@ impl<E: Element<3>> Points<'_, E> {
 }
 
 impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
-    type State<V: Level> = Waiting<Numbers<E, V>>;
+    type State<V: Level> = PointQuad<Register<E, V>>;
     type Carried<V: Level> = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn start<V: Level>(&self, level: V) -> Self::State<V> {
         let zero = vector::splat(level, [Number::<E, 3>::default(); 3]);
-        Waiting { first: 0, count: 0, places: [zero; FOUR] }
+        PointQuad { first: 0, count: 0, places: [zero; FOUR] }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(_: V) {}
@@ -439,7 +439,7 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
         level: V,
         group: Group,
         step: &Step<Number<E, 3>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
         (): &(),
         waiting: &mut Self::State<V>,
     ) {
@@ -448,9 +448,9 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
         if some.is_empty() {
             return;
         }
-        let [hx, hy, hz] = joined.pose.half;
+        let [hx, hy, hz] = joined.link.half;
         let origin = [hx + hx, hy + hy, hz + hz];
-        let [a, b, c] = Quat::from_array(joined.pose.rotation).to_matrix3();
+        let [a, b, c] = Quat::from_array(joined.link.rotation).to_matrix3();
         let columns = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
         for index in some {
             let Some(&(of, point)) = points.get(index) else { return };

@@ -26,7 +26,7 @@ pub struct Joint<R> {
 pub enum JointKind<R> {
     /// Not at all. No value.
     Fixed,
-    /// Turns about `axis`, through the origin of its frame. One value, radians; without limits this
+    /// HalfAngles about `axis`, through the origin of its frame. One value, radians; without limits this
     /// is a continuous joint.
     Revolute {
         /// The axis.
@@ -37,7 +37,7 @@ pub enum JointKind<R> {
         /// The axis.
         axis: [R; 3],
     },
-    /// Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
+    /// HalfAngles about `axis` and slides along it, `pitch` for each radian. One value, radians.
     Screw {
         /// The axis.
         axis: [R; 3],

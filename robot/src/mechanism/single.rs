@@ -5,7 +5,7 @@
 use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
 use super::jacobians::{Frame, JacobianFrame};
 use super::joint::JointKind;
-use super::step::Step;
+use super::step::{JointFrame, JointScrews, Step};
 use super::tree::Mechanism;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, lie_bracket, vector};
@@ -153,7 +153,7 @@ impl<R: Real> Mechanism<'_, R> {
             let own = columns.get_mut(step.rate as usize..).unwrap_or_default();
             for (index, column) in own.iter_mut().take(step.kind.rates()).enumerate() {
                 // What others mimic is moved by all of them.
-                *column = *column + tail.conjugate().adjoint(step.own_twist(index, values));
+                *column = *column + tail.conjugate().adjoint(BodyScrews(values).screw(step, index));
             }
             tail = step.placement() * step.motion(values) * tail;
             joint = step.parent as usize;
@@ -189,7 +189,7 @@ impl<R: Real> Mechanism<'_, R> {
         for step in self.steps {
             let Some(pose) = poses.get(step.link as usize) else { continue };
             let zero = Twist::from_array([R::ZERO; 6]);
-            let own = step.moved(values, rates).fold(zero, |sum, own| sum + own);
+            let own = step.own_twists(values, rates).fold(zero, |sum, own| sum + own);
             let mut twist = pose.adjoint(own);
             if let Some(parent) = twists.get(step.parent as usize) {
                 twist = *parent + twist;
@@ -226,14 +226,14 @@ impl<R: Real> Mechanism<'_, R> {
             let Some(pose) = poses.get(step.link as usize) else { continue };
             let parent = step.parent as usize;
             let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
-            let own = step.moved(values, second_rates).fold(zero, |sum, own| sum + own);
+            let own = step.own_twists(values, second_rates).fold(zero, |sum, own| sum + own);
             acceleration = acceleration + pose.adjoint(own);
             // What carries the screws of the joint along: its parent, and for the turn of a planar
             // joint its slides, which are before it.
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
             let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
             for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
-                let moving = pose.adjoint(step.own_twist(index, values)).scale(rate);
+                let moving = pose.adjoint(BodyScrews(values).screw(step, index)).scale(rate);
                 acceleration = acceleration + lie_bracket(carrying, moving);
                 if let JointKind::Planar { .. } = step.kind {
                     carrying = carrying + moving;
@@ -260,73 +260,123 @@ impl<R: Real> Step<R> {
         rest.first_chunk().copied().unwrap_or([R::NAN; C])
     }
 
-    /// The value of a joint that has one.
-    pub(crate) fn single(&self, values: &[R]) -> R {
-        let [value] = Self::numbers(self.value, values);
-        value * self.multiplier + self.offset
+    /// Number `index` of a joint, an angle or a distance; of one that mimics, what it takes.
+    pub(crate) fn number(&self, index: usize, values: &[R]) -> R {
+        let [number] = Self::numbers(self.value + index as u32, values);
+        // Joints of more numbers than one mimic nothing.
+        if index == 0 { number * self.multiplier + self.offset } else { number }
+    }
+
+    /// Moved across the normal of a planar joint, in the frame of the joint.
+    pub(crate) fn in_plane(&self, [x, y]: [R; 2]) -> [R; 3] {
+        let [first, second] = self.plane;
+        vector::add(vector::scale(first, x), vector::scale(second, y))
     }
 
     /// From the joint's frame to that of the link.
-    pub(crate) fn motion(&self, values: &[R]) -> DualQuat<R> {
-        match self.kind {
-            JointKind::Fixed => DualQuat::IDENTITY,
-            JointKind::Revolute { axis } => {
-                DualQuat::from_rotation(Quat::from_axis_angle(axis, self.single(values)))
+    pub(crate) fn motion(&self, mut values: &[R]) -> DualQuat<R> {
+        let rest = Motion { rotation: None, translation: None };
+        match rest.link_frame(self, &mut values) {
+            Motion { rotation: None, translation: None } => DualQuat::IDENTITY,
+            Motion { rotation: Some(rotation), translation: None } => {
+                DualQuat::from_rotation(rotation)
             }
-            JointKind::Prismatic { axis } => {
-                DualQuat::from_translation(vector::scale(axis, self.single(values)))
+            Motion { rotation: None, translation: Some(translation) } => {
+                DualQuat::from_translation(translation)
             }
-            JointKind::Screw { axis, pitch } => {
-                let angle = self.single(values);
-                let turn = Quat::from_axis_angle(axis, angle);
-                let along = vector::scale(axis, pitch * angle);
-                DualQuat::from_rotation_translation(turn, along)
-            }
-            JointKind::Planar { normal } => {
-                let [x, y, angle] = Self::numbers(self.value, values);
-                let [first, second] = self.plane;
-                let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
-                let turn = Quat::from_axis_angle(normal, angle);
-                DualQuat::from_rotation_translation(turn, slide)
-            }
-            JointKind::Floating => {
-                let [x, y, z, w, tx, ty, tz] = Self::numbers(self.value, values);
-                let turn = Quat::from_xyzw(x, y, z, w).normalize();
-                DualQuat::from_rotation_translation(turn, [tx, ty, tz])
+            Motion { rotation: Some(rotation), translation: Some(translation) } => {
+                DualQuat::from_rotation_translation(rotation, translation)
             }
         }
     }
 
-    /// The body twist of the link for a rate of one of the joint alone, number `index`, in the
-    /// frame of the link.
-    fn own_twist(&self, index: usize, values: &[R]) -> Twist<R> {
-        let zero = [R::ZERO; 3];
-        let (angular, linear) = match self.kind {
-            JointKind::Fixed => (zero, zero),
-            JointKind::Revolute { axis } => (axis, zero),
-            JointKind::Prismatic { axis } => (zero, axis),
-            JointKind::Screw { axis, pitch } => (axis, vector::scale(axis, pitch)),
-            JointKind::Planar { .. } if index < 2 => {
-                // The slides come before the turn.
-                let back = self.motion(values).rotation().conjugate();
-                (zero, back.rotate(self.plane[index % 2]))
-            }
-            JointKind::Planar { normal } => (normal, zero),
-            JointKind::Floating => {
-                let mut unit = zero;
-                unit[index % 3] = R::ONE;
-                if index < 3 { (unit, zero) } else { (zero, unit) }
-            }
-        };
-        let own = Twist { angular, linear };
-        if self.mimics { own.scale(self.multiplier) } else { own }
-    }
-
     /// The body twists for the joint's rates among all of them, in order.
-    fn moved(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
+    fn own_twists(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
         // None of a joint without rates.
         let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
         let own = rates.take(self.kind.rates()).enumerate();
-        own.map(move |(index, &rate)| self.own_twist(index, values).scale(rate))
+        own.map(move |(index, &rate)| BodyScrews(values).screw(self, index).scale(rate))
+    }
+}
+
+/// The motion of a joint, with what it is made of.
+#[derive(Clone, Copy)]
+struct Motion<R> {
+    rotation: Option<Quat<R>>,
+    translation: Option<[R; 3]>,
+}
+
+impl<R: Real> JointFrame<R, &[R]> for Motion<R> {
+    type Number = R;
+
+    fn number(self, number: R) -> R {
+        number
+    }
+
+    fn numbers<const C: usize>(self, step: &Step<R>, values: &mut &[R]) -> [R; C] {
+        Step::numbers(step.value, values)
+    }
+
+    fn value(self, step: &Step<R>, index: usize, values: &mut &[R]) -> R {
+        step.number(index, values)
+    }
+
+    fn half_angle(self, angle: R) -> [R; 2] {
+        let half = angle * R::HALF;
+        [half.cos(), half.sin()]
+    }
+
+    fn turn(self, step: &Step<R>, [cos, sin]: [R; 2]) -> Self {
+        Self { rotation: Some(Quat::from_parts(vector::scale(step.axis, sin), cos)), ..self }
+    }
+
+    fn slide(self, step: &Step<R>, distance: R) -> Self {
+        Self { translation: Some(vector::scale(step.axis, distance)), ..self }
+    }
+
+    fn slide_in_plane(self, step: &Step<R>, distances: [R; 2]) -> Self {
+        Self { translation: Some(step.in_plane(distances)), ..self }
+    }
+
+    fn float(self, _: &Step<R>, [x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
+        let turn = Quat::from_xyzw(x, y, z, w).normalize();
+        Self { rotation: Some(turn), translation: Some([tx, ty, tz]) }
+    }
+}
+
+/// Body twists, in the frame of the link, from the values of a configuration.
+struct BodyScrews<'v, R>(&'v [R]);
+
+impl<R: Real> JointScrews<R> for BodyScrews<'_, R> {
+    type Number = R;
+
+    fn number(&self, number: R) -> R {
+        number
+    }
+
+    fn axis(&self, step: &Step<R>) -> [R; 3] {
+        step.axis
+    }
+
+    fn plane_axis(&self, step: &Step<R>, index: usize) -> [R; 3] {
+        step.motion(self.0).rotation().conjugate().rotate(step.plane[index % 2])
+    }
+
+    fn link_axis(&self, _: &Step<R>, index: usize) -> [R; 3] {
+        let mut unit = [R::ZERO; 3];
+        unit[index % 3] = R::ONE;
+        unit
+    }
+
+    fn hinge(&self, axis: [R; 3]) -> Twist<R> {
+        Twist { angular: axis, linear: [R::ZERO; 3] }
+    }
+
+    fn thread(&self, axis: [R; 3], pitch: R) -> Twist<R> {
+        Twist { angular: axis, linear: vector::scale(axis, pitch) }
+    }
+
+    fn link_hinge(&self, _: &Step<R>, axis: [R; 3]) -> Twist<R> {
+        self.hinge(axis)
     }
 }

@@ -1,5 +1,7 @@
 use super::joint::{Joint, JointKind, MechanismError};
+use core::ops::Mul;
 use dq8::Real;
+use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, vector};
 
 /// How far axes, placements and targets may be from unit: numbers that people type with four
@@ -16,14 +18,14 @@ pub struct Step<R> {
     pub(crate) rotation: [R; 4],
     pub(crate) half_offset: [R; 3],
     /// Which axes the two are about and along.
-    pub(crate) turned: Alignment,
-    pub(crate) shifted: Alignment,
+    pub(crate) rotation_alignment: Alignment,
+    pub(crate) offset_alignment: Alignment,
     /// With axes that are exactly unit.
     pub(crate) kind: JointKind<R>,
     pub(crate) axis: [R; 3],
     /// The two directions of a planar joint.
     pub(crate) plane: [[R; 3]; 2],
-    pub(crate) aligned: Alignment,
+    pub(crate) axis_alignment: Alignment,
     /// Which way the axis points along the one it is aligned with; 1 where there is none.
     pub(crate) sign: R,
     /// Value of the joint = multiplier · value number `value` + offset.
@@ -32,7 +34,7 @@ pub struct Step<R> {
     /// The same of half the value, about or along the aligned axis where that is positive.
     pub(crate) half_multiplier: R,
     pub(crate) half_bias: R,
-    pub(crate) planned: Planned<R>,
+    pub(crate) plan: JointPlan<R>,
     pub(crate) limits: Option<[R; 2]>,
     pub(crate) mimics: bool,
     /// The first of its values and rates among all.
@@ -60,18 +62,18 @@ impl<R: Real> Default for Step<R> {
         Self {
             rotation: [R::ZERO, R::ZERO, R::ZERO, R::ONE],
             half_offset: [R::ZERO; 3],
-            turned: Alignment::None,
-            shifted: Alignment::None,
+            rotation_alignment: Alignment::None,
+            offset_alignment: Alignment::None,
             kind: JointKind::Fixed,
             axis: [R::ZERO; 3],
             plane: [[R::ZERO; 3]; 2],
-            aligned: Alignment::None,
+            axis_alignment: Alignment::None,
             sign: R::ONE,
             multiplier: R::ONE,
             offset: R::ZERO,
             half_multiplier: R::HALF,
             half_bias: R::ZERO,
-            planned: Planned::NONE,
+            plan: JointPlan::NONE,
             limits: None,
             mimics: false,
             value: NONE,
@@ -105,9 +107,9 @@ impl<R: Real> Step<R> {
             *axis = unit(*axis, index)?;
             step.axis = *axis;
         }
-        step.aligned = Alignment::of(step.axis);
+        step.axis_alignment = Alignment::of(step.axis);
         let [x, y, z] = step.axis;
-        if step.aligned != Alignment::Any && x + y + z < R::ZERO {
+        if step.axis_alignment != Alignment::Any && x + y + z < R::ZERO {
             step.sign = -R::ONE;
         }
         if let JointKind::Planar { normal } = step.kind {
@@ -165,10 +167,119 @@ impl<R: Real> Step<R> {
             *number += R::ZERO;
         }
         let [x, y, z, _] = rotation;
-        (self.turned, self.shifted) = (Alignment::of([x, y, z]), Alignment::of(translation));
+        (self.rotation_alignment, self.offset_alignment) =
+            (Alignment::of([x, y, z]), Alignment::of(translation));
         self.rotation = rotation;
         self.half_offset = vector::scale(translation, R::HALF);
         Ok(())
+    }
+}
+
+/// A frame that a joint moves, from that of the joint to that of its link. What each kind of joint
+/// does is written once, in [`link_frame`](Self::link_frame): for lanes, for one configuration of
+/// floats, and for one of any number. `V` holds the values.
+///
+/// Lanes count angles and distances in halves, which is all that their products need; the others
+/// count them whole.
+pub(crate) trait JointFrame<R: Real, V>: Copy {
+    /// A number, or one per lane.
+    type Number: Copy + Mul<Output = Self::Number>;
+    /// The same number in every lane.
+    fn number(self, number: R) -> Self::Number;
+    /// The first `C` numbers of a joint.
+    fn numbers<const C: usize>(self, step: &Step<R>, values: &mut V) -> [Self::Number; C];
+    /// Number `index` of a joint, an angle about its axis or a distance along it.
+    fn value(self, step: &Step<R>, index: usize, values: &mut V) -> Self::Number;
+    /// Cosine and sine of half an angle.
+    fn half_angle(self, angle: Self::Number) -> [Self::Number; 2];
+    /// The same for a hinge that mimics no other: most joints of a robot.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn own_half_angle(self, step: &Step<R>, values: &mut V) -> [Self::Number; 2] {
+        self.half_angle(self.value(step, 0, values))
+    }
+    /// Turned about the axis of the joint.
+    fn turn(self, step: &Step<R>, half_angle: [Self::Number; 2]) -> Self;
+    /// Moved along the axis of the joint.
+    fn slide(self, step: &Step<R>, distance: Self::Number) -> Self;
+    /// Moved across the normal of a planar joint.
+    fn slide_in_plane(self, step: &Step<R>, distances: [Self::Number; 2]) -> Self;
+    /// Moved by a translation, then turned by a quaternion of any length.
+    fn float(self, step: &Step<R>, numbers: [Self::Number; 7]) -> Self;
+
+    /// The frame of the link from that of the joint.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link_frame(self, step: &Step<R>, values: &mut V) -> Self {
+        match step.kind {
+            JointKind::Fixed => self,
+            JointKind::Revolute { .. } if !step.mimics => {
+                self.turn(step, self.own_half_angle(step, values))
+            }
+            JointKind::Prismatic { .. } => self.slide(step, self.value(step, 0, values)),
+            JointKind::Floating => self.float(step, self.numbers(step, values)),
+            // One arm for three kinds: cosine and sine are most of the machine code.
+            JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
+                let index = if let JointKind::Planar { .. } = step.kind { 2 } else { 0 };
+                let angle = self.value(step, index, values);
+                let half_angle = self.half_angle(angle);
+                let moved = match step.kind {
+                    JointKind::Screw { pitch, .. } => self.slide(step, angle * self.number(pitch)),
+                    JointKind::Planar { .. } => {
+                        self.slide_in_plane(step, self.numbers(step, values))
+                    }
+                    _ => self,
+                };
+                moved.turn(step, half_angle)
+            }
+        }
+    }
+}
+
+/// The twists that a joint gives its link, for a rate of one. What each kind of joint does is
+/// written once, in [`screw`](Self::screw): seen from the base, on lanes and for one configuration
+/// of floats, and seen from the link, for any number.
+pub(crate) trait JointScrews<R: Real> {
+    /// A number, or one per lane.
+    type Number: Copy + Mul<Output = Self::Number>;
+    /// The same number in every lane.
+    fn number(&self, number: R) -> Self::Number;
+    /// The axis of the joint.
+    fn axis(&self, step: &Step<R>) -> [Self::Number; 3];
+    /// Direction x or y of a planar joint.
+    fn plane_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
+    /// Axis x, y or z of the link.
+    fn link_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
+    /// Turning about an axis through the origin of the joint.
+    fn hinge(&self, axis: [Self::Number; 3]) -> Twist<Self::Number>;
+    /// The same, and sliding along the axis, `pitch` for each radian.
+    fn thread(&self, axis: [Self::Number; 3], pitch: R) -> Twist<Self::Number>;
+    /// Turning about an axis through the origin of the link.
+    fn link_hinge(&self, step: &Step<R>, axis: [Self::Number; 3]) -> Twist<Self::Number>;
+
+    /// Sliding along an axis.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn slide(&self, axis: [Self::Number; 3]) -> Twist<Self::Number> {
+        Twist { angular: [self.number(R::ZERO); 3], linear: axis }
+    }
+
+    /// The twist for rate number `index` of the joint: a column of the Jacobian.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn screw(&self, step: &Step<R>, index: usize) -> Twist<Self::Number> {
+        let screw = match step.kind {
+            // The slides of a planar joint come before its turn, those of a floating one after it.
+            JointKind::Planar { .. } if index < 2 => self.slide(self.plane_axis(step, index)),
+            JointKind::Floating if index < 3 => self.link_hinge(step, self.link_axis(step, index)),
+            JointKind::Floating => self.slide(self.link_axis(step, index % 3)),
+            kind => {
+                let axis = self.axis(step);
+                match kind {
+                    JointKind::Prismatic { .. } => self.slide(axis),
+                    JointKind::Screw { pitch, .. } => self.thread(axis, pitch),
+                    JointKind::Planar { .. } => self.link_hinge(step, axis),
+                    _ => self.hinge(axis),
+                }
+            }
+        };
+        if step.mimics { screw.scale(self.number(step.multiplier)) } else { screw }
     }
 }
 
@@ -252,12 +363,12 @@ pub(crate) const SIGNS: [[f32; 4]; 3] =
 
 /// A vector, and how it lies.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way<R> {
+pub(crate) struct AxisVector<R> {
     pub(crate) along: Alignment,
     pub(crate) vector: [R; 3],
 }
 
-impl<R: Real> Way<R> {
+impl<R: Real> AxisVector<R> {
     const ZERO: Self = Self { along: Alignment::None, vector: [R::ZERO; 3] };
 
     pub(crate) fn new(vector: [R; 3]) -> Self {
@@ -268,15 +379,15 @@ impl<R: Real> Way<R> {
 /// The quaternion v + w as a right factor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factor<R> {
-    pub(crate) v: Way<R>,
+    pub(crate) v: AxisVector<R>,
     pub(crate) w: R,
 }
 
 impl<R: Real> Factor<R> {
-    pub(crate) const ONE: Self = Self { v: Way::ZERO, w: R::ONE };
+    pub(crate) const ONE: Self = Self { v: AxisVector::ZERO, w: R::ONE };
 
     pub(crate) fn new([x, y, z, w]: [R; 4]) -> Self {
-        Self { v: Way::new([x, y, z]), w }
+        Self { v: AxisVector::new([x, y, z]), w }
     }
 
     pub(crate) fn quaternion(&self) -> Quat<R> {
@@ -295,24 +406,28 @@ pub(crate) enum Moves {
     AboutZ,
     AboutAny,
     /// What most robots have none of.
-    Otherwise,
+    General,
 }
 
 /// A joint between such frames.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Planned<R> {
+pub(crate) struct JointPlan<R> {
     pub(crate) moves: Moves,
     /// The link's own frame where all values are zero.
-    pub(crate) own: Factor<R>,
+    pub(crate) link_rotation: Factor<R>,
     /// Half the way from the parent.
-    pub(crate) half_offset: Way<R>,
+    pub(crate) half_offset: AxisVector<R>,
     /// The axis or normal of the joint.
-    pub(crate) axis: Way<R>,
+    pub(crate) axis: AxisVector<R>,
 }
 
-impl<R: Real> Planned<R> {
-    pub(crate) const NONE: Self =
-        Self { moves: Moves::Not, own: Factor::ONE, half_offset: Way::ZERO, axis: Way::ZERO };
+impl<R: Real> JointPlan<R> {
+    pub(crate) const NONE: Self = Self {
+        moves: Moves::Not,
+        link_rotation: Factor::ONE,
+        half_offset: AxisVector::ZERO,
+        axis: AxisVector::ZERO,
+    };
 }
 
 // What is found when a mechanism is made, for one configuration at a time: joints between frames
@@ -329,30 +444,30 @@ impl<R: Real> Planned<R> {
 pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     for index in 0..steps.len() {
         let Some(step) = steps.get(index) else { return };
-        let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.planned.own);
+        let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.plan.link_rotation);
         let on = on.quaternion();
         let own = on * Quat::from_array(step.rotation);
         // Unit but for rounding: a step of Newton's makes it so.
         let mut own = own.scale(R::from(1.5) - R::HALF * own.dot(own)).to_array();
-        clean(&mut own, R::ONE);
+        snap(&mut own, R::ONE);
         let largest = step.half_offset.into_iter().map(R::abs).fold(R::ZERO, R::max_or_nan);
         let mut half_offset = on.rotate(step.half_offset);
-        clean(&mut half_offset, largest);
+        snap(&mut half_offset, largest);
         let mut axis = Quat::from_array(own).rotate(step.axis);
-        clean(&mut axis, R::ONE);
+        snap(&mut axis, R::ONE);
         if let Some(step) = steps.get_mut(index) {
-            let axis = Way::new(axis);
+            let axis = AxisVector::new(axis);
             let moves = match (step.kind, axis.along) {
                 (JointKind::Fixed, _) => Moves::Not,
-                (JointKind::Revolute { .. }, _) if step.mimics => Moves::Otherwise,
+                (JointKind::Revolute { .. }, _) if step.mimics => Moves::General,
                 (JointKind::Revolute { .. }, Alignment::X) => Moves::AboutX,
                 (JointKind::Revolute { .. }, Alignment::Y) => Moves::AboutY,
                 (JointKind::Revolute { .. }, Alignment::Z) => Moves::AboutZ,
                 (JointKind::Revolute { .. }, _) => Moves::AboutAny,
-                _ => Moves::Otherwise,
+                _ => Moves::General,
             };
-            let (own, half_offset) = (Factor::new(own), Way::new(half_offset));
-            step.planned = Planned { moves, own, half_offset, axis };
+            let (link_rotation, half_offset) = (Factor::new(own), AxisVector::new(half_offset));
+            step.plan = JointPlan { moves, link_rotation, half_offset, axis };
         }
     }
 }
@@ -360,7 +475,7 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
 /// With the zeros, halves, roots of a half and ones that rounding has missed, of numbers of this
 /// size: frames of machines are turned by quarters.
 #[inline(never)]
-fn clean<R: Real>(numbers: &mut [R], size: R) {
+fn snap<R: Real>(numbers: &mut [R], size: R) {
     let (root, near) = (R::HALF.sqrt(), R::TWO * R::EPSILON * size);
     for number in numbers {
         for nice in [R::ZERO, R::HALF * size, root * size, size] {
@@ -380,7 +495,7 @@ fn clean<R: Real>(numbers: &mut [R], size: R) {
 
 /// The part of the `leader`'s range in which a follower, at `multiplier` times its value and
 /// `offset`, is within its own limits. `None` if that is not more than one value.
-pub(crate) fn shared<R: Real>(
+pub(crate) fn common_range<R: Real>(
     [low, high]: [R; 2],
     limits: [R; 2],
     multiplier: R,
@@ -395,18 +510,18 @@ pub(crate) fn shared<R: Real>(
 }
 
 impl<R: Real> Step<R> {
-    /// [`shared`] with the limits of this joint, which mimics another; all of the range if it has
+    /// [`common_range`] with the limits of this joint, which mimics another; all of the range if it has
     /// none.
-    pub(crate) fn narrows(&self, range: [R; 2]) -> Option<[R; 2]> {
+    pub(crate) fn narrowed(&self, range: [R; 2]) -> Option<[R; 2]> {
         match self.limits {
-            Some(limits) => shared(range, limits, self.multiplier, self.offset),
+            Some(limits) => common_range(range, limits, self.multiplier, self.offset),
             None => Some(range),
         }
     }
 }
 
 /// From −∞ to ∞.
-pub(crate) fn endless<R: Real>() -> [R; 2] {
+pub(crate) fn unlimited<R: Real>() -> [R; 2] {
     [-R::ONE / R::ZERO, R::ONE / R::ZERO]
 }
 
@@ -433,8 +548,8 @@ mod tests {
         }
         plan(&mut steps);
         for step in steps {
-            assert!(!matches!(step.planned.moves, Moves::AboutAny | Moves::Otherwise), "{step:?}");
-            assert_ne!(step.planned.half_offset.along, Alignment::Any, "{step:?}");
+            assert!(!matches!(step.plan.moves, Moves::AboutAny | Moves::General), "{step:?}");
+            assert_ne!(step.plan.half_offset.along, Alignment::Any, "{step:?}");
         }
     }
 

@@ -1,5 +1,5 @@
 use super::joint::{Joint, JointKind, MechanismError};
-use super::step::{NONE, Step, endless, finite, plan, unit};
+use super::step::{NONE, Step, finite, plan, unit, unlimited};
 use super::values::JointValues;
 use dq8::geometry::{Line, Screw};
 use dq8::internal::brief;
@@ -56,9 +56,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// unit or not finite, limits are not in order, what should be mimicked has not one value of
     /// its own, or there are fewer steps than joints. `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
-        let steps = room(steps, joints.len())?;
+        let steps = step_memory(steps, joints.len())?;
         let counts = check(joints, steps)?;
-        Ok(planned(steps, counts))
+        Ok(finish(steps, counts))
     }
 }
 
@@ -83,7 +83,7 @@ impl<R: Real> Mechanism<'_, R> {
     /// If there are not as many limits as values; nothing is written.
     pub fn value_limits(&self, limits: &mut [[R; 2]]) -> Result<(), ShapeError> {
         same_length("limits", limits.len(), self.values)?;
-        limits.fill(endless());
+        limits.fill(unlimited());
         let slots = |step: &Step<R>| step.value as usize..step.value as usize + step.kind.values();
         for step in self.steps.iter().filter(|step| !step.mimics) {
             if let (Some(own), Some(slots)) = (step.limits, limits.get_mut(slots(step))) {
@@ -92,7 +92,7 @@ impl<R: Real> Mechanism<'_, R> {
         }
         for step in self.steps.iter().filter(|step| step.mimics) {
             if let Some(slot) = limits.get_mut(step.value as usize) {
-                *slot = step.narrows(*slot).unwrap_or(*slot);
+                *slot = step.narrowed(*slot).unwrap_or(*slot);
             }
         }
         Ok(())
@@ -210,7 +210,7 @@ impl<R: Copy> Mechanism<'_, R> {
 }
 
 /// As many steps as there are joints.
-pub(crate) fn room<R>(
+pub(crate) fn step_memory<R>(
     steps: &mut [Step<R>],
     joints: usize,
 ) -> Result<&mut [Step<R>], MechanismError> {
@@ -221,7 +221,7 @@ pub(crate) fn room<R>(
 
 /// Writes the step of joint number `index`, but for what it mimics, with the next of the values and
 /// rates that have been counted. Steps are large: none is copied on the stack.
-pub(crate) fn numbered<R: Real>(
+pub(crate) fn write_step<R: Real>(
     joint: &Joint<R>,
     index: usize,
     (values, rates): &mut (usize, usize),
@@ -250,14 +250,14 @@ fn check<R: Real>(
 ) -> Result<(usize, usize), MechanismError> {
     let mut counts = (0, 0);
     for (index, (joint, slot)) in joints.iter().zip(steps.iter_mut()).enumerate() {
-        numbered(joint, index, &mut counts, slot)?;
+        write_step(joint, index, &mut counts, slot)?;
     }
     for (index, joint) in joints.iter().enumerate() {
         let Some(mimic) = joint.mimic else { continue };
         let error = MechanismError::Mimic { joint: index, other: mimic.joint };
         let other = joints.get(mimic.joint).filter(|other| other.mimic.is_none());
         let leader = steps.get(mimic.joint).map(|leader| (leader.value, leader.rate));
-        let range = other.and_then(|other| other.limits).unwrap_or(endless());
+        let range = other.and_then(|other| other.limits).unwrap_or(unlimited());
         let (Some(other), Some(leader)) = (other, leader) else {
             return Err(error);
         };
@@ -267,7 +267,7 @@ fn check<R: Real>(
         if let Some(step) = steps.get_mut(index) {
             (step.value, step.rate) = leader;
             // What leaves nothing of the leader's range is not meant.
-            if step.narrows(range).is_none() {
+            if step.narrowed(range).is_none() {
                 step.limits = None;
             }
         }
@@ -276,7 +276,7 @@ fn check<R: Real>(
 }
 
 /// The mechanism of steps in the order of the joints, which have so many values and rates.
-pub(crate) fn planned<R: Real>(
+pub(crate) fn finish<R: Real>(
     steps: &mut [Step<R>],
     (values, rates): (usize, usize),
 ) -> Mechanism<'_, R> {
@@ -387,7 +387,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
         steps: &'a mut [Step<R>],
     ) -> Result<Self, MechanismError> {
         let count = screws.len();
-        let steps = room(steps, count.saturating_add(1))?;
+        let steps = step_memory(steps, count.saturating_add(1))?;
         let tool = Step::of(&Joint::fixed(None, tool), count)?.placement();
         let mut at = first_frame(screws, tool)?;
         let (mut before, mut counts) = ([R::ZERO; 3], (0, 0));
@@ -405,10 +405,10 @@ impl<'a, R: Real> Mechanism<'a, R> {
             } else {
                 Joint::fixed(parent, back * tool)
             };
-            numbered(&joint, index, &mut counts, slot)?;
+            write_step(&joint, index, &mut counts, slot)?;
             before = at;
         }
-        Ok(planned(steps, counts))
+        Ok(finish(steps, counts))
     }
 }
 
@@ -539,7 +539,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
         tool: DualQuat<R>,
         steps: &'a mut [Step<R>],
     ) -> Result<Self, MechanismError> {
-        let steps = room(steps, rows.len().saturating_add(1))?;
+        let steps = step_memory(steps, rows.len().saturating_add(1))?;
         let (mut before, mut counts) = (DualQuat::IDENTITY, (0, 0));
         let axis = [R::ZERO, R::ZERO, R::ONE];
         let joints = rows.iter().map(Some).chain([None]);
@@ -559,8 +559,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
                     false => JointKind::Revolute { axis },
                 };
             }
-            numbered(&joint, index, &mut counts, slot)?;
+            write_step(&joint, index, &mut counts, slot)?;
         }
-        Ok(planned(steps, counts))
+        Ok(finish(steps, counts))
     }
 }

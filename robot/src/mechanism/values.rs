@@ -80,7 +80,7 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
 
 /// Two numbers, each in any layout: an `impl` for every `Scalar` would overlap with that for
 /// blocks.
-macro_rules! plain {
+macro_rules! plain_values {
     ($($real:ident)*) => {$(
         impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
             const EACH: usize = Y::THINGS;
@@ -126,7 +126,7 @@ macro_rules! plain {
         }
     )*};
 }
-plain! { f32 f64 }
+plain_values! { f32 f64 }
 
 impl<Y: Layout> JointValues<Y> for &[Y::Real] {
     const EACH: usize = 0;
@@ -188,14 +188,14 @@ pub struct Part<'s, T> {
 }
 
 /// The values of one configuration in each lane.
-pub(crate) trait JointNumbers<L: Lanes> {
+pub(crate) trait LaneValues<L: Lanes> {
     /// Number `index` of each.
     fn get(&mut self, level: L::Level, index: usize) -> L;
     /// Cosine and sine of half of it.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
+    fn half_angle(&mut self, level: L::Level, index: usize) -> [L; 2] {
         let value = self.get(level, index);
-        half_turn(value * value.constant(0.5))
+        checked_cos_sin(value * value.constant(0.5))
     }
 }
 
@@ -205,7 +205,7 @@ const NOWHERE: usize = usize::MAX / 2;
 /// Those of a group, four at a time, kept until others are asked for: plain ones are transposed,
 /// and four cosines do not wait for each other.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Numbers<'s, Y: Layout, T, V: Level> {
+pub(crate) struct CachedValues<'s, Y: Layout, T, V: Level> {
     part: Part<'s, T>,
     /// How many a configuration has.
     count: usize,
@@ -214,22 +214,22 @@ pub(crate) struct Numbers<'s, Y: Layout, T, V: Level> {
     first: usize,
     quad: [Y::Register<V>; 4],
     /// Cosine and sine of half of each, if one has been asked for.
-    turns: [[Y::Register<V>; 2]; 4],
-    turned: bool,
+    cos_sin: [[Y::Register<V>; 2]; 4],
+    has_cos_sin: bool,
 }
 
-impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
+impl<'s, Y: Layout, T: JointValues<Y>, V: Level> CachedValues<'s, Y, T, V> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn new(level: V, part: Part<'s, T>, count: usize) -> Self {
         let zero = Y::Register::<V>::splat(level, Y::Real::default());
         let group = Group { first: 0, register: 0 };
-        let (quad, turns) = ([zero; 4], [[zero; 2]; 4]);
-        Self { part, count, group, first: NOWHERE, quad, turns, turned: false }
+        let (quad, cos_sin) = ([zero; 4], [[zero; 2]; 4]);
+        Self { part, count, group, first: NOWHERE, quad, cos_sin, has_cos_sin: false }
     }
 
     /// From here on those of another group.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn turn_to(&mut self, group: Group) {
+    pub(crate) fn seek(&mut self, group: Group) {
         (self.group, self.first) = (group, NOWHERE);
         if T::EACH == 0 {
             self.group.first += self.part.first;
@@ -242,13 +242,15 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
         if index.wrapping_sub(self.first) >= 4 {
             self.first = (index & !3).min(self.count.max(4) - 4);
             self.quad = T::load(level, self.part.slice, self.count, self.group, self.first);
-            self.turned = false;
+            self.has_cos_sin = false;
         }
         index.wrapping_sub(self.first) & 3
     }
 }
 
-impl<Y: Layout, T: JointValues<Y>, V: Level> JointNumbers<Y::Register<V>> for Numbers<'_, Y, T, V> {
+impl<Y: Layout, T: JointValues<Y>, V: Level> LaneValues<Y::Register<V>>
+    for CachedValues<'_, Y, T, V>
+{
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(&mut self, level: V, index: usize) -> Y::Register<V> {
         let offset = self.find(level, index);
@@ -256,21 +258,21 @@ impl<Y: Layout, T: JointValues<Y>, V: Level> JointNumbers<Y::Register<V>> for Nu
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn half_turn(&mut self, level: V, index: usize) -> [Y::Register<V>; 2] {
+    fn half_angle(&mut self, level: V, index: usize) -> [Y::Register<V>; 2] {
         let offset = self.find(level, index);
-        if !self.turned {
-            for (turn, &number) in self.turns.iter_mut().zip(&self.quad) {
-                *turn = half_turn(number * number.constant(0.5));
+        if !self.has_cos_sin {
+            for (turn, &number) in self.cos_sin.iter_mut().zip(&self.quad) {
+                *turn = checked_cos_sin(number * number.constant(0.5));
             }
-            self.turned = true;
+            self.has_cos_sin = true;
         }
-        self.turns[offset]
+        self.cos_sin[offset]
     }
 }
 
 /// Cosine and sine; NaN beyond what the lanes can tell.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn half_turn<L: Lanes>(half: L) -> [L; 2] {
+pub(crate) fn checked_cos_sin<L: Lanes>(half: L) -> [L; 2] {
     let near = half.abs().le(half.constant(farthest::<L>()));
     let (cos, sin) = cos_sin(L::select(near, half, half.constant(f64::NAN)));
     [cos, sin]

@@ -2,11 +2,11 @@
 
 use super::job::{Job, things};
 use super::joint::JointKind;
-use super::step::Step;
+use super::step::{JointScrews, Step};
 #[cfg(doc)]
 use super::tree::Mechanism;
-use super::values::{Group, JointNumbers, JointValues, Numbers, Part};
-use super::walk::{Joined, Task};
+use super::values::{CachedValues, Group, JointValues, LaneValues, Part};
+use super::walk::{LinkFrames, Task};
 use dq8::batch::{lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::internal::Rows;
@@ -54,7 +54,7 @@ impl<R: Scalar> Job<'_, R> {
         self.walk(values, outputs, |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
             let elements = things(poses, links, elements);
             let rates = [T::part(rates, count, first, elements)];
-            (elements, Moving { poses, moved: [twists], rates, links, count })
+            (elements, Twists { poses, moved: [twists], rates, links, count })
         });
         Ok(())
     }
@@ -108,7 +108,7 @@ impl<R: Scalar> Job<'_, R> {
         self.walk(values, outputs, |first, ((poses, _), ((twists, _), (of, _))): All<E, C>| {
             let elements = things(poses, links, elements);
             let rates = [rates, second_rates].map(|rates| T::part(rates, count, first, elements));
-            (elements, Moving { poses, moved: [twists, of], rates, links, count })
+            (elements, Twists { poses, moved: [twists, of], rates, links, count })
         });
         Ok(())
     }
@@ -130,7 +130,7 @@ impl<R: Scalar> Job<'_, R> {
 }
 
 /// Poses and twists, and with `N` = 2 accelerations: each by rates of its own.
-struct Moving<'s, T, E, C, const N: usize> {
+struct Twists<'s, T, E, C, const N: usize> {
     poses: &'s mut [E],
     moved: [&'s mut [C]; N],
     rates: [Part<'s, T>; N],
@@ -138,21 +138,21 @@ struct Moving<'s, T, E, C, const N: usize> {
     count: usize,
 }
 
-impl<'s, T, E, C, const N: usize> Task<E::Layout> for Moving<'s, T, E, C, N>
+impl<'s, T, E, C, const N: usize> Task<E::Layout> for Twists<'s, T, E, C, N>
 where
     T: JointValues<E::Layout>,
     E: Element<8>,
     C: Element<6, Layout = E::Layout>,
 {
     const WIDE: bool = false;
-    type State<V: Level> = [Numbers<'s, E::Layout, T, V>; N];
+    type State<V: Level> = [CachedValues<'s, E::Layout, T, V>; N];
     type Carried<V: Level> = [Twist<<E::Layout as Layout>::Register<V>>; N];
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn start<V: Level>(&self, level: V) -> Self::State<V> {
         self.rates.map(
             #[cfg_attr(not(opt_level_0), inline(always))]
-            |rates| Numbers::new(level, rates, self.count),
+            |rates| CachedValues::new(level, rates, self.count),
         )
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -168,7 +168,7 @@ where
         rates: &mut Self::State<V>,
     ) {
         for rates in rates {
-            rates.turn_to(group);
+            rates.seek(group);
         }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -177,7 +177,7 @@ where
         level: V,
         group: Group,
         step: &Step<Number<E, 8>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
         parent: &Self::Carried<V>,
         rates: &mut Self::State<V>,
     ) -> Self::Carried<V> {
@@ -187,7 +187,7 @@ where
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;
-            let rate = joined.told(rates[0].get(level, which));
+            let rate = joined.nan_if_nowhere(rates[0].get(level, which));
             let screw = joined.screw(step, index);
             let own = screw.scale(rate);
             if N > 1 {
@@ -201,7 +201,7 @@ where
         }
         let (link, links) = (step.link as usize, self.links);
         let tile = group.tile::<E::Layout, V>(link, links);
-        E::store(joined.pose.to_motion(), self.poses, tile);
+        E::store(joined.link.to_motion(), self.poses, tile);
         group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, links);
         for (moved, of_link) in self.moved.iter_mut().zip(&all) {
             C::store(of_link.to_array(), moved, tile);

@@ -17,12 +17,11 @@
 //! - *Subtrees follow each other*, so that links nobody asked for are one jump.
 //! - *Half translations.* ½t is what dual parts are made of: it saves a factor in every product.
 //! - *Axes of the frame's own* take half the operations of others, and placements without a turn
-//!   none ([`Placed`]).
+//!   none ([`HalfPose`]).
 
-use super::joint::JointKind;
-use super::step::{Alignment, NONE, Step};
+use super::step::{Alignment, JointFrame, JointScrews, NONE, Step};
 use super::tree::Mechanism;
-use super::values::{Group, JointNumbers, JointValues, Numbers, Part, half_turn};
+use super::values::{CachedValues, Group, JointValues, LaneValues, Part, checked_cos_sin};
 use dq8::batch::{Quat, vector};
 use dq8::geometry::Twist;
 use dq8::storage::Layout;
@@ -60,7 +59,7 @@ pub(crate) trait Task<Y: Layout> {
         level: V,
         group: Group,
         step: &Step<Y::Real>,
-        joined: &Joined<Y::Register<V>>,
+        joined: &LinkFrames<Y::Register<V>>,
         parent: &Self::Carried<V>,
         state: &mut Self::State<V>,
     ) -> Self::Carried<V>;
@@ -71,11 +70,11 @@ pub(crate) trait Task<Y: Layout> {
 
 /// A link and its joint, one configuration per lane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Joined<L> {
+pub(crate) struct LinkFrames<L> {
     /// The frame of the joint.
-    pub(crate) before: Placed<L>,
+    pub(crate) joint: HalfPose<L>,
     /// The link.
-    pub(crate) pose: Placed<L>,
+    pub(crate) link: HalfPose<L>,
 }
 
 pub(crate) struct Walk<'r, Y: Layout, T, K> {
@@ -97,14 +96,14 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { mechanism, values, elements, mut task } = self;
-        let mut numbers = Numbers::<Y, T, V>::new(level, values, mechanism.values);
-        let mut poses = [Placed::<Y::Register<V>>::identity(level); SLOTS];
+        let mut numbers = CachedValues::<Y, T, V>::new(level, values, mechanism.values);
+        let mut poses = [HalfPose::<Y::Register<V>>::identity(level); SLOTS];
         let mut carried = [K::base(level); SLOTS];
         let mut state = task.start(level);
         for first in (0..elements).step_by(Y::records::<V>()) {
             for register in 0..Y::registers::<V>() {
                 let group = Group { first, register };
-                numbers.turn_to(group);
+                numbers.seek(group);
                 task.begin(level, group, mechanism.steps, &mut state);
                 let mut position = 0;
                 while let Some(step) = mechanism.steps.get(position) {
@@ -116,8 +115,8 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                     let (from, to) = slots(step);
                     let is_root = step.parent == NONE;
                     let before = frame(level, &poses, step);
-                    let pose = moved(level, before, step, &mut numbers);
-                    let joined = Joined { before, pose };
+                    let pose = before.link_frame(step, &mut numbers);
+                    let joined = LinkFrames { joint: before, link: pose };
                     let parent = if is_root { K::base(level) } else { carried[from] };
                     poses[to] = pose;
                     carried[to] = task.link(level, group, step, &joined, &parent, &mut state);
@@ -139,74 +138,14 @@ pub(crate) fn slots<R>(step: &Step<R>) -> (usize, usize) {
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn frame<L: Lanes<Real: Scalar>>(
     level: L::Level,
-    poses: &[Placed<L>; SLOTS],
+    poses: &[HalfPose<L>; SLOTS],
     step: &Step<L::Real>,
-) -> Placed<L> {
+) -> HalfPose<L> {
     if step.parent == NONE {
-        return Placed::root(level, step);
+        return HalfPose::root(level, step);
     }
     let (from, _) = slots(step);
     poses[from].place(step)
-}
-
-/// From the frame of the joint to that of the link.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
-    level: L::Level,
-    before: Placed<L>,
-    step: &Step<L::Real>,
-    numbers: &mut N,
-) -> Placed<L> {
-    let value = step.value as usize;
-    match step.kind {
-        JointKind::Fixed => before,
-        // Those that do not mimic share the cosine and sine of the value, which are computed for
-        // four joints at a time.
-        JointKind::Revolute { .. } if !step.mimics => {
-            let [cos, sin] = numbers.half_turn(level, value);
-            let sin = sin * L::splat(level, step.sign);
-            Placed { rotation: before.turn(step, cos, sin), half: before.half }
-        }
-        JointKind::Prismatic { .. } => {
-            let half = affine(level, numbers.get(level, value), step);
-            Placed { rotation: before.rotation, half: before.slide(step, half) }
-        }
-        JointKind::Floating => {
-            let mut all = [L::splat(level, Default::default()); 7];
-            for (index, number) in all.iter_mut().enumerate() {
-                *number = numbers.get(level, value + index);
-            }
-            let [x, y, z, w, tx, ty, tz] = all;
-            let turn = Quat::from_xyzw(x, y, z, w).normalize();
-            let half = vector::scale([tx, ty, tz], x.constant(0.5));
-            let rotation = (Quat::from_array(before.rotation) * turn).to_array();
-            Placed { rotation, half: before.moved(half) }
-        }
-        JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
-            let angle = if let JointKind::Planar { .. } = step.kind { value + 2 } else { value };
-            let turn = affine(level, numbers.get(level, angle), step);
-            let [cos, sin] = half_turn(turn);
-            let half = match step.kind {
-                JointKind::Screw { pitch, .. } => before.slide(step, turn * L::splat(level, pitch)),
-                JointKind::Planar { .. } => {
-                    let one_half = L::splat(level, dq8::Real::HALF);
-                    let x = numbers.get(level, value) * one_half;
-                    let y = numbers.get(level, value + 1) * one_half;
-                    let [first, second] = step.plane;
-                    let along = vector::scale(vector::splat(level, first), x);
-                    before.moved(vector::scale_onto(vector::splat(level, second), y, along))
-                }
-                _ => before.half,
-            };
-            Placed { rotation: before.turn(step, cos, sin), half }
-        }
-    }
-}
-
-/// Half the value of a joint, counted where its axis is positive.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn affine<L: Lanes>(level: L::Level, value: L, step: &Step<L::Real>) -> L {
-    value.mul_add(L::splat(level, step.half_multiplier), L::splat(level, step.half_bias))
 }
 
 // Poses on lanes while they are computed: a rotation and half the translation, which is what
@@ -214,13 +153,13 @@ fn affine<L: Lanes>(level: L::Level, value: L, step: &Step<L::Real>) -> L {
 
 /// Poses, one per lane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Placed<L> {
+pub(crate) struct HalfPose<L> {
     pub(crate) rotation: [L; 4],
     /// Half the translation: what the dual part of a motion is made of.
     pub(crate) half: [L; 3],
 }
 
-impl<L: Lanes<Real: Scalar>> Placed<L> {
+impl<L: Lanes<Real: Scalar>> HalfPose<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::default());
@@ -254,9 +193,9 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn place(self, step: &Step<L::Real>) -> Self {
         let level = self.half[0].level();
-        let half = self.shifted(step.shifted, step.half_offset);
+        let half = self.shifted(step.offset_alignment, step.half_offset);
         let [x, y, z, w] = step.rotation;
-        let rotation = match step.turned {
+        let rotation = match step.rotation_alignment {
             Alignment::None => self.rotation,
             Alignment::X => about::<L, 0>(self.rotation, L::splat(level, w), L::splat(level, x)),
             Alignment::Y => about::<L, 1>(self.rotation, L::splat(level, w), L::splat(level, y)),
@@ -315,7 +254,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
         let level = self.half[0].level();
         let at_origin = Self { half: [L::splat(level, L::Real::default()); 3], ..self };
         let one = L::splat(level, step.sign);
-        match step.aligned {
+        match step.axis_alignment {
             Alignment::X => at_origin.along::<0>(one),
             Alignment::Y => at_origin.along::<1>(one),
             Alignment::Z => at_origin.along::<2>(one),
@@ -323,25 +262,18 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
         }
     }
 
-    /// Half the translation, moved along the axis of a joint by half a distance; `half` counts
-    /// where that axis is positive.
+    /// Turning about an axis through the origin of this frame.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn slide(self, step: &Step<L::Real>, half: L) -> [L; 3] {
-        let level = half.level();
-        match step.aligned {
-            Alignment::None => self.half,
-            Alignment::X => self.along::<0>(half),
-            Alignment::Y => self.along::<1>(half),
-            Alignment::Z => self.along::<2>(half),
-            Alignment::Any => self.moved(vector::scale(vector::splat(level, step.axis), half)),
-        }
+    fn hinge(self, axis: [L; 3]) -> Twist<L> {
+        let moment = vector::cross(self.half, axis);
+        Twist { angular: axis, linear: vector::add(moment, moment) }
     }
 
     /// The rotation, turned about the axis of a joint: r (c + n s).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn turn(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
+    pub(crate) fn rotation_about_axis(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
         let level = cos.level();
-        match step.aligned {
+        match step.axis_alignment {
             Alignment::None => self.rotation,
             Alignment::X => about::<L, 0>(self.rotation, cos, sin),
             Alignment::Y => about::<L, 1>(self.rotation, cos, sin),
@@ -352,6 +284,81 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
                 (Quat::from_array(self.rotation) * turn).to_array()
             }
         }
+    }
+}
+
+impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPose<L> {
+    type Number = L;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn number(self, number: L::Real) -> L {
+        L::splat(self.half[0].level(), number)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn numbers<const C: usize>(self, step: &Step<L::Real>, values: &mut N) -> [L; C] {
+        let level = self.half[0].level();
+        let mut numbers = [L::splat(level, Default::default()); C];
+        for (index, number) in numbers.iter_mut().enumerate() {
+            *number = values.get(level, step.value as usize + index);
+        }
+        numbers
+    }
+
+    /// Half of it, counted where the axis is positive.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn value(self, step: &Step<L::Real>, index: usize, values: &mut N) -> L {
+        let level = self.half[0].level();
+        let value = values.get(level, step.value as usize + index);
+        value.mul_add(L::splat(level, step.half_multiplier), L::splat(level, step.half_bias))
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn half_angle(self, half: L) -> [L; 2] {
+        checked_cos_sin(half)
+    }
+
+    /// Cosines and sines of values as they are come four at a time.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn own_half_angle(self, step: &Step<L::Real>, values: &mut N) -> [L; 2] {
+        let level = self.half[0].level();
+        let [cos, sin] = values.half_angle(level, step.value as usize);
+        [cos, sin * L::splat(level, step.sign)]
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn turn(self, step: &Step<L::Real>, [cos, sin]: [L; 2]) -> Self {
+        Self { rotation: self.rotation_about_axis(step, cos, sin), half: self.half }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn slide(self, step: &Step<L::Real>, half: L) -> Self {
+        let half = match step.axis_alignment {
+            Alignment::None => self.half,
+            Alignment::X => self.along::<0>(half),
+            Alignment::Y => self.along::<1>(half),
+            Alignment::Z => self.along::<2>(half),
+            Alignment::Any => {
+                self.moved(vector::scale(vector::splat(half.level(), step.axis), half))
+            }
+        };
+        Self { rotation: self.rotation, half }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn slide_in_plane(self, step: &Step<L::Real>, [x, y]: [L; 2]) -> Self {
+        let [first, second] = step.plane.map(|direction| vector::splat(x.level(), direction));
+        let (x, y) = (x * x.constant(0.5), y * y.constant(0.5));
+        let half = self.moved(vector::scale_onto(second, y, vector::scale(first, x)));
+        Self { rotation: self.rotation, half }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn float(self, _: &Step<L::Real>, [x, y, z, w, tx, ty, tz]: [L; 7]) -> Self {
+        let turn = Quat::from_xyzw(x, y, z, w).normalize();
+        let half = vector::scale([tx, ty, tz], x.constant(0.5));
+        let rotation = (Quat::from_array(self.rotation) * turn).to_array();
+        Self { rotation, half: self.moved(half) }
     }
 }
 
@@ -369,59 +376,55 @@ fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
 
 // How joints move links, on lanes.
 
-impl<L: Lanes<Real: Scalar>> Joined<L> {
-    /// The spatial twist of the link for a rate of one of its joint: column `index` of those that
-    /// the joint adds to a Jacobian.
+impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
+    type Number = L;
+
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn screw(&self, step: &Step<L::Real>, index: usize) -> Twist<L> {
-        let level = self.pose.half[0].level();
-        let before = self.before;
-        let screw = match step.kind {
-            JointKind::Planar { .. } if index < 2 => {
-                let direction = step.plane.get(index).copied().unwrap_or_default();
-                slide(before.rotated(vector::splat(level, direction)))
-            }
-            JointKind::Floating => {
-                let mut axis = [L::splat(level, L::Real::default()); 3];
-                axis[index % 3] = axis[0].constant(1.0);
-                let axis = self.pose.rotated(axis);
-                if index < 3 { hinge(axis, self.pose) } else { slide(axis) }
-            }
-            kind => {
-                let axis = before.direction(step);
-                match kind {
-                    JointKind::Prismatic { .. } => slide(axis),
-                    JointKind::Screw { pitch, .. } => {
-                        let hinge = hinge(axis, before);
-                        let linear = vector::scale_onto(axis, L::splat(level, pitch), hinge.linear);
-                        Twist { linear, ..hinge }
-                    }
-                    JointKind::Planar { .. } => hinge(axis, self.pose),
-                    _ => hinge(axis, before),
-                }
-            }
-        };
-        // Others go as their values do.
-        if step.mimics { screw.scale(L::splat(level, step.multiplier)) } else { screw }
+    fn number(&self, number: L::Real) -> L {
+        L::splat(self.link.half[0].level(), number)
     }
 
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn axis(&self, step: &Step<L::Real>) -> [L; 3] {
+        self.joint.direction(step)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn plane_axis(&self, step: &Step<L::Real>, index: usize) -> [L; 3] {
+        let direction = step.plane.get(index).copied().unwrap_or_default();
+        self.joint.rotated(vector::splat(self.link.half[0].level(), direction))
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link_axis(&self, _: &Step<L::Real>, index: usize) -> [L; 3] {
+        let mut axis = [L::splat(self.link.half[0].level(), L::Real::default()); 3];
+        axis[index % 3] = axis[0].constant(1.0);
+        self.link.rotated(axis)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn hinge(&self, axis: [L; 3]) -> Twist<L> {
+        self.joint.hinge(axis)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn thread(&self, axis: [L; 3], pitch: L::Real) -> Twist<L> {
+        let hinge = self.joint.hinge(axis);
+        Twist { linear: vector::scale_onto(axis, self.number(pitch), hinge.linear), ..hinge }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link_hinge(&self, _: &Step<L::Real>, axis: [L; 3]) -> Twist<L> {
+        self.link.hinge(axis)
+    }
+}
+
+impl<L: Lanes> LinkFrames<L> {
     /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although
     /// the screw of its joint may be known.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn told(&self, rate: L) -> L {
-        let [.., w] = self.pose.rotation;
+    pub(crate) fn nan_if_nowhere(&self, rate: L) -> L {
+        let [.., w] = self.link.rotation;
         w.mul_add(w.constant(0.0), rate)
     }
-}
-
-/// Turning about a line through the origin of a frame.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn hinge<L: Lanes>(axis: [L; 3], frame: Placed<L>) -> Twist<L> {
-    let moment = vector::cross(frame.half, axis);
-    Twist { angular: axis, linear: vector::add(moment, moment) }
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn slide<L: Lanes>(direction: [L; 3]) -> Twist<L> {
-    Twist { angular: [direction[0].constant(0.0); 3], linear: direction }
 }

@@ -2,7 +2,7 @@
 
 use super::error::{UrdfError, UrdfWarning};
 use super::file::{File, JointElement, Name};
-use crate::mechanism::step::{endless, shared};
+use crate::mechanism::step::{common_range, unlimited};
 use std::collections::HashMap;
 
 /// A link, and the number of the joint that carries it unless it is the root.
@@ -85,8 +85,8 @@ pub(crate) struct Leader {
 impl Leader {
     /// Limits of a joint that mimics this one, which bind the other, or cannot be meant.
     pub(crate) fn warning(&self, from: &JointElement, other: &JointElement) -> Option<UrdfWarning> {
-        let (limits, range) = (from.limits?, other.limits.unwrap_or(endless()));
-        let text = match shared(range, limits, self.multiplier, self.offset) {
+        let (limits, range) = (from.limits?, other.limits.unwrap_or(unlimited()));
+        let text = match common_range(range, limits, self.multiplier, self.offset) {
             Some(left) if left == range => return None,
             Some([low, high]) => {
                 format!(

@@ -1,25 +1,35 @@
-//! [`CheckedSchedule`]: results that need earlier results, in an order whose indices have been
-//! checked.
+//! [`CheckedSchedule`]: steps that each need the result of an earlier step, with checked indices.
+//!
+//! The chain of dependent products is what limits the speed of a single skeleton, so nothing else
+//! may stand between them:
+//!
+//! ```text
+//! for [to, from] in pairs:
+//!     outputs[to] = step(outputs[from], inputs[to])    // no check of `to` and `from` here
+//! ```
 
 use crate::index::saturated;
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 
-/// Pairs `[to, from]`: element `to` is computed from element `from`. All indices lie below a bound.
-/// This is checked once and not in the loop, where a step takes seven cycles and a check would add
-/// half a cycle. `S` is where the pairs are: a slice, or a box, which is borrowed to run.
+/// Pairs `[to, from]`, where element `to` is computed from element `from`, and all indices are
+/// below a bound.
+///
+/// The indices are checked once and not in the loop: a step takes seven cycles, and a check would
+/// add half a cycle. `S` holds the pairs, and is a slice or a box. A box is borrowed to run.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedSchedule<S> {
-    /// Invariant: no number in it reaches `bound`.
+    /// Invariant: all numbers in it are less than `bound`.
     pairs: S,
     bound: usize,
 }
 
 impl<S: AsRef<[[u32; 2]]>> CheckedSchedule<S> {
-    /// These pairs in this order, over slices of `bound` elements; `None` if an index is beyond.
+    /// A schedule of these pairs, in this order, for slices of `bound` elements. `None` if an index
+    /// is not below the bound.
     #[must_use]
     pub fn new(pairs: S, bound: usize) -> Option<Self> {
-        // The largest of all, not all below: without an early end the loop is one on lanes.
+        // The compiler vectorises a maximum, but not a search that ends at the first bad index.
         let largest = pairs.as_ref().as_flattened().iter().fold(0, |most, &index| index.max(most));
         let within = pairs.as_ref().is_empty() || saturated::<usize>(largest) < bound;
         within.then_some(Self { pairs, bound })
@@ -36,17 +46,17 @@ impl CheckedSchedule<Box<[[u32; 2]]>> {
     }
 }
 
-// Of slices alone: what else is `AsRef` might give other pairs than those that were checked.
+// For slices only: another `AsRef` might return other pairs than the ones that were checked.
 impl CheckedSchedule<&[[u32; 2]]> {
-    /// How many elements the slices must have.
+    /// The number of elements that the slices must have.
     #[inline(always)]
     #[must_use]
     pub fn bound(&self) -> usize {
         self.bound
     }
 
-    /// `outputs[to] = step(&outputs[from], &inputs[to])`, pair by pair. `None` if the slices have
-    /// not [`bound`](Self::bound) elements; nothing is written then.
+    /// Computes `outputs[to] = step(&outputs[from], &inputs[to])`, pair by pair. If one of the
+    /// slices does not have [`bound`](Self::bound) elements, it writes nothing and returns `None`.
     #[inline(always)]
     pub fn run<T>(
         &self,
@@ -58,7 +68,7 @@ impl CheckedSchedule<&[[u32; 2]]> {
             return None;
         }
         for &[to, from] in self.pairs {
-            // SAFETY: the lengths are the bound, and all indices are below it.
+            // SAFETY: both lengths are the bound, and all indices are below it.
             unsafe {
                 let output =
                     step(outputs.get_unchecked(from as usize), inputs.get_unchecked(to as usize));
@@ -68,8 +78,8 @@ impl CheckedSchedule<&[[u32; 2]]> {
         Some(())
     }
 
-    /// `elements[to] = step(&elements[from], &elements[to])`, pair by pair. `None` if the slice has
-    /// not [`bound`](Self::bound) elements; nothing is written then.
+    /// Computes `elements[to] = step(&elements[from], &elements[to])`, pair by pair. If the slice
+    /// does not have [`bound`](Self::bound) elements, it writes nothing and returns `None`.
     #[inline(always)]
     pub fn run_in_place<T>(
         &self,

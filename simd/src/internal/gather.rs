@@ -1,13 +1,20 @@
-//! [`Gather`]: which row of a table each lane reads; [`GatheredRows`] of it.
+//! [`Gather`]: the row of a table that each lane reads.
+//!
+//! A clip that is sampled for many instances is such a table: a row holds the poses of one frame,
+//! and each lane, which is an instance, is at a frame of its own.
+//!
+//! ```text
+//! Gather::new(frames, pitch)          finds the greatest frame, once
+//!   .rows(first)                      finds the beginning of each lane's row
+//! load_gathered(table, rows, column)  needs one comparison: has the greatest row that record?
+//! ```
 
 use crate::MAX_LANES;
 use crate::index::saturated;
 use crate::lanes::Lanes;
 
-/// A row of a table for each lane: row `frames[i]` holds the records `frames[i] · pitch` and
-/// following.
-///
-/// The greatest of them is found once, so that a load of any lanes needs one comparison to be safe.
+/// The frames that lanes read from a table, whose row `frame` is its `pitch` records from
+/// `frame · pitch` on.
 ///
 /// ```
 /// use dq8_simd::internal::Gather;
@@ -24,12 +31,12 @@ use crate::lanes::Lanes;
 pub struct Gather<'f> {
     pub(crate) frames: &'f [u32],
     pub(crate) pitch: usize,
-    /// Where the row of the greatest frame begins.
+    /// The number of the first record of the greatest frame's row.
     pub(crate) greatest: usize,
 }
 
 impl<'f> Gather<'f> {
-    /// Frames of a table whose rows are `pitch` records.
+    /// These frames, of a table whose rows have `pitch` records.
     #[must_use]
     pub fn new(frames: &'f [u32], pitch: usize) -> Self {
         let greatest = frames.iter().max().map_or(0, |&frame| saturated::<usize>(frame));
@@ -43,51 +50,53 @@ impl<'f> Gather<'f> {
         self.frames
     }
 
-    /// The rows that so many lanes read, of records of `C` numbers: those of the frames from number
-    /// `first` on; lanes beyond the last frame have its row too. `None` if there is no frame.
+    /// The rows that the lanes of a vector read: lane `i` that of frame number `first + i`, or of
+    /// the last frame if there are fewer. The records of the table have `C` numbers. `None` if
+    /// there are no frames.
     #[must_use]
     #[inline(always)]
     pub fn rows<L: Lanes, const C: usize>(self, first: usize) -> Option<GatheredRows<C>> {
-        let padded;
+        let copied;
         let mut frames = self.frames.get(first..).unwrap_or_default();
         if frames.len() < L::LANES {
-            padded = repeat(frames, *self.frames.last()?);
-            frames = &padded;
+            copied = padded(frames, *self.frames.last()?);
+            frames = &copied;
         }
         let mut starts = [0; MAX_LANES];
-        // `LANES` of them, a constant: for a count that it does not know the compiler makes masked
-        // stores, and the loads after them wait for memory.
+        // The slice has `LANES` frames, which is a constant. For a number that it does not know,
+        // the compiler makes masked stores, and the loads after these wait for memory.
         for (start, &frame) in starts.iter_mut().zip(frames.get(..L::LANES)?) {
-            // What wraps lies beyond every table, and so does the greatest.
+            // If this wraps, the row is beyond the end of every table, and so is the greatest row,
+            // for which the load checks.
             *start = (frame as usize).wrapping_mul(self.pitch.wrapping_mul(C));
         }
         Some(GatheredRows { starts, greatest: self.greatest })
     }
 
-    /// Some of the frames; none beyond the last.
+    /// A range of these frames. It is empty if one of its ends is beyond the last frame.
     #[must_use]
     pub fn part(self, frames: core::ops::Range<usize>) -> Self {
         Self { frames: self.frames.get(frames).unwrap_or_default(), ..self }
     }
 }
 
-/// The rows of a [`Gather`] that the lanes of a vector read, found once for all columns of records
-/// of `C` numbers.
+/// The rows of a [`Gather`] that the lanes of a vector read, in a table of records of `C` numbers.
+/// They are found once for all columns.
 #[derive(Clone, Copy, Debug)]
 pub struct GatheredRows<const C: usize> {
-    /// Where each begins, in numbers.
+    /// The number of each row's first number in the table.
     pub(crate) starts: [usize; MAX_LANES],
-    /// Where the greatest begins, in records.
+    /// The number of the greatest row's first record.
     pub(crate) greatest: usize,
 }
 
-/// Some frames, and `last` in the places that are left.
+/// The values for each lane where fewer values than lanes are left: these, and `last` for the rest.
 #[cold]
 #[inline(never)]
-fn repeat(frames: &[u32], last: u32) -> [u32; MAX_LANES] {
+pub(super) fn padded<T: Copy>(values: &[T], last: T) -> [T; MAX_LANES] {
     let mut padded = [last; MAX_LANES];
-    for (slot, &frame) in padded.iter_mut().zip(frames) {
-        *slot = frame;
+    for (slot, &value) in padded.iter_mut().zip(values) {
+        *slot = value;
     }
     padded
 }

@@ -1,16 +1,18 @@
-//! What `dq8`, `dq8-robot` and `dq8-trajectory` need `unsafe` code for, behind checks that are made
-//! once.
+//! Types that need `unsafe` code to be quick, for `dq8`, `dq8-robot` and `dq8-trajectory`, which
+//! forbid it.
 //!
-//! Those crates forbid unsafe code, so each of these types holds what has been checked, and the loop
-//! that trusts the check. Nothing here is for other crates: it is hidden from the documentation,
-//! changes in any release, and `dq8` depends on exactly one version of this crate for that reason.
+//! Most of them follow one pattern: a constructor checks indices once, the type keeps them together
+//! with what was checked, and a loop then reads memory without further checks.
 //!
-//! | file | what it holds |
+//! Nothing here is for other crates. The module is hidden from the documentation and may change in
+//! any release, so `dq8` and `dq8-robot` depend on exactly one version of this crate.
+//!
+//! | file | contents |
 //! |---|---|
 //! | `checked_schedule.rs` | [`CheckedSchedule`]: results that need earlier results |
 //! | `gather.rs` | [`Gather`]: records of a table, each lane from a row of its own |
 //! | `picks.rs` | [`CheckedIndices`] and [`Picks`]: records of a table by indices |
-//! | `tracks.rs` | [`Tracks`]: keys of many clips |
+//! | `tracks.rs` | [`Tracks`]: the keys of packed clips |
 //! | `pod.rs` | [`pod!`](crate::pod!): structs of numbers that are `bytemuck::Pod` |
 //! | `square_root.rs` | the square root of one number, which `core` does not have |
 
@@ -26,4 +28,4 @@ pub use gather::{Gather, GatheredRows};
 pub use picks::{CheckedIndices, Index, PickRows, Picked, PickedInPlace, Picks, RECORDS_PER_LANE};
 #[cfg(feature = "alloc")]
 pub use tracks::OwnedTracks;
-pub use tracks::{PlacedTracks, TrackPlace, Tracks};
+pub use tracks::{PlacedTracks, TrackError, TrackPlace, Tracks};

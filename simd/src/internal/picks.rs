@@ -1,19 +1,35 @@
-//! [`CheckedIndices`], checked once; [`PickRows`]: which records of a table each lane takes by
-//! them, in place or from [`Picks`]; [`Picked`]: with that table; [`PickedInPlace`]: any number of
-//! rows in place, with their table.
+//! Records of a table by indices from memory, as a vertex reads the motions of its joints.
+//!
+//! The indices are a table of their own. A row has `columns` indices (the joints of one vertex),
+//! and the next row begins `stride` indices later; what is between rows is something else (a
+//! vertex's position, say) and is never read:
+//!
+//! ```text
+//! columns = 4, stride = 6:    a a a a . .  b b b b . .  c c c c
+//! ```
+//!
+//! Each vector of lanes takes four indices per lane at a time. They go through these types:
+//!
+//! ```text
+//! CheckedIndices          checked once: all indices are below a bound
+//!   .in_place(first)      rows of four that adjoin in memory, one per lane -> PickRows
+//!   Picks::new, .rows()   four indices per lane, copied from anywhere     -> PickRows
+//!   PickRows::of(table)   checked: the table reaches the bound            -> Picked
+//!   .all_in_place(table)  any number of rows of four that adjoin          -> PickedInPlace
+//! ```
 
 use crate::index::saturated;
 use crate::lanes::{Lanes, MAX_LANES};
 use core::fmt::Debug;
 
-/// How many records a lane takes.
+/// The number of records that a lane takes at a time.
 pub const RECORDS_PER_LANE: usize = 4;
 
-/// How an index lies in memory: `u8`, `u16` or `u32`. Sealed.
+/// The type of an index in memory: `u8`, `u16` or `u32`. The trait is sealed.
 pub trait Index:
     Copy + Debug + Default + Into<u32> + Send + Sync + sealed::Sealed + 'static
 {
-    /// Four indices. Overridden where one load of all four is quicker than four.
+    /// Four indices as `usize`. `u16` loads all four at once, which is quicker.
     #[doc(hidden)]
     #[inline(always)]
     fn numbers(row: [Self; RECORDS_PER_LANE]) -> [usize; RECORDS_PER_LANE] {
@@ -40,8 +56,8 @@ mod sealed {
     impl Sealed for u32 {}
 }
 
-/// Indices of records of a table, none of them beyond a bound: rows of some columns, a row every so
-/// many indices. What lies between rows is something else, and never read.
+/// Indices of records of a table, all of them below a bound, in rows of `columns` indices that
+/// begin `stride` indices apart.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedIndices<'a, J> {
     indices: &'a [J],
@@ -51,11 +67,12 @@ pub struct CheckedIndices<'a, J> {
 }
 
 impl<'a, J: Index> CheckedIndices<'a, J> {
-    /// For tables of `bound` records. There are as many rows as `indices` has whole; none if a row
-    /// has no columns, or more than there are indices from a row to the next.
+    /// Checks that every index is below `bound`, the number of records of the table. There are as
+    /// many rows as fit into `indices` as a whole, and none if `columns` is 0 or more than
+    /// `stride`.
     ///
     /// # Errors
-    /// The row and the column of the first index that is not below `bound`.
+    /// Returns the row and the column of the first index that is not below `bound`.
     pub fn new(
         indices: &'a [J],
         columns: usize,
@@ -73,14 +90,14 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         Ok(Self { indices, columns, stride, bound })
     }
 
-    /// The indices, with whatever lies between rows.
+    /// The indices, including what is between rows.
     #[inline(always)]
     #[must_use]
     pub fn indices(self) -> &'a [J] {
         self.indices
     }
 
-    /// How many rows there are. Divides.
+    /// The number of rows. This costs a division.
     #[inline(always)]
     #[must_use]
     pub fn rows(self) -> usize {
@@ -89,41 +106,40 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
             .map_or(0, |more| if self.indices.is_empty() { 0 } else { more + 1 })
     }
 
-    /// How many indices a row has.
+    /// The number of indices of a row.
     #[inline(always)]
     #[must_use]
     pub fn columns(self) -> usize {
         self.columns
     }
 
-    /// A row. Empty if there is no such row.
+    /// The indices of a row, or nothing if there is no such row.
     #[inline(always)]
     #[must_use]
     pub fn row(self, row: usize) -> &'a [J] {
-        // Whole rows have been checked, and nothing else; a product that wraps is the beginning of
-        // none.
+        // Only whole rows have been checked, so a row that is cut off by the end is none.
         let from = row.checked_mul(self.stride).and_then(|from| self.indices.get(from..));
         from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
 
-    /// How many records the table must have.
+    /// The number of records that the table must have.
     #[inline(always)]
     #[must_use]
     pub fn bound(self) -> usize {
         self.bound
     }
 
-    /// The indices of as many lanes as any vector has, in place: a row for each from row `first`
-    /// on. `None` if there are not as many, or rows have not four columns, or something lies
-    /// between them.
+    /// The indices of [`MAX_LANES`] lanes, in place: lane `i` takes row `first + i`. `None` if
+    /// there are not as many rows, or if `columns` or `stride` is not four.
     #[inline(always)]
     #[must_use]
     pub fn in_place(self, first: usize) -> Option<PickRows<'a, J>> {
         Some(PickRows { rows: self.fours(first)?.first_chunk()?, bound: self.bound })
     }
 
-    /// Some rows of four indices, from row `first` on, in `table`. `None` if there are not as many,
-    /// rows have not four columns, something lies between them, or the table is too short.
+    /// The records of `count` rows of four indices, from row `first` on, in `table`. `None` if
+    /// there are not as many rows, if `columns` or `stride` is not four, or if the table is too
+    /// short.
     #[inline(always)]
     #[must_use]
     pub fn all_in_place<'t, R, const C: usize>(
@@ -136,7 +152,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         (self.bound <= table.len()).then_some(PickedInPlace { rows, table })
     }
 
-    /// The rows from row `first` on, if they have four columns and nothing lies between them.
+    /// The rows from row `first` on, if `columns` and `stride` are four.
     #[inline(always)]
     fn fours(self, first: usize) -> Option<&'a [[J; RECORDS_PER_LANE]]> {
         let packed = self.columns == RECORDS_PER_LANE && self.stride == RECORDS_PER_LANE;
@@ -144,8 +160,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     }
 }
 
-/// Rows of four indices in place, one after the other, none of them beyond a bound, with a table
-/// that has all those records.
+/// Rows of four indices that adjoin in memory, with a table that has all these records.
 #[derive(Clone, Copy, Debug)]
 pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
     rows: &'a [[J; RECORDS_PER_LANE]],
@@ -153,12 +168,12 @@ pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
 }
 
 impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
-    /// The records of a row. `None` if there is no such row.
+    /// The four records of a row. `None` if there is no such row.
     #[inline(always)]
     #[must_use]
     pub fn records(&self, row: usize) -> Option<[&'t [R; C]; RECORDS_PER_LANE]> {
         let &row = self.rows.get(row)?;
-        // SAFETY: these indices have been checked, and the table has as many records.
+        // SAFETY: the indices are below a bound, and the table has as many records.
         Some(unsafe { records(row, self.table) })
     }
 }
@@ -166,14 +181,14 @@ impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
 /// The records of four indices.
 ///
 /// # Safety
-/// The table has them.
+/// The table must have them.
 #[inline(always)]
 unsafe fn records<J: Index, R, const C: usize>(
     row: [J; RECORDS_PER_LANE],
     table: &[[R; C]],
 ) -> [&[R; C]; RECORDS_PER_LANE] {
     let [a, b, c, d] = J::numbers(row);
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     unsafe {
         [
             table.get_unchecked(a),
@@ -184,7 +199,8 @@ unsafe fn records<J: Index, R, const C: usize>(
     }
 }
 
-/// Indices for each lane in memory of their own: for lanes whose indices do not lie in order.
+/// Four indices per lane, copied from [`CheckedIndices`], for lanes whose rows are not of four
+/// indices that adjoin.
 #[derive(Clone, Debug)]
 pub struct Picks<'a, J> {
     rows: [[J; RECORDS_PER_LANE]; MAX_LANES],
@@ -192,15 +208,16 @@ pub struct Picks<'a, J> {
 }
 
 impl<'a, J: Index> Picks<'a, J> {
-    /// The first record for all lanes.
+    /// Index 0 for all lanes.
     #[inline(always)]
     #[must_use]
     pub fn new(checked: CheckedIndices<'a, J>) -> Self {
         Self { rows: [[J::default(); RECORDS_PER_LANE]; MAX_LANES], checked }
     }
 
-    /// The first lanes take the four indices of a row each, from row `first` on. False if there are
-    /// not as many rows, or rows of another number; lanes may have been written then.
+    /// Copies a row of four indices to each of the first `lanes` lanes, from row `first` on.
+    /// Returns `false`, and may have written some lanes, if there are not as many rows, or if rows
+    /// do not have four indices.
     #[inline(always)]
     pub fn set_rows(&mut self, lanes: usize, first: usize) -> bool {
         let CheckedIndices { indices, columns, stride, .. } = self.checked;
@@ -211,19 +228,20 @@ impl<'a, J: Index> Picks<'a, J> {
         for slots in self.rows.iter_mut().take(lanes) {
             let Some(own) = rest.first_chunk() else { return false };
             *slots = *own;
-            // The last row may end the slice.
+            // The slice may end right after the last row, less than a stride later.
             rest = rest.get(stride..).unwrap_or_default();
         }
         true
     }
 
-    /// A lane takes the indices of a row from column `from` on; for those that are not there the
-    /// first of the row, and the first record, and false, if there is no such row.
+    /// Copies four indices of a row to a lane, from column `from` on. Columns that the row does not
+    /// have are replaced by its first one. If there is no such row, the lane takes index 0 and the
+    /// return value is `false`.
     #[inline(always)]
     pub fn set_row(&mut self, lane: usize, row: usize, from: usize) -> bool {
         let (row, given) = (self.checked.row(row), self.checked.columns.saturating_sub(from));
         if let Some(slots) = self.rows.get_mut(lane) {
-            // A loop of a length that is known: one over those that are there takes twice as long.
+            // The loop always has four turns: one over the columns that exist takes twice as long.
             for (which, slot) in slots.iter_mut().enumerate() {
                 let column = if which < given { from + which } else { 0 };
                 *slot = row.get(column).copied().unwrap_or_default();
@@ -232,7 +250,7 @@ impl<'a, J: Index> Picks<'a, J> {
         !row.is_empty()
     }
 
-    /// A lane takes an index as its first; the first record if there is no such index.
+    /// Copies one index to be the first of a lane, or 0 if there is no such row or column.
     #[inline(always)]
     pub fn set_first(&mut self, lane: usize, row: usize, column: usize) {
         if let Some([slot, ..]) = self.rows.get_mut(lane) {
@@ -240,7 +258,7 @@ impl<'a, J: Index> Picks<'a, J> {
         }
     }
 
-    /// The indices.
+    /// The indices of all lanes.
     #[inline(always)]
     #[must_use]
     pub fn rows(&self) -> PickRows<'_, J> {
@@ -248,7 +266,7 @@ impl<'a, J: Index> Picks<'a, J> {
     }
 }
 
-/// Four indices for each lane, none of them beyond a bound, if that is not zero.
+/// Four indices per lane, each of them below a bound, or 0.
 #[derive(Clone, Copy, Debug)]
 pub struct PickRows<'a, J> {
     rows: &'a [[J; RECORDS_PER_LANE]; MAX_LANES],
@@ -256,7 +274,7 @@ pub struct PickRows<'a, J> {
 }
 
 impl<'a, J: Index> PickRows<'a, J> {
-    /// In `table`, if it has all those records.
+    /// The records of these indices in `table`, or `None` if it does not have all of them.
     #[inline(always)]
     #[must_use]
     pub fn of<'t, R, const C: usize>(self, table: &'t [[R; C]]) -> Option<Picked<'a, 't, J, R, C>> {
@@ -265,10 +283,10 @@ impl<'a, J: Index> PickRows<'a, J> {
     }
 }
 
-/// Records of a table, four for each lane, with all indices checked.
+/// Four records of a table per lane, all of which the table has.
 ///
-/// Indices are read where they lie, number by number or four at a time, and make addresses at once:
-/// offsets that a vector multiplied and stored before took a third longer.
+/// An index is turned into an address just before it is read. To compute the offsets of many lanes
+/// as a vector and store them first took a third longer.
 #[derive(Clone, Copy, Debug)]
 pub struct Picked<'p, 't, J, R, const C: usize> {
     rows: &'p [[J; RECORDS_PER_LANE]; MAX_LANES],
@@ -276,32 +294,32 @@ pub struct Picked<'p, 't, J, R, const C: usize> {
 }
 
 impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
-    /// The records of a lane.
+    /// The four records of a lane.
     ///
     /// # Panics
-    /// If there is no such lane.
+    /// Panics if there is no such lane.
     #[inline(always)]
     #[must_use]
     pub fn records(&self, lane: usize) -> [&'t [R; C]; RECORDS_PER_LANE] {
-        // SAFETY: a checked index is below a bound that the table has; others are 0, and the table
-        // has a record.
+        // SAFETY: an index is below a bound that the table reaches, or 0, and the table has a first
+        // record.
         unsafe { records(self.rows[lane], self.table) }
     }
 
-    /// Transposes on the way in: component `c` of record `which` of lane `i` becomes lane `i` of
-    /// vector `c`, for the four components from `from` on.
+    /// Loads four components of one record per lane: component `from + c` of record `which` of lane
+    /// `i` becomes lane `i` of vector `c`.
     ///
     /// # Panics
-    /// If there are no such components, or `which` is not below four.
+    /// Panics if there are no such components, or if `which` is not below four.
     #[inline(always)]
     #[must_use]
     pub fn quads<L: Lanes<Real = R>>(&self, level: L::Level, which: usize, from: usize) -> [L; 4] {
         const { assert!(4 <= C) };
-        // `from + 4` may wrap.
+        // `from + 4 <= C` would be wrong: the sum may wrap.
         assert!(from <= C - 4 && which < RECORDS_PER_LANE, "no such components");
         let first = self.table.as_flattened().as_ptr();
-        // SAFETY: each index is that of a record of the table, as in `records`, of which four
-        // numbers begin at `from`; there are as many as any register has lanes.
+        // SAFETY: the table has a record for each index, as in `records`, which has four numbers
+        // from `from` on, and there are indices for as many lanes as any vector has.
         unsafe {
             L::load_quads(
                 level,

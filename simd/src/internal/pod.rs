@@ -1,52 +1,58 @@
-//! [`pod!`](crate::pod!): the promise that a struct is numbers and nothing else.
+//! [`pod!`](crate::pod!): structs that consist of numbers and nothing else, as `bytemuck::Pod`.
+//!
+//! `bytemuck` derives `Pod` for a generic struct only if it has one field. The macro here proves it
+//! for any number of fields, at compile time, from two facts about the finished struct:
+//!
+//! 1. Every field has a type that implements [`Numbers<T>`], so it consists of numbers `T`.
+//! 2. With `T = u8` the struct has alignment 1 and the size of its fields. So nothing adds padding
+//!    or an alignment: for another `T`, all sizes and alignments grow by the same factor.
 
-/// What is numbers `T` and nothing else, one after the other: no padding, and any bits are valid
-/// where any bits of `T` are.
+/// A type that consists of numbers `T` and nothing else. It has no padding, and any bits are valid
+/// if any bits of `T` are.
 ///
 /// # Safety
-/// The size must be a multiple of that of `T`, the alignment that of `T`, and every byte part of a
-/// `T`.
+/// The size must be a multiple of that of `T`, the alignment must be that of `T`, and every byte
+/// must be part of a `T`.
 #[doc(hidden)]
 pub unsafe trait Numbers<T> {}
 
-// SAFETY: a number is itself.
+// SAFETY: a number consists of itself.
 unsafe impl<T> Numbers<T> for T {}
 // SAFETY: arrays have no padding between their elements.
 unsafe impl<T, const N: usize> Numbers<T> for [T; N] {}
 // SAFETY: as above, twice.
 unsafe impl<T, const N: usize, const M: usize> Numbers<T> for [[T; N]; M] {}
 
-/// The size in bytes of a field, which compiles for numbers only.
+/// The size of a field in bytes. This compiles only if the field consists of numbers.
 #[doc(hidden)]
 pub const fn size_of_numbers<T, F: Numbers<T>>(_: &F) -> usize {
     size_of::<F>()
 }
 
-/// The bytes of a struct that are zero.
+/// A value whose bytes are all zero.
 #[doc(hidden)]
 pub const fn zeroed<P: Zeroable>() -> P {
-    // SAFETY: `Zeroable` promises that zeros are a value.
+    // SAFETY: `Zeroable` promises that zeros are a valid value.
     unsafe { core::mem::MaybeUninit::zeroed().assume_init() }
 }
 
-/// Checks the finished struct, whatever the attributes have done to it: it lies as close as bytes
-/// do, and its fields fill it.
+/// Checks the layout of a finished struct of bytes, whatever attributes have done to it: its
+/// alignment is 1, and its fields fill it.
 #[doc(hidden)]
 pub const fn check_padding<P>(size_of_fields: usize) {
     assert!(align_of::<P>() == 1, "an attribute gives this struct an alignment of its own");
     assert!(size_of::<P>() == size_of_fields, "an attribute gives this struct padding");
 }
 
-/// Defines a struct that is generic over its number, and makes it `bytemuck::Pod`, which bytemuck
-/// derives for structs of one field only. All fields are numbers, arrays of numbers, or plain
-/// themselves; anything else does not compile.
+/// Defines a struct that is generic over its number type, and implements `bytemuck::Pod` for it.
+/// All fields must be numbers, arrays of numbers, or structs that this macro defined.
 ///
-/// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. It takes
-/// documentation, `must_use`, derives and, for a feature, derives and what `serde` reads: no other
-/// attribute, for one may change the layout or take the struct away. Where it is called, `derive`
-/// and `serde` may be attributes that somebody else wrote; so the finished struct is checked: one
-/// that has an alignment or padding of its own does not compile. No other name that the macro uses
-/// is looked up there.
+/// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. It accepts
+/// documentation, `must_use`, derives and, behind a feature, derives and `serde` attributes. It
+/// rejects any other attribute, because one could change the layout or remove the struct. `derive`
+/// and `serde` are looked up where the macro is called, and somebody may have defined attributes of
+/// these names there. So the finished struct is checked as well, and one with an alignment or
+/// padding of its own does not compile. Nothing else that the macro uses is looked up at the call.
 ///
 /// ```
 /// dq8_simd::pod! {
@@ -73,7 +79,7 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 /// }
 /// ```
 ///
-/// So is a layout of its own:
+/// A layout of its own is an error too:
 ///
 /// ```compile_fail
 /// dq8_simd::pod! {
@@ -101,7 +107,7 @@ macro_rules! pod {
             @define transparent [0] $(#[$($attribute)+])* $seen struct $name<$number>($shown $type);
         }
     };
-    // Whoever calls this one himself is held to the same.
+    // A direct call of this rule is checked like any other.
     (@define $layout:ident [$($field:tt)+] $(#[$($attribute:tt)+])*
         $seen:vis struct $name:ident<$number:ident> $fields:tt $($end:tt)?) => {
         $crate::pod! { @without_padding $layout }
@@ -118,14 +124,14 @@ macro_rules! pod {
             let plain = $crate::internal::pod::zeroed::<$name<$crate::internal::pod::Byte>>();
             $crate::internal::pod::check_padding::<$name<$crate::internal::pod::Byte>>(size_of_fields(&plain));
         };
-        // SAFETY: `size_of_fields` compiles, so the finished struct has the fields above and no
-        // other, and every one is numbers and nothing else: all have the alignment of a number, and
-        // no padding lies between or behind them. Nor does an attribute add any, for the struct of
-        // bytes, whose alignment and padding would be the same, has none.
+        // SAFETY: `size_of_fields` compiles, so the finished struct has exactly the fields above,
+        // and each consists of numbers. So all have the alignment of a number, and there is no
+        // padding between or after them. Attributes add none either: the struct of bytes would have
+        // the same padding and alignment, and `check_padding` finds that it has none.
         unsafe impl<$number> $crate::internal::pod::Numbers<$number> for $name<$number> {}
-        // SAFETY: all fields are zeroable where a number is.
+        // SAFETY: all fields are zeroable if a number is.
         unsafe impl<$number: $crate::internal::pod::Zeroable> $crate::internal::pod::Zeroable for $name<$number> {}
-        // SAFETY: numbers without padding, of which any bits are valid.
+        // SAFETY: the struct is numbers without padding, for which any bits are valid.
         unsafe impl<$number: $crate::internal::pod::Pod> $crate::internal::pod::Pod for $name<$number> {}
     };
     (@without_padding C) => {};
@@ -139,17 +145,19 @@ macro_rules! pod {
 
 #[doc(hidden)]
 pub use bytemuck::{Pod, Zeroable};
-/// A number that no name at the place of the call can stand for.
+/// `u8`, by a path that means the same wherever the macro is called.
 #[doc(hidden)]
 pub type Byte = u8;
-/// As above.
+/// `usize`, by such a path.
 #[doc(hidden)]
 pub type Size = usize;
 
-/// Programs of safe code that once made `Pod` of what has padding, or of a layout that nothing
-/// promises. Those with attributes of their own are in `tests/attributes`.
+/// Programs of safe code that earlier versions of the macro accepted, although they implement `Pod`
+/// for a struct with padding or with an unspecified layout. `tests/attributes` has more, with
+/// attributes of their own.
 ///
-/// The struct only named, and `align_of` or `assert!` another one where the macro is called:
+/// The struct is defined elsewhere, and the macro, which once took its name only, finds another
+/// `align_of` or `assert!` where it is called:
 ///
 /// ```compile_fail
 /// mod a {
@@ -177,7 +185,7 @@ pub type Size = usize;
 /// dq8_simd::pod!(Sphere { centre, radius });
 /// ```
 ///
-/// The struct away, another one of its name in its place:
+/// An attribute removes the struct, and another one has its name:
 ///
 /// ```compile_fail
 /// mod other {
@@ -198,11 +206,12 @@ pub type Size = usize;
 /// }
 /// ```
 ///
-/// A layout and a list of fields of the caller's:
+/// The caller passes a layout and a list of fields to a rule that is meant for the macro itself:
 ///
 /// ```compile_fail
 /// dq8_simd::pod! {
-///     @define Rust [centre radius] #[derive(Clone, Copy)] struct Sphere<T> { centre: [T; 3], radius: T }
+///     @define Rust [centre radius]
+///     #[derive(Clone, Copy)] struct Sphere<T> { centre: [T; 3], radius: T }
 /// }
 /// ```
 /// ```compile_fail

@@ -1,7 +1,8 @@
-//! The square root of one number, which `core` does not have: the instruction where there is one.
+//! The square root of one number, which `core` does not have. It is one instruction if the target
+//! has it.
 
-/// Whether the narrowest vector of `wide` has the instruction: wherever there are vectors, and on
-/// all targets with `std`. Without both, `wide` computes with `f64` in integers.
+/// True if the square root of a vector of `wide` is quick, which is so if the target has vectors or
+/// `std`. Otherwise `wide` computes it in `f64`, with integers.
 pub(crate) const VECTORS: bool = cfg!(any(
     not(feature = "libm"),
     feature = "std",
@@ -10,7 +11,7 @@ pub(crate) const VECTORS: bool = cfg!(any(
     target_feature = "simd128"
 ));
 
-/// √`value`, correctly rounded; NaN below zero.
+/// √`value`, correctly rounded. Below zero it is NaN.
 #[inline(always)]
 #[must_use]
 pub fn f32(value: f32) -> f32 {
@@ -21,7 +22,7 @@ pub fn f32(value: f32) -> f32 {
     wide::f32x4::splat(value).sqrt().to_array()[0]
 }
 
-/// √`value`, correctly rounded; NaN below zero.
+/// √`value`, correctly rounded. Below zero it is NaN.
 #[inline(always)]
 #[must_use]
 pub fn f64(value: f64) -> f64 {
@@ -32,20 +33,21 @@ pub fn f64(value: f64) -> f64 {
     wide::f64x2::splat(value).sqrt().to_array()[0]
 }
 
-/// `libm` stays with `f32`, and some targets have the instruction.
+/// Square roots for targets without vectors. `libm` computes that of an `f32` in `f32`.
 #[cfg(feature = "libm")]
 mod without_vectors {
-    /// All FPUs whose registers carry arguments have this one, from the Cortex-M4F on.
+    /// √`value`. Every Arm FPU whose registers pass arguments has the instruction, from the
+    /// Cortex-M4F on.
     #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
     #[inline(always)]
     pub(super) fn f32(value: f32) -> f32 {
         let root: f32;
-        // SAFETY: the target passes floats in FPU registers, so there is an FPU, and each has a
-        // square root in single precision. Nothing but the registers named here is read or written.
+        // SAFETY: the target passes floats in FPU registers, so it has an FPU, and each of these
+        // has a square root in single precision. Only the registers named here are read or written.
         unsafe {
             core::arch::asm!(
-                // By way of a core register, because the compiler takes an FPU without double
-                // precision for none when it looks for a register of it (`sreg`).
+                // The number goes through a core register: the compiler offers no FPU registers
+                // (`sreg`) if the FPU has no double precision.
                 "vmov s0, {value}",
                 "vsqrt.f32 s0, s0",
                 "vmov {root}, s0",
@@ -59,6 +61,6 @@ mod without_vectors {
     }
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
     pub(super) use libm::sqrtf as f32;
-    // Double precision is not for every FPU (Cortex-M4F), and no stable `cfg` tells.
+    // Some FPUs, as the Cortex-M4F's, have no double precision, and no stable `cfg` tells which.
     pub(super) use libm::sqrt as f64;
 }

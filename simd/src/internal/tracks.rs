@@ -1,6 +1,34 @@
-//! [`Tracks`]: keys of many clips, checked once; [`TrackPlace`]: between which two frames of a clip
-//! something is; [`PlacedTracks`]: both, checked together. [`OwnedTracks`] owns its bytes.
+//! Interpolation between the keys of packed clips, which are read from the bytes of a file in
+//! place.
+//!
+//! `dq8` describes the file and parses its head. What is here are the three tables of it that a
+//! loop reads without checks, so the checks that make that sound have to be here as well:
+//!
+//! ```text
+//! keys                 four 16-bit numbers each
+//! clips                first key, frames, step (keys from one frame to the next), row
+//! rows[row][column]    an entry, 2 · offset + m: m is 1 if the column moves in the clip, else 0
+//! ```
+//!
+//! A column is what changes together: the rotation of a joint, or its translation. One that moves
+//! has a key for each frame, and one that stays has one key in all. So column `c` at frame `f` of a
+//! clip has this key:
+//!
+//! ```text
+//! keys[first + m · f · step + offset]       with the entry of rows[row][c]
+//! ```
+//!
+//! Offsets count from the first key of a clip, so that clips in which the same columns move share a
+//! row. The row then stays in the first-level cache, while keys come from far away.
+//!
+//! ```text
+//! Tracks::new(keys, clips, rows)    checks the key of every column at the last frame of every clip
+//! Tracks::place(clip, frame)        a TrackPlace, which users may keep: it is six plain numbers
+//! Tracks::placed(places)            checks that each is what `place` makes: PlacedTracks
+//! PlacedTracks::between(…)          reads two keys per lane and interpolates, without checks
+//! ```
 
+use super::gather::padded;
 use crate::index::saturated;
 use crate::lanes::{Lanes, Level, MAX_LANES};
 use crate::shorts::{Shorts, numbers};
@@ -8,81 +36,82 @@ use crate::shorts::{Shorts, numbers};
 use alloc::boxed::Box;
 use bytemuck::{Pod, Zeroable};
 
-/// A number of 32 bits, the lower byte first.
+/// A little-endian number of 32 bits.
 type Word = [u8; 4];
-/// Where a column begins: a number of 16 bits, the lower byte first.
+/// The little-endian entry of a column in a row.
 type Entry = [u8; 2];
 
-/// Keys in a cache line.
-const PER_LINE: usize = 8;
-/// So many keys do not fit into the second cache.
-const FAR: usize = 1 << 17;
+/// The number of keys in a cache line.
+const KEYS_PER_LINE: usize = 8;
+/// The number of keys that do not fit into the second-level cache.
+const BEYOND_CACHE: usize = 1 << 17;
 
-/// Clips of the same columns: records of four short numbers, one for each frame where
-/// a column moves in a clip, and one in all where it does not. Numbers are written with the lower
-/// byte first, and nothing is aligned.
-///
-/// What says where columns begin counts from the clip's own first key: clips in which the same
-/// columns move share a row of it, and it stays in the first cache where keys come from far away.
-///
-/// All keys that the table leads to are there: checked once, and not in the loop.
+/// The keys of clips that have the same columns, of which all keys exist that the clips lead to.
+/// Numbers are little-endian, and nothing is aligned.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
-    /// Of each clip: its first key, how many frames, how many keys from one frame to the next, and
-    /// its row.
+    /// The first key of each clip, its number of frames, its step and its row.
     clips: &'a [[Word; 4]],
-    /// `[row][column]`: twice how far the first key is from the clip's, and one more if there is
-    /// one for each frame.
+    /// The entries of all rows, row by row.
     rows: &'a [Entry],
     columns: usize,
 }
 
+/// The reason why bytes are no [`Tracks`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TrackError {
+    /// This clip has no frame, a step without a second frame, more keys than 32 bits count, or a
+    /// row that does not exist.
+    Clip(usize),
+    /// This entry of all rows leads a clip to a key that does not exist.
+    Entry(usize),
+}
+
 impl<'a> Tracks<'a> {
-    /// Of bytes; what is left of the last number of each slice is not read.
+    /// Reads the bytes of the three tables. Bytes after the last whole record of a table are
+    /// ignored.
     ///
     /// # Errors
-    /// The first clip with an entry that leads beyond the keys, and which of all entries; none if
-    /// it is the clip that has more frames, or keys from one to the next, than it can have, or no
-    /// row.
+    /// Returns what is wrong with the first clip that leads to something that does not exist.
     pub fn new(
         keys: &'a [u8],
         clips: &'a [u8],
         rows: &'a [u8],
         columns: usize,
-    ) -> Result<Self, (usize, Option<usize>)> {
+    ) -> Result<Self, TrackError> {
         let clips = clips.as_chunks::<4>().0.as_chunks().0;
         let tracks = Self { keys: keys.as_chunks().0, clips, rows: rows.as_chunks().0, columns };
         for clip in 0..clips.len() {
             let Clip { first, frames, step, row: number } =
-                tracks.clip(clip).ok_or((clip, None))?;
-            let row = tracks.row(number).ok_or((clip, None))?;
-            // A clip of one frame has no next one; `TrackPlace` counts keys in 32 bits.
+                tracks.clip(clip).ok_or(TrackError::Clip(clip))?;
+            let row = tracks.row(number).ok_or(TrackError::Clip(clip))?;
+            // A clip of one frame has no next one, so no step. `TrackPlace` has keys in 32 bits.
             let last = frames.checked_sub(1).filter(|_| frames > 1 || step == 0);
             let last = last.map(|last| u64::from(first) + u64::from(last) * u64::from(step));
-            let last = last.and_then(|last| u32::try_from(last).ok()).ok_or((clip, None))?;
-            let within = |&entry: &Entry| {
+            let last =
+                last.and_then(|last| u32::try_from(last).ok()).ok_or(TrackError::Clip(clip))?;
+            let exists = |&entry: &Entry| {
                 let entry = u16::from_le_bytes(entry);
                 let from = saturated::<usize>(if entry & 1 == 0 { first } else { last });
-                // Without a step nothing moves: frames would be as many as 32 bits count, of one
-                // key.
+                // Without a step no column moves. Otherwise, one key could be four billion frames.
                 (entry & 1 == 0 || step > 0)
                     && from.saturating_add((entry >> 1).into()) < tracks.keys.len()
             };
-            if let Some(column) = row.iter().position(|entry| !within(entry)) {
-                return Err((clip, Some(number as usize * columns + column)));
+            if let Some(column) = row.iter().position(|entry| !exists(entry)) {
+                return Err(TrackError::Entry(number as usize * columns + column));
             }
         }
         Ok(tracks)
     }
 
-    /// How many clips there are.
+    /// The number of clips.
     #[must_use]
     pub fn clips(&self) -> usize {
         self.clips.len()
     }
 
-    /// How many columns a clip has.
+    /// The number of columns, which all clips have.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
@@ -99,49 +128,50 @@ impl<'a> Tracks<'a> {
         Some(Clip { first, frames, step, row })
     }
 
-    /// How many frames a clip has. `None` if there is no such clip.
+    /// The number of frames of a clip. `None` if there is no such clip.
     #[must_use]
     pub fn frames(&self, clip: usize) -> Option<u32> {
         Some(self.clip(clip)?.frames)
     }
 
-    /// Whether a column of a clip has a key for each frame. `None` if there is no such column.
+    /// True if a column of a clip has a key for each frame. `None` if there is no such column.
     #[must_use]
     pub fn moves(&self, clip: usize, column: usize) -> Option<bool> {
         Some(u16::from_le_bytes(*self.row(self.clip(clip)?.row)?.get(column)?) & 1 == 1)
     }
 
-    /// The number of a key, and the key. `None` if there is no such column or frame.
+    /// The key of a column at a frame: its number among all keys, and its four numbers. `None` if
+    /// there is no such clip, column or frame.
     #[must_use]
     pub fn key(&self, clip: usize, column: usize, frame: u32) -> Option<(usize, [i16; 4])> {
         let Clip { first, frames, step, row } = self.clip(clip)?;
         let entry = *self.row(row)?.get(column)?;
         let there = (frame < frames).then_some(frame)?;
-        let own = TrackPlace { frames: [first, first + there * step], ..TrackPlace::default() };
+        let own = TrackPlace { origins: [first, first + there * step], ..TrackPlace::default() };
         let [key, _] = own.keys(entry);
         Some((key, numbers(*self.keys.get(key)?)))
     }
 
-    /// Between a frame of a clip and the next one; in a clip of one frame at that. `None` if there
-    /// is no such clip, or no frame after it.
+    /// The place between a frame of a clip and the next one, or, in a clip of one frame, at that
+    /// frame. `None` if there is no such clip, or no next frame.
     #[must_use]
     #[inline]
     pub fn place(&self, clip: usize, frame: u32) -> Option<TrackPlace> {
         let Clip { first, frames, step, row } = self.clip(clip)?;
         (frame < frames.saturating_sub(1).max(1)).then_some(())?;
         let row = row * u32::try_from(self.columns).ok()?;
-        let frames = [first, first + frame * step];
-        Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, frames, steps: [0, step] })
+        let origins = [first, first + frame * step];
+        Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, origins, steps: [0, step] })
     }
 
-    /// Many places in these clips.
+    /// These clips with a place in them for each lane.
     ///
     /// # Errors
-    /// The number of the first that is not one of them.
+    /// Returns the number of the first place that is none of these clips.
     pub fn placed<'p>(self, places: &'p [TrackPlace]) -> Result<PlacedTracks<'a, 'p>, usize> {
         let there = |place: &TrackPlace| {
-            let after = place.frames[1].wrapping_sub(place.frames[0]);
-            // A clip of constants has no step, and so the same place for all frames.
+            let after = place.origins[1].wrapping_sub(place.origins[0]);
+            // A clip in which no column moves has no step, so all its frames are the same place.
             let frame = after.checked_div(place.steps[1]).unwrap_or(0);
             self.place(saturated(place.clip), frame).is_some_and(|own| own == *place)
         };
@@ -152,7 +182,7 @@ impl<'a> Tracks<'a> {
     }
 }
 
-/// A clip, as the file has it.
+/// A record of the table of clips.
 struct Clip {
     first: u32,
     frames: u32,
@@ -160,41 +190,42 @@ struct Clip {
     row: u32,
 }
 
-/// A clip and a frame, as [`Tracks::place`] makes them: where they lie. Any bits are a place that
-/// [`Tracks::placed`] accepts or refuses.
+/// A frame of a packed clip, and where its keys are. `PackedClips::place` makes one. It is plain
+/// data, and checked again when it is used: with other clips, or other bits, it is an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct TrackPlace {
     clip: u32,
-    /// Where the clip's row begins.
+    /// The number of the row's first entry.
     row: u32,
-    /// From which key a column counts, if it stays, and if it moves.
-    frames: [u32; 2],
-    /// How many keys later the next one is.
+    /// The key that offsets count from, for a column that stays, and for one that moves.
+    origins: [u32; 2],
+    /// The distance to the key of the next frame, likewise.
     steps: [u32; 2],
 }
-// SAFETY: six numbers of 32 bits, without padding.
+// SAFETY: the struct is six numbers of 32 bits, without padding.
 unsafe impl Zeroable for TrackPlace {}
-// SAFETY: as above; any bits are numbers.
+// SAFETY: as above, and any bits are numbers.
 unsafe impl Pod for TrackPlace {}
 
-/// Places in clips that have them.
+/// Clips, with a place in them for each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedTracks<'a, 'p> {
     tracks: Tracks<'a>,
-    /// Invariant: each is one that `Tracks::place` made of these tracks.
+    /// Invariant: `Tracks::place` of these tracks makes each of them.
     places: &'p [TrackPlace],
 }
 
 impl<'a> PlacedTracks<'a, '_> {
-    /// Some of the places; none beyond the last.
+    /// A range of these places. It is empty if one of its ends is beyond the last place.
     #[must_use]
     pub fn part(self, places: core::ops::Range<usize>) -> Self {
         Self { places: self.places.get(places).unwrap_or_default(), ..self }
     }
 
-    /// [`Lanes::between_shorts`] of a column, lane `i` at place `first + i`; lanes beyond the last
-    /// place are there too. `None` if there is no place, or no such column.
+    /// Interpolates a column ([`Lanes::between_shorts`]), lane `i` at place `first + i` and
+    /// parameter `t`. Lanes after the last place are at the last one. `None` if there is no place,
+    /// or no such column.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between<L: Lanes>(
         self,
@@ -204,21 +235,21 @@ impl<'a> PlacedTracks<'a, '_> {
         t: L,
     ) -> Option<[L; 4]> {
         let Self { tracks: Tracks { keys, rows, columns, .. }, places } = self;
-        let padded;
+        let copied;
         let mut lanes = places.get(first..).unwrap_or_default();
         if lanes.len() < L::LANES {
             lanes = if L::LANES == 1 {
                 core::slice::from_ref(places.last()?)
             } else {
-                padded = repeat(lanes, *places.last()?);
-                &padded
+                copied = padded(lanes, *places.last()?);
+                &copied
             };
         }
         if column >= columns {
             return None;
         }
-        // SAFETY: there are as many places as lanes, each with a row, which has the column; by the
-        // check of the rows a key and the next one are there.
+        // SAFETY: there are as many places as lanes. Each has a row, which has the column, and
+        // `Tracks::new` has checked that the entry leads to a key at this frame and at the next.
         Some(unsafe {
             L::between_shorts(
                 level,
@@ -233,9 +264,10 @@ impl<'a> PlacedTracks<'a, '_> {
         })
     }
 
-    /// Asks for what the lanes from place `first` on will read of a column, where a cache line may
-    /// begin with it, or if it is the `last` one, if the keys do not fit into the second cache.
-    /// Rows are too short for the CPU to foresee where they go on.
+    /// Prefetches the keys of a column that `lanes` lanes from place `first` on will read, if there
+    /// are more keys than the second-level cache holds. The CPU does not foresee these reads,
+    /// because each frame's keys are few. Only every eighth column, and the `last`, reaches another
+    /// cache line, so other columns do nothing.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn prefetch<V: Level>(
         self,
@@ -246,10 +278,10 @@ impl<'a> PlacedTracks<'a, '_> {
         last: bool,
     ) {
         let Tracks { keys, rows, .. } = self.tracks;
-        if !(column.is_multiple_of(PER_LINE) || last) || keys.len() < FAR {
+        if !(column.is_multiple_of(KEYS_PER_LINE) || last) || keys.len() < BEYOND_CACHE {
             return;
         }
-        // In line: for a call the loop around it would put its registers away.
+        // Inlined, because around a call the loop that samples would spill its registers.
         for place in self.places.get(first..).unwrap_or_default().iter().take(lanes) {
             let Some(&entry) = rows.get(place.row as usize + column) else { return };
             for key in place.keys(entry).into_iter().filter_map(|key| keys.get(key)) {
@@ -258,8 +290,9 @@ impl<'a> PlacedTracks<'a, '_> {
         }
     }
 
-    /// [`between`](Self::between) of one place, lane `i` of column `first + i`; lanes beyond the
-    /// last column are that.
+    /// Interpolates columns of one place ([`Lanes::between_shorts`]), lane `i` column `first + i`
+    /// at parameter `t`. Lanes after the last column take the last one. `None` if there is no such
+    /// place, or there are no columns.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between_columns<L: Lanes>(
         self,
@@ -271,19 +304,19 @@ impl<'a> PlacedTracks<'a, '_> {
         let place = self.places.get(place)?;
         let row: &'a [Entry] = self.tracks.rows.get(place.row as usize..)?;
         let row = row.get(..self.tracks.columns)?;
-        let padded;
+        let copied;
         let mut lanes = row.get(first..).unwrap_or_default();
         if lanes.len() < L::LANES {
             lanes = if L::LANES == 1 {
                 core::slice::from_ref(row.last()?)
             } else {
-                padded = repeat(lanes, *row.last()?);
-                &padded
+                copied = padded(lanes, *row.last()?);
+                &copied
             };
         }
         let from = self.tracks.keys.as_ptr();
-        // SAFETY: there are as many entries as lanes, all of the row of the place; by the check of
-        // the rows a key and the next one are there.
+        // SAFETY: there are as many entries as lanes, all of them of the row of the place, and
+        // `Tracks::new` has checked that each leads to a key at this frame and at the next.
         unsafe {
             let first = *lanes.get_unchecked(0);
             let mut differ = [0; MAX_LANES];
@@ -291,7 +324,8 @@ impl<'a> PlacedTracks<'a, '_> {
                 let beside = u16::from_le_bytes(first).wrapping_add(2 * lane as u16);
                 *differ = u16::from_le_bytes(*lanes.get_unchecked(lane)) ^ beside;
             }
-            // Side by side, most often: an address for all is quicker than one for each.
+            // Mostly the keys of the lanes adjoin. Then one address serves all of them, which is
+            // quicker than one for each.
             if differ.iter().fold(0, |all, one| all | one) == 0 {
                 let [key, next] = place.keys(first);
                 return Some(L::between_shorts(
@@ -314,53 +348,40 @@ impl<'a> PlacedTracks<'a, '_> {
 }
 
 impl TrackPlace {
-    /// Which keys an entry of its row leads to.
+    /// The keys of a column at the frame and at the next one, by its entry.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn keys(&self, entry: Entry) -> [usize; 2] {
         let entry = u16::from_le_bytes(entry);
         let moves = (entry & 1) as usize;
-        let key = (entry >> 1) as usize + self.frames[moves] as usize;
+        let key = (entry >> 1) as usize + self.origins[moves] as usize;
         [key, key + self.steps[moves] as usize]
     }
 }
 
-/// Some of them, and `last` in the places that are left.
-#[cold]
-#[inline(never)]
-fn repeat<T: Copy>(some: &[T], last: T) -> [T; MAX_LANES] {
-    let mut padded = [last; MAX_LANES];
-    for (slot, &one) in padded.iter_mut().zip(some) {
-        *slot = one;
-    }
-    padded
-}
-
-/// [`Tracks`] with bytes of their own.
+/// [`Tracks`] that own their bytes.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Debug)]
 pub struct OwnedTracks {
-    /// Invariant: checked.
+    /// Invariant: `Tracks::new` accepts the three ranges.
     bytes: Box<[u8]>,
-    /// Where keys, clips and rows lie.
+    /// The ranges of keys, clips and rows.
     ranges: [core::ops::Range<usize>; 3],
     columns: usize,
 }
 
 #[cfg(feature = "alloc")]
 impl OwnedTracks {
-    /// The same checks, of three ranges of `bytes`.
+    /// Checks like [`Tracks::new`], with the tables as three ranges of `bytes`: of keys, clips and
+    /// rows. A range that is not inside of `bytes` is an empty table.
     ///
     /// # Errors
-    /// As for [`Tracks::new`]; clip 0 if a range is none of `bytes`.
+    /// The same as for [`Tracks::new`].
     pub fn new(
         bytes: Box<[u8]>,
         ranges: [core::ops::Range<usize>; 3],
         columns: usize,
-    ) -> Result<Self, (usize, Option<usize>)> {
-        let [keys, clips, rows] = ranges.each_ref().map(|range| bytes.get(range.clone()));
-        let (Some(keys), Some(clips), Some(rows)) = (keys, clips, rows) else {
-            return Err((0, None));
-        };
+    ) -> Result<Self, TrackError> {
+        let [keys, clips, rows] = tables(&bytes, &ranges);
         Tracks::new(keys, clips, rows, columns)?;
         Ok(Self { bytes, ranges, columns })
     }
@@ -371,12 +392,17 @@ impl OwnedTracks {
         &self.bytes
     }
 
-    /// The same tracks, not checked again.
+    /// The same tracks, without another check.
     #[must_use]
     pub fn borrowed(&self) -> Tracks<'_> {
-        let part = |range: &core::ops::Range<usize>| &self.bytes[range.clone()];
-        let [keys, clips, rows] = self.ranges.each_ref().map(part);
+        let [keys, clips, rows] = tables(&self.bytes, &self.ranges);
         let clips = clips.as_chunks::<4>().0.as_chunks().0;
         Tracks { keys: keys.as_chunks().0, clips, rows: rows.as_chunks().0, columns: self.columns }
     }
+}
+
+/// The bytes of each range.
+#[cfg(feature = "alloc")]
+fn tables<'a>(bytes: &'a [u8], ranges: &[core::ops::Range<usize>; 3]) -> [&'a [u8]; 3] {
+    ranges.each_ref().map(|range| bytes.get(range.clone()).unwrap_or_default())
 }

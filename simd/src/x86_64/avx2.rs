@@ -1,3 +1,5 @@
+//! [`Avx2`]: its lanes and masks.
+
 use super::frame::align_frame;
 use super::prefetch::{prefetch, prefetch_every};
 use super::quads::*;
@@ -9,12 +11,12 @@ use crate::pair::Pair;
 use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
-/// AVX2 and FMA: eight `f32` or four `f64` at a time. [`Avx2::detect`] is the only way to one.
+/// AVX2 and FMA: eight `f32` or four `f64` at a time. Only [`Avx2::detect`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx2(());
 
 impl Avx2 {
-    /// The proof, if the CPU and the operating system have AVX2 and FMA.
+    /// The proof that the CPU and the operating system have AVX2 and FMA, if they do.
     #[inline]
     #[must_use]
     pub fn detect() -> Option<Self> {
@@ -35,7 +37,7 @@ impl Level for Avx2 {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn fence(self) {
-        // SAFETY: `self` proves more than the SSE that this is a part of.
+        // SAFETY: `self` proves AVX2, which implies the SSE that the instruction is part of.
         unsafe { _mm_sfence() };
     }
 
@@ -121,10 +123,11 @@ vector! {
     select |mask, yes, no| _mm256_blendv_pd(no.0, yes.0, mask.0);
 }
 
-/// A mask is a vector whose lanes are all ones or all zeros.
+/// Defines the mask of a lane type: a vector in which all bits of a lane are ones, or all are
+/// zeros.
 macro_rules! mask {
     ($name:ident = $register:ident, $lanes:literal; $and:ident; $or:ident; $xor:ident; $ones:expr; $bits:ident) => {
-        /// One truth value per lane: all ones or all zeros.
+        /// One truth value per lane: all bits are ones, or all are zeros.
         #[derive(Clone, Copy, Debug)]
         pub struct $name($register, Avx2);
 

@@ -1,3 +1,5 @@
+//! [`Avx512`]: its lanes and masks.
+
 use super::frame::align_frame;
 use super::prefetch::{prefetch, prefetch_every};
 use super::quads::*;
@@ -9,20 +11,19 @@ use core::arch::asm;
 use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
-/// AVX-512 F, VL and DQ: sixteen `f32` or eight `f64` at a time. [`Avx512::detect`] is the only way
-/// to one.
+/// AVX-512 F, VL and DQ: sixteen `f32` or eight `f64` at a time. Only [`Avx512::detect`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx512(());
 
 impl Avx512 {
-    /// The proof, if the CPU and the operating system have AVX-512 F, VL and DQ.
+    /// The proof that the CPU and the operating system have AVX-512 F, VL and DQ, if they do.
     #[inline]
     #[must_use]
     pub fn detect() -> Option<Self> {
         crate::detect::avx512().then_some(Self(()))
     }
 
-    /// Whether this CPU shuffles sixteen `f32` as quickly as eight: AMD's do, Intel's do not.
+    /// True if this CPU shuffles sixteen `f32` as quickly as eight. AMD's CPUs do, Intel's do not.
     #[inline]
     #[must_use]
     pub fn shuffles_wide(self) -> bool {
@@ -43,7 +44,7 @@ impl Level for Avx512 {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn fence(self) {
-        // SAFETY: `self` proves more than the SSE that this is a part of.
+        // SAFETY: `self` proves AVX-512, which implies the SSE that the instruction is part of.
         unsafe { _mm_sfence() };
     }
 
@@ -60,7 +61,7 @@ impl Level for Avx512 {
     #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
     fn locate<T>(self, value: &T) -> &T {
         let mut address = core::ptr::from_ref(value);
-        // SAFETY: no instruction; the address stays what it was.
+        // SAFETY: the assembly has no instruction, so the address is still that of `value`.
         unsafe {
             asm!("/* {0} */", inout(reg) address, options(pure, nomem, nostack, preserves_flags));
             &*address
@@ -80,7 +81,7 @@ impl Level for Avx512 {
     }
 }
 
-/// One truth value per lane, one bit each, for any number of lanes up to 16.
+/// One truth value per lane, of one bit each, for up to 16 lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const LANES: u32>(u32);
 

@@ -1,4 +1,4 @@
-//! One dual quaternion in a register, or in two.
+//! [`PackedDualQuat`]: one dual quaternion in a register, or in two.
 
 use super::avx2;
 use super::avx512;
@@ -8,11 +8,11 @@ use crate::pair::Pair;
 use core::arch::asm;
 use core::arch::x86_64::*;
 
-/// Where the columns of [`PackedDualQuat::columns`] change the sign.
+/// The signs of [`PackedDualQuat::columns`] c₀, c₁ and c₂: −0 where the column has a minus.
 const SIGNS: [[f64; 4]; 3] =
     [[0.0, 0.0, -0.0, -0.0], [-0.0, 0.0, 0.0, -0.0], [0.0, -0.0, 0.0, -0.0]];
 
-/// [`SIGNS`] in every group of four.
+/// [`SIGNS`], repeated in every group of four lanes.
 const fn signs_f32<const N: usize>() -> [[f32; N]; 3] {
     let mut signs = [[0.0; N]; 3];
     let mut i = 0;
@@ -23,7 +23,7 @@ const fn signs_f32<const N: usize>() -> [[f32; N]; 3] {
     signs
 }
 
-/// [`SIGNS`] in every group of four.
+/// [`SIGNS`], repeated in every group of four lanes.
 const fn signs_f64<const N: usize>() -> [[f64; N]; 3] {
     let mut signs = [[0.0; N]; 3];
     let mut i = 0;
@@ -34,7 +34,8 @@ const fn signs_f64<const N: usize>() -> [[f64; N]; 3] {
     signs
 }
 
-/// The columns: an instruction that permutes each group of four, and one that flips signs.
+/// The columns of a product: each is a permutation of every group of four, and an exclusive or that
+/// flips signs.
 macro_rules! columns {
     ($v:expr, $signs:expr, $permute:ident, $xor:ident, $load:ident) => {{
         let [x, y, z] = $signs;
@@ -47,17 +48,19 @@ macro_rules! columns {
     }};
 }
 
-/// The columns with AVX-512, which picks numbers from two vectors: the signs are flipped once for
-/// all.
+/// The columns of a product with AVX-512, whose permutations pick from two vectors. So the signs
+/// are flipped once, and each column picks from the vector and its negative.
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl")]
 fn picked_columns(v: __m256) -> [__m256; 4] {
     let negative = _mm256_xor_ps(v, _mm256_set1_ps(-0.0));
-    // Below 8 from `v`, from 8 on from its negative; the upper half as the lower one.
+    // Numbers below 8 name lanes of `v`, the others lanes of its negative. The upper half is
+    // permuted like the lower one.
     let [y, z] = [[10, 3, 0, 9], [1, 8, 3, 10]].map(|[a, b, c, d]| {
         let mut from = _mm256_setr_epi32(a, b, c, d, a + 4, b + 4, c + 4, d + 4);
-        // SAFETY: no instruction. Left to itself, the compiler picks in two steps and gains
-        // nothing.
+        // The assembly hides the constant from the compiler, which would make two steps of the
+        // permutation and gain nothing.
+        // SAFETY: it has no instruction.
         unsafe {
             asm!("/* {0} */", inout(ymm_reg) from, options(pure, nomem, nostack, preserves_flags));
         }
@@ -67,28 +70,28 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
     [x, y, z, v]
 }
 
-/// A register that holds all eight.
+/// Implements [`PackedDualQuat`] for lanes that hold all eight numbers in one register.
 macro_rules! packed {
-    ($($name:ty, |$v:ident| $columns:expr, $raised:expr, |$from:ident| $twice:expr;)*) => {$(
+    ($($name:ty, |$v:ident| $columns:expr, $times_epsilon:expr, |$from:ident| $twice:expr;)*) => {$(
         impl PackedDualQuat for $name {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
                 let $from = from.as_ptr();
-                // SAFETY: `level` proves the instructions; the pointer is that of four numbers.
+                // SAFETY: `level` proves the instructions, and the pointer is to four numbers.
                 Self(unsafe { $twice }, level)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn columns(self) -> [Self; 4] {
                 let (level, $v) = (self.level(), self.0);
-                // SAFETY: `self` proves the instructions; the pointers are those of whole arrays.
+                // SAFETY: `self` proves the instructions, and the pointers are to whole arrays.
                 let [x, y, z, w] = unsafe { $columns };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
-            fn raised(self) -> Self {
+            fn times_epsilon(self) -> Self {
                 let $v = self.0;
                 // SAFETY: `self` proves the instructions.
-                Self(unsafe { $raised }, self.level())
+                Self(unsafe { $times_epsilon }, self.level())
             }
         }
     )*};
@@ -121,7 +124,7 @@ impl PackedDualQuat for Pair<avx2::F64x4> {
         let signs = const { signs_f64::<4>() };
         let mut columns = [[lower.0; 4]; 2];
         for (columns, half) in columns.iter_mut().zip([lower.0, upper.0]) {
-            // SAFETY: `self` proves the instructions; the pointers are those of whole arrays.
+            // SAFETY: `self` proves the instructions, and the pointers are to whole arrays.
             *columns = unsafe {
                 columns!(half, signs, _mm256_permute4x64_pd, _mm256_xor_pd, _mm256_loadu_pd)
             };
@@ -135,7 +138,7 @@ impl PackedDualQuat for Pair<avx2::F64x4> {
         ]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn raised(self) -> Self {
+    fn times_epsilon(self) -> Self {
         Self(self.0.constant(-0.0), self.0)
     }
 }

@@ -1,6 +1,8 @@
+//! Prefetches of memory that will be needed soon.
+
 use core::arch::x86_64::*;
 
-/// Bytes of a cache line of every x86-64 CPU that has these levels.
+/// The bytes of a cache line, which every x86-64 CPU that has these levels agrees on.
 const LINE: usize = 64;
 
 /// See [`Level::prefetch`](crate::Level::prefetch).
@@ -8,8 +10,7 @@ const LINE: usize = 64;
 pub(super) fn prefetch<T>(value: &T) {
     let start = core::ptr::from_ref(value).cast::<i8>();
     for offset in (0..size_of::<T>()).step_by(LINE) {
-        // SAFETY: SSE is part of every x86-64 CPU, the address is one of `value`, and nothing is
-        // read.
+        // SAFETY: every x86-64 CPU has SSE, the address is inside of `value`, and nothing is read.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(offset)) };
     }
 }
@@ -18,8 +19,8 @@ pub(super) fn prefetch<T>(value: &T) {
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn prefetch_every<T>(memory: &[T], stride: usize, count: usize) {
     for index in 0..count {
-        let place = memory.as_ptr().wrapping_add(index.wrapping_mul(stride));
-        // SAFETY: SSE is part of every x86-64 CPU; of no address does this read anything, nor fail.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(place.cast()) };
+        let address = memory.as_ptr().wrapping_add(index.wrapping_mul(stride));
+        // SAFETY: every x86-64 CPU has SSE, and a prefetch reads nothing and fails at no address.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(address.cast()) };
     }
 }

@@ -1,19 +1,32 @@
 //! Transposes between records of four (or three) numbers in memory and vectors of their components.
 //!
-//! Record by record is how memory goes; four registers that hold a record a 128-bit group (`f32`)
-//! or a 256-bit group (`f64`) are then transposed inside the groups. That transpose is its own
-//! inverse, so the way out is the way in, read backwards.
+//! A register is seen as groups that hold one record each: 128 bits for four `f32`, 256 bits for
+//! four `f64`. Each of four registers is filled with records, and then the four registers are
+//! transposed inside of each group. For eight `f32`:
 //!
-//! Registers and pointers here are raw: the lanes that call prove the instructions and the bounds.
-#![allow(clippy::missing_safety_doc, reason = "stated once, below, for all of them")]
+//! ```text
+//!             group 0          group 1
+//! register 0  x0 y0 z0 w0  |  x4 y4 z4 w4      x0 x1 x2 x3  |  x4 x5 x6 x7
+//! register 1  x1 y1 z1 w1  |  x5 y5 z5 w5  ->  y0 y1 y2 y3  |  y4 y5 y6 y7
+//! register 2  x2 y2 z2 w2  |  x6 y6 z6 w6      z0 z1 z2 z3  |  z4 z5 z6 z7
+//! register 3  x3 y3 z3 w3  |  x7 y7 z7 w7      w0 w1 w2 w3  |  w4 w5 w6 w7
+//! ```
+//!
+//! Shuffles inside of groups are quick, and no number has to cross from one group to another. The
+//! transpose is its own inverse, so a store is a load read backwards.
+//!
+//! These functions take registers and pointers, and prove nothing. The lanes that call them prove
+//! that the CPU has the instructions, and their callers that the memory is there.
+#![allow(clippy::missing_safety_doc, reason = "stated once, below, for all functions")]
 
 use core::arch::x86_64::*;
 
-// All functions of this file: the CPU must have the instructions of the register's type. `LANES`
-// records of four numbers (three for triples) must lie `stride` numbers apart from `at` on; or, on
-// the way in, each `place(lane)` numbers after `at`.
+// # Safety, for all functions of this file: the CPU must have the instructions of the register's
+// type. For each lane there must be a record of four numbers (three for triples) in memory: a load
+// reads it `offset(lane)` numbers after `at`, a store writes it `lane · stride` numbers after
+// `at`.
 
-/// The transpose of the 4 × 4 numbers in each 128-bit group.
+/// Defines the transpose of the 4 × 4 numbers in each 128-bit group of four registers.
 macro_rules! transpose_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident) => {
         #[cfg_attr(not(opt_level_0), inline(always))]
@@ -36,7 +49,8 @@ transpose_singles! { transpose_f32x4, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, 
 transpose_singles! { transpose_f32x8, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps }
 transpose_singles! { transpose_f32x16, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps }
 
-/// In each 128-bit group the sums of the group's numbers of four registers.
+/// Defines the sums of the four numbers in each 128-bit group: number `i` of a group is the sum of
+/// that group in register `i`.
 macro_rules! sum_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident, $add:ident) => {
         #[cfg_attr(not(opt_level_0), inline(always))]
@@ -54,8 +68,8 @@ sum_singles! { f32x4_sum, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, _mm_shuffle_
 sum_singles! { f32x8_sum, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps, _mm256_add_ps }
 sum_singles! { f32x16_sum, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps, _mm512_add_ps }
 
-/// Four records in each of four registers and back: a register type, how records join in it, and
-/// how it falls apart into the places of its groups.
+/// Defines the loads and stores for a type of registers. `join` makes a register of the records of
+/// lanes i, i + 4, i + 8 …, which `get` loads, and `split` takes it apart into its groups again.
 macro_rules! single_quads {
     (
         $load:ident, $store:ident, $triples:ident, $register:ident, $transpose:ident, $shuffle:ident;
@@ -65,7 +79,7 @@ macro_rules! single_quads {
         #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $load(
             at: *const f32,
-            place: impl Fn(usize) -> usize,
+            offset: impl Fn(usize) -> usize,
         ) -> [$register; 4] {
             // SAFETY: the caller's promise, above.
             unsafe {
@@ -73,7 +87,7 @@ macro_rules! single_quads {
                 for ($i, row) in rows.iter_mut().enumerate() {
                     macro_rules! $get {
                         ($record:expr) => {
-                            _mm_loadu_ps(at.add(place($record)))
+                            _mm_loadu_ps(at.add(offset($record)))
                         };
                     }
                     *row = $join;
@@ -138,7 +152,7 @@ single_quads! {
     ];
 }
 
-/// The transpose of 4 × 4 numbers.
+/// Transposes 4 × 4 numbers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
     // SAFETY: the caller's CPU has the instructions.
@@ -154,7 +168,7 @@ unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
     }
 }
 
-/// The transpose of the 4 × 4 numbers in each half.
+/// Transposes the 4 × 4 numbers in each half.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
     // SAFETY: the caller's CPU has the instructions.
@@ -172,7 +186,7 @@ unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
     }
 }
 
-/// The sums of the numbers of four registers.
+/// The sums of the numbers of each of four registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
     // SAFETY: the caller's CPU has the instructions.
@@ -189,7 +203,7 @@ pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
     }
 }
 
-/// In each half the sums of the half's numbers of four registers.
+/// The sums of the numbers in each half of four registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_sum([a, b, c, d]: [__m512d; 4]) -> __m512d {
     // SAFETY: the caller's CPU has the instructions.
@@ -199,7 +213,7 @@ pub(super) unsafe fn f64x8_sum([a, b, c, d]: [__m512d; 4]) -> __m512d {
     }
 }
 
-/// Three numbers of a record of four.
+/// Stores the first three numbers of a record of four.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_triple(record: __m256d, at: *mut f64) {
     // SAFETY: the caller's promise, above.
@@ -210,14 +224,14 @@ unsafe fn store_triple(record: __m256d, at: *mut f64) {
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) unsafe fn f64x4_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m256d; 4] {
+pub(super) unsafe fn f64x4_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m256d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
         transpose_f64x4([
-            _mm256_loadu_pd(at.add(place(0))),
-            _mm256_loadu_pd(at.add(place(1))),
-            _mm256_loadu_pd(at.add(place(2))),
-            _mm256_loadu_pd(at.add(place(3))),
+            _mm256_loadu_pd(at.add(offset(0))),
+            _mm256_loadu_pd(at.add(offset(1))),
+            _mm256_loadu_pd(at.add(offset(2))),
+            _mm256_loadu_pd(at.add(offset(3))),
         ])
     }
 }
@@ -241,13 +255,13 @@ pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) 
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) unsafe fn f64x8_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m512d; 4] {
+pub(super) unsafe fn f64x8_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m512d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
         let mut rows = [_mm512_setzero_pd(); 4];
         for (i, row) in rows.iter_mut().enumerate() {
-            let lower = _mm512_castpd256_pd512(_mm256_loadu_pd(at.add(place(i))));
-            *row = _mm512_insertf64x4::<1>(lower, _mm256_loadu_pd(at.add(place(i + 4))));
+            let lower = _mm512_castpd256_pd512(_mm256_loadu_pd(at.add(offset(i))));
+            *row = _mm512_insertf64x4::<1>(lower, _mm256_loadu_pd(at.add(offset(i + 4))));
         }
         transpose_f64x8(rows)
     }
@@ -274,10 +288,10 @@ pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) 
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) unsafe fn f64x2_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m128d; 4] {
+pub(super) unsafe fn f64x2_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m128d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
-        let (a, b) = (at.add(place(0)), at.add(place(1)));
+        let (a, b) = (at.add(offset(0)), at.add(offset(1)));
         let (xy_a, zw_a) = (_mm_loadu_pd(a), _mm_loadu_pd(a.add(2)));
         let (xy_b, zw_b) = (_mm_loadu_pd(b), _mm_loadu_pd(b.add(2)));
         [

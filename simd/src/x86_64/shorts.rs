@@ -1,19 +1,21 @@
-//! Two records of four short numbers for each lane, and what lies between them.
+//! Interpolation between records of 16-bit numbers with AVX2 ([`crate::shorts`] has the formula).
 
 use crate::shorts::Shorts;
 use core::arch::asm;
 use core::arch::x86_64::*;
 
-/// Records a and b of a lane, one after the other.
+/// Loads records `a` and `b` of a lane into one register, the second after the first.
 ///
 /// # Safety
-/// Both records that `place` says may be read.
+/// Both records must be readable.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
 unsafe fn both(from: *const Shorts, [a, b]: [usize; 2]) -> __m128d {
-    // SAFETY: promised; the address stays what it was. Without a register of its own for each lane
-    // the compiler adds up the addresses of all lanes in vectors, and takes them apart again.
+    // SAFETY: the caller promises that the records are readable, and the assembly leaves the
+    // address as it is.
     unsafe {
+        // The assembly holds the address in a register. Without it the compiler computes the
+        // addresses of all lanes in vectors and extracts them again, which takes longer.
         let mut a = from.add(a);
         asm!("/* {0} */", inout(reg) a, options(pure, nomem, nostack, preserves_flags));
         _mm_loadh_pd(_mm_load_sd(a.cast()), from.add(b).cast())
@@ -23,34 +25,34 @@ unsafe fn both(from: *const Shorts, [a, b]: [usize; 2]) -> __m128d {
 /// [`Lanes::between_shorts`](crate::Lanes::between_shorts) of eight lanes.
 ///
 /// # Safety
-/// As for that, and the CPU must have AVX2 and FMA.
+/// The same as there, and the CPU must have AVX2 and FMA.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f32x8_between(
     from: *const Shorts,
-    place: impl Fn(usize) -> [usize; 2],
+    records: impl Fn(usize) -> [usize; 2],
     t: __m256,
 ) -> [__m256; 4] {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     unsafe {
-        // Of a number and NaN these give the second.
+        // Both instructions return the second operand if the first is NaN, so NaN becomes 0.
         let t = _mm256_min_ps(_mm256_max_ps(t, _mm256_setzero_ps()), _mm256_set1_ps(1.0));
-        // 2¹⁴t is in the last bits of the sum, as in `shorts::one_by_one`; the other weight
-        // stands before it. The product is exact, so nothing is fused, and unfused lanes share
-        // this.
+        // In each lane, the two weights beside each other: 2¹⁴ − w below, w above. The product
+        // is exact, so lanes that fuse nothing have the same bits and share this function.
         let to = _mm256_mul_ps(t, _mm256_set1_ps(16384.0));
         let to = _mm256_add_ps(to, _mm256_set1_ps(12_582_912.0));
         let to = _mm256_castps_si256(to);
         let from_a = _mm256_sub_epi16(_mm256_set1_epi32(16384), to);
         let weights = _mm256_blend_epi16::<0xAA>(from_a, _mm256_slli_epi32::<16>(to));
-        // a₀b₀, a₁b₁, a₂b₂, a₃b₃ of lanes i and i + 4.
+        // Brings a₀a₁a₂a₃ b₀b₁b₂b₃ to a₀b₀ a₁b₁ a₂b₂ a₃b₃, for lane
+        // i in the lower half and lane i + 4 in the upper one.
         let pair = _mm256_set_epi8(
             15, 14, 7, 6, 13, 12, 5, 4, 11, 10, 3, 2, 9, 8, 1, 0, //
             15, 14, 7, 6, 13, 12, 5, 4, 11, 10, 3, 2, 9, 8, 1, 0,
         );
         macro_rules! lanes {
             ($i:literal) => {{
-                let lower = _mm256_castpd128_pd256(both(from, place($i)));
-                let both = _mm256_insertf128_pd::<1>(lower, both(from, place($i + 4)));
+                let lower = _mm256_castpd128_pd256(both(from, records($i)));
+                let both = _mm256_insertf128_pd::<1>(lower, both(from, records($i + 4)));
                 _mm256_shuffle_epi8(_mm256_castpd_si256(both), pair)
             }};
         }
@@ -71,24 +73,24 @@ pub(super) unsafe fn f32x8_between(
     }
 }
 
-/// The same of sixteen lanes, eight at a time: the product of 512 bits is no part of AVX-512 F, VL
-/// and DQ.
+/// [`Lanes::between_shorts`](crate::Lanes::between_shorts) of sixteen lanes, eight at a time,
+/// because AVX-512 F, VL and DQ have no such product of 512 bits.
 ///
 /// # Safety
-/// As for that, and the CPU must have AVX-512 F and DQ.
+/// The same as there, and the CPU must have AVX-512 F and DQ.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f32x16_between(
     from: *const Shorts,
-    place: impl Fn(usize) -> [usize; 2],
+    records: impl Fn(usize) -> [usize; 2],
     t: __m512,
 ) -> [__m512; 4] {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     unsafe {
-        let [x, y, z, w] = f32x8_between(from, &place, _mm512_castps512_ps256(t));
+        let [x, y, z, w] = f32x8_between(from, &records, _mm512_castps512_ps256(t));
         let upper = f32x8_between(
             from,
             #[cfg_attr(not(opt_level_0), inline(always))]
-            |lane| place(8 + lane),
+            |lane| records(8 + lane),
             _mm512_extractf32x8_ps::<1>(t),
         );
         macro_rules! join {

@@ -1,10 +1,10 @@
-//! Makes a lane type of a register and the instructions that compute with it.
+//! The macro that makes a lane type of a register and the instructions that compute with it.
 
-/// `$name` is a vector of `[$real; $lanes]` in a `$register`, proven by `$level`.
+/// Defines `$name`: a vector of `[$real; $lanes]` in a `$register`, with the proof `$level`.
 ///
-/// The operations of a type differ in the name of the instruction only, and instructions are no
-/// trait: hence a macro. Comparisons and `select` differ more between AVX2 and AVX-512 and are
-/// given as code.
+/// It is a macro because the lane types differ in the names of their instructions, and an
+/// instruction is no type that a trait could have. Comparisons and `select` are given as code,
+/// because AVX2 and AVX-512 differ in more than names there.
 macro_rules! vector {
     (
         $(#[$doc:meta])*
@@ -45,12 +45,12 @@ macro_rules! vector {
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load(level: $level, from: &[$real; $lanes]) -> Self {
-                // SAFETY: `level` proves the instructions; the pointer is that of a whole array.
+                // SAFETY: `level` proves the instructions, and the pointer is to a whole array.
                 Self(unsafe { $load(from.as_ptr()) }, level)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn store(self, to: &mut [$real; $lanes]) {
-                // SAFETY: `self` proves the instructions; the pointer is that of a whole array.
+                // SAFETY: `self` proves the instructions, and the pointer is to a whole array.
                 unsafe { $store(to.as_mut_ptr(), self.0) }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -59,28 +59,28 @@ macro_rules! vector {
                 if at.addr() % size_of::<$register>() != 0 {
                     return self.store(to);
                 }
-                // SAFETY: `self` proves the instructions; the pointer is that of a whole array, and
-                // aligned; the caller fences.
+                // SAFETY: `self` proves the instructions, and the pointer is to a whole array and
+                // aligned. The caller promises the fence.
                 unsafe { $stream(at.cast(), self.0) }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn load_quads(
                 level: $level,
                 from: *const $real,
-                place: impl Fn(usize) -> usize,
+                offset: impl Fn(usize) -> usize,
             ) -> [Self; 4] {
-                // SAFETY: `level` proves the instructions; the rest is promised.
-                let [x, y, z, w] = unsafe { $load_quads(from, place) };
+                // SAFETY: `level` proves the instructions, and the caller promises the rest.
+                let [x, y, z, w] = unsafe { $load_quads(from, offset) };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut $real, stride: usize) {
-                // SAFETY: the lanes prove the instructions; the rest is promised.
+                // SAFETY: the lanes prove the instructions, and the caller promises the rest.
                 unsafe { $store_quads([x.0, y.0, z.0, w.0], to, stride) }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut $real) {
-                // SAFETY: the lanes prove the instructions; the rest is promised.
+                // SAFETY: the lanes prove the instructions, and the caller promises the rest.
                 unsafe { $store_triples([x.0, y.0, z.0], to) }
             }
             $(
@@ -88,11 +88,11 @@ macro_rules! vector {
                 unsafe fn between_shorts(
                     level: $level,
                     from: *const crate::shorts::Shorts,
-                    place: impl Fn(usize) -> [usize; 2],
+                    records: impl Fn(usize) -> [usize; 2],
                     t: Self,
                 ) -> [Self; 4] {
-                    // SAFETY: `level` proves the instructions; the rest is promised.
-                    let [x, y, z, w] = unsafe { $between(from, place, t.0) };
+                    // SAFETY: `level` proves the instructions, and the caller promises the rest.
+                    let [x, y, z, w] = unsafe { $between(from, records, t.0) };
                     [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
                 }
             )?
@@ -101,11 +101,11 @@ macro_rules! vector {
                 unsafe fn between_shorts(
                     level: $level,
                     from: *const crate::shorts::Shorts,
-                    place: impl Fn(usize) -> [usize; 2],
+                    records: impl Fn(usize) -> [usize; 2],
                     t: Self,
                 ) -> [Self; 4] {
-                    // SAFETY: promised.
-                    unsafe { crate::shorts::$one_by_one(level, from, place, t) }
+                    // SAFETY: the caller promises this.
+                    unsafe { crate::shorts::$one_by_one(level, from, records, t) }
                 }
             )?
             $(
