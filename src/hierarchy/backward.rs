@@ -132,8 +132,8 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// poses(j) = local(j). In the lanes are instances where they lie in blocks, and where locals are
-/// made: a clip and a layer are quicker for a group of joints at a time, and a small skeleton has
+/// poses(j) = local(j). Lanes are instances in blocks, and for plain instances where locals are
+/// computed: a clip or a layer is quicker for a batch of joints at a time, and a small skeleton has
 /// fewer registers of joints than that, of which the last one is half empty. What lies in memory,
 /// and the instances left over, have joints of one instance in the lanes: no joint waits for
 /// another here, and joints side by side are not strided. The bits are the same.

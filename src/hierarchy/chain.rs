@@ -130,7 +130,7 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
     // First pass, on all lanes: the product of each segment.
     //
-    // Lanes or parts that there are not stay at the identity, which changes no product.
+    // Lanes and parts without a segment stay at the identity, which changes no product.
     let mut totals = [identity(); MAX_SEGMENTS];
     for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
         let mut total = batch::DualQuat::identity(level);
@@ -224,7 +224,7 @@ impl<'s, V, R, L> Strided<'s, V, R, L> {
         Self { level, steps, links, products, lanes: PhantomData }
     }
 
-    /// Link `step` of each segment of a part: as far apart as a segment is long.
+    /// The place of link `step` of each segment of a part; the stride is the length of a segment.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile(&self, part: usize, step: usize) -> Tile
     where

@@ -1,3 +1,5 @@
+//! [`Crowd`]: owned blocks for many instances of one skeleton.
+
 use crate::backend::Backend;
 use crate::macros::brief;
 use crate::number::Scalar;

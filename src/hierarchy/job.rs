@@ -103,7 +103,7 @@ impl<'a, P> Job<'a, NoRoot, P> {
         self.with(roots)
     }
 
-    /// Puts root joints on what is chosen when the program runs.
+    /// Puts root joints on a base that is chosen when the program runs.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Root};
@@ -448,8 +448,8 @@ impl<S, P: Plans> Job<'_, S, P> {
 }
 
 impl<P: Plans> Job<'_, NoRoot, P> {
-    /// Local poses as motions, of locals in any form: what a clip or layers are at a time, for
-    /// inverse kinematics after animation, root motion, and export.
+    /// Writes locals of any form, such as a clip or layers at a time, as motions: for inverse
+    /// kinematics after animation, for root motion, and for export.
     /// [`locals_to_model`](Self::locals_to_model) computes models without them. With
     /// [`joints`](Self::joints), only those are written.
     ///

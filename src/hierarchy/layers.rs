@@ -28,13 +28,13 @@ use dq8_simd::{Lanes, Level};
     note = "all are of one precision, and lie in the layout of the models: plain slices, or blocks"
 )]
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
-    /// Their name in errors, and how many elements of the layout they fill, for so many joints.
+    /// The name of the poses in errors, and the number of elements of the layout that they fill.
     ///
     /// # Errors
-    /// If they do not fit a skeleton of so many joints, or each other.
+    /// If they do not fit a skeleton of `joints` joints, or each other.
     #[doc(hidden)]
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// The number of instances, where that is known: blocks may have lanes without one.
+    /// The number of instances, if it is known: blocks may have lanes without an instance.
     #[doc(hidden)]
     fn instances(&self) -> Option<usize> {
         None

@@ -27,11 +27,11 @@ pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
     note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
 )]
 pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
-    /// Their name in errors, and how many locals there are for this number of models.
+    /// The name of the locals in errors, and their number, for `models` models of `joints` joints.
     ///
     /// # Errors
-    /// If what is the same for all instances, such as the offsets, is not as long as there are
-    /// joints.
+    /// If a slice that all instances share, such as the offsets, does not have one element per
+    /// joint.
     #[doc(hidden)]
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
@@ -76,7 +76,8 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
         parent * self.motion(local)
     }
 
-    /// The motions in memory, if that is what the locals are, to be read number by number.
+    /// The motions in memory, to be read number by number; `None` if the locals are of another
+    /// form.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
@@ -173,8 +174,8 @@ brief!([Q, T] Tracks<'_, Q, T>: Tracks |it| {
     rotations: it.rotations.len(), translations: it.translations.len(),
 });
 
-/// Rotations, and the offset of each joint from its parent, the same for all instances: what
-/// animation clips hold, and half the memory of motions.
+/// Rotations, and an offset of each joint from its parent that is the same for all instances: the
+/// form of animation clips, with half the memory of motions.
 #[derive(Clone, Copy)]
 pub struct Bones<'s, Q: Element<4>> {
     /// One for each joint.

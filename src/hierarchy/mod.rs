@@ -1,6 +1,6 @@
 //! Joint hierarchies: local poses to model space and back.
 //!
-//! | item | what it is |
+//! | item | |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Skeleton`] | one that owns its parents, of any order and type, and its plan (feature `alloc`) |
@@ -22,7 +22,8 @@
 //! `[instance block][joint][component][lane]`, so that a child finds its parent in the same lane of
 //! another block, without any shuffling: the fastest way. See [`storage`](crate::storage).
 
-// From the parents to the entries of a run, its data, its loops, and what is owned.
+// In reading order: parents, skeleton, job; run, slot, locals, layers, clip, packed_clips,
+// packed_clip; forward, blocks, plain, plan, backward, chain, limb; crowd.
 mod backward;
 mod blocks;
 mod chain;
@@ -63,8 +64,8 @@ pub use run::{Renormalize, Root};
 #[cfg(feature = "alloc")]
 pub use skeleton::{JointOrder, ParentIndex, Skeleton};
 
-/// The types and traits that signatures name and nobody needs to: not documented, and pinned by the
-/// tests of this package and of those that are built of it.
+/// Types and traits that signatures need and users do not: hidden, and free to change. Packages
+/// that name them pin the version of this one.
 #[doc(hidden)]
 pub use {
     clip::{Frames, Keys, KeysAt},

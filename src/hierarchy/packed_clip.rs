@@ -1,5 +1,4 @@
-//! [`PackedClip`]: packed clips that own their bytes; how they are made of frames, and what they
-//! keep of them.
+//! [`PackedClip`]: packed clips that own their bytes; the packing of frames, and its error.
 
 use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
@@ -22,7 +21,7 @@ use dq8_simd::internal::OwnedTracks;
 /// `[x, y, z, w, tx, ty, tz]`
 type Key = [f32; 7];
 
-/// Packed clips of one skeleton, with their bytes: [`PackedClips`] says what they are.
+/// Packed clips of one skeleton, with their bytes: the owned form of [`PackedClips`].
 ///
 /// ```
 /// use dq8::hierarchy::{Clip, PackedClip, Sampled, Tolerance};

@@ -99,8 +99,7 @@ impl<'a> Hierarchy<'a> {
 
     /// The joints whose parent is `joint`, in rising order.
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
-        // Beyond the last joint nothing has a parent, and no joint is numbered as the mark of a
-        // root.
+        // No joint has the number that marks a root, and none beyond `u32` is a parent.
         let parent = u32::try_from(joint).unwrap_or(Self::ROOT);
         let after = if parent == Self::ROOT { usize::MAX } else { joint.saturating_add(1) };
         of_parent(self.parents(), after, parent)
@@ -171,8 +170,7 @@ impl<'a> Hierarchy<'a> {
             if let Some(name) = name(joint) {
                 write!(f, " {name}")?;
             }
-            // Where the line before neither is the parent nor hangs from it, the indent does not
-            // say who is.
+            // The indent does not tell the parent if the line before is neither it nor below it.
             if let (Some(parent), Some(before)) = (self.parent(joint), joint.checked_sub(1))
                 && parent != before
                 && !self.ancestors(before).any(|of| of == parent)

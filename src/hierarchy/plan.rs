@@ -158,7 +158,7 @@ pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
 
 /// `true` if every joint hangs from the one before it, and the chain is long.
 pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
-    // The mark of the root is what comes before 0.
+    // `ROOT` is 0 − 1.
     let links = |(joint, &pair): (u32, &[u32; 2])| pair == [joint, joint.wrapping_sub(1)];
     order.len() >= MIN_CHAIN && (0..).zip(order).all(links)
 }
@@ -307,7 +307,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     }
 }
 
-/// The number of other joints that are begun before a joint whose parent is being computed. A
+/// The number of other products that begin between that of a parent and that of its child. A
 /// product of a plan takes about four times as long as until the next one can begin.
 ///
 /// Measured on skeletons of 21 and 64 joints, with other values here, by
@@ -327,37 +327,44 @@ pub struct PlanScratch {
     /// A list of its children, in their order.
     first_child: u32,
     next_sibling: u32,
-    /// A joint whose parent is done: these are a binary heap, the one to begin first on top.
-    able: u32,
-    /// A joint whose parent has begun, and from when on it may: these are a queue.
-    soon: u32,
-    when: u32,
+    /// Place in a binary heap of joints whose parents are done: the one to begin first is on top.
+    ready: u32,
+    /// Place in a queue of joints whose parents have begun, each with the time from which it may.
+    pending: u32,
+    ready_at: u32,
 }
 
 impl Default for PlanScratch {
     fn default() -> Self {
-        Self { height: 0, first_child: NONE, next_sibling: NONE, able: NONE, soon: NONE, when: 0 }
+        Self {
+            height: 0,
+            first_child: NONE,
+            next_sibling: NONE,
+            ready: NONE,
+            pending: NONE,
+            ready_at: 0,
+        }
     }
 }
 
 /// Writes the joints of a hierarchy into `order`, each with its parent: first those that have none,
 /// and then the others, as they should be computed. Both slices have an element per joint.
 ///
-/// Of the joints whose parent is done, the one with the longest way down comes first: it decides
+/// Among joints whose parents are done, the one with the longest way down comes first: it decides
 /// how long the whole takes. The others fill the time in which it waits for its parent.
 ///
 /// This is list scheduling by the critical path, for one unit that begins a product per time step
 /// and returns it [`BETWEEN`] steps later:
 ///
 /// ```text
-/// able = roots
+/// ready = roots
 /// at each time step:
-///     able += those of `soon` whose time has come
-///     begin the joint of `able` with the greatest height (the first, among equals)
-///     soon += its children, BETWEEN steps from now
+///     ready += those of `pending` whose time has come
+///     begin the joint of `ready` with the greatest height (the first, among equals)
+///     pending += its children, BETWEEN steps from now
 /// ```
 ///
-/// Times only rise, so `soon` is a queue and needs no sorting; a step with nothing to begin is
+/// Times only rise, so `pending` is a queue and needs no sorting; a step with nothing to begin is
 /// skipped. All memory is the caller's, so that a microcontroller can have plans; nothing here can
 /// panic.
 pub(super) fn schedule(
@@ -366,7 +373,7 @@ pub(super) fn schedule(
     scratch: &mut [PlanScratch],
 ) {
     scratch.fill(PlanScratch::default());
-    let mut search = Search { of: scratch, able: 0, begin: 0, end: 0 };
+    let mut search = Search { of: scratch, ready: 0, begin: 0, end: 0 };
     let mut roots = 0;
     // Parents come before their children, so one sweep from the last joint finds all heights.
     for (joint, &parent) in hierarchy.parents().iter().enumerate().rev() {
@@ -388,21 +395,21 @@ pub(super) fn schedule(
     let mut time = 0_u32;
     // Each joint is pushed once and popped once: as a root above, or when the time of its parent's
     // product has come.
-    while search.able > 0 || search.begin < search.end {
-        if search.able == 0 {
+    while search.ready > 0 || search.begin < search.end {
+        if search.ready == 0 {
             // All there is waits for its parent.
-            time = time.max(search.at(search.begin).when);
+            time = time.max(search.at(search.begin).ready_at);
         }
-        while search.begin < search.end && search.at(search.begin).when <= time {
-            search.push(search.at(search.begin).soon);
+        while search.begin < search.end && search.at(search.begin).ready_at <= time {
+            search.push(search.at(search.begin).pending);
             search.begin += 1;
         }
         let joint = search.pop();
         // Its children may begin when its product is done.
         let mut child = search.at(joint as usize).first_child;
         while child != NONE {
-            let when = time.saturating_add(BETWEEN);
-            search.change(search.end, |of| (of.soon, of.when) = (child, when));
+            let ready_at = time.saturating_add(BETWEEN);
+            search.change(search.end, |of| (of.pending, of.ready_at) = (child, ready_at));
             search.end += 1;
             child = search.at(child as usize).next_sibling;
         }
@@ -420,7 +427,7 @@ pub(super) fn schedule(
 struct Search<'s> {
     of: &'s mut [PlanScratch],
     /// The number in the heap.
-    able: usize,
+    ready: usize,
     /// The begin and the end of the queue. Each joint is in it once, so it never begins again at 0.
     begin: usize,
     end: usize,
@@ -440,20 +447,20 @@ impl Search<'_> {
     /// `true` if the joint at `a` of the heap begins before that at `b`.
     fn before(&self, a: usize, b: usize) -> bool {
         let rank = |joint| (self.at(joint as usize).height, Reverse(joint));
-        rank(self.at(a).able) > rank(self.at(b).able)
+        rank(self.at(a).ready) > rank(self.at(b).ready)
     }
 
     fn swap(&mut self, a: usize, b: usize) {
-        let (of_a, of_b) = (self.at(a).able, self.at(b).able);
-        self.change(a, |at| at.able = of_b);
-        self.change(b, |at| at.able = of_a);
+        let (of_a, of_b) = (self.at(a).ready, self.at(b).ready);
+        self.change(a, |at| at.ready = of_b);
+        self.change(b, |at| at.ready = of_a);
     }
 
     fn push(&mut self, joint: u32) {
         // At the end of the heap, then up past every joint that begins later.
-        let mut at = self.able;
-        self.change(at, |last| last.able = joint);
-        self.able += 1;
+        let mut at = self.ready;
+        self.change(at, |last| last.ready = joint);
+        self.ready += 1;
         while at > 0 && self.before(at, (at - 1) / 2) {
             self.swap(at, (at - 1) / 2);
             at = (at - 1) / 2;
@@ -463,14 +470,14 @@ impl Search<'_> {
     fn pop(&mut self) -> u32 {
         // The last joint takes the place of the first, then sinks below every one that begins
         // sooner.
-        let top = self.at(0).able;
-        self.able = self.able.saturating_sub(1);
-        self.swap(0, self.able);
+        let top = self.at(0).ready;
+        self.ready = self.ready.saturating_sub(1);
+        self.swap(0, self.ready);
         let mut at = 0;
         loop {
             let (left, right) = (2 * at + 1, 2 * at + 2);
-            let best = if right < self.able && self.before(right, left) { right } else { left };
-            if best >= self.able || !self.before(best, at) {
+            let best = if right < self.ready && self.before(right, left) { right } else { left };
+            if best >= self.ready || !self.before(best, at) {
                 return top;
             }
             self.swap(at, best);

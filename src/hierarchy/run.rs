@@ -19,8 +19,8 @@ pub(super) fn grain(joints: usize) -> usize {
     GRAIN.div_ceil(joints)
 }
 
-/// The hierarchy, which joints of it, what they stand on, when they are normalized, and the
-/// instructions and threads that compute them. Lengths have been checked.
+/// The facts that all loops read: the hierarchy, the range of joints, the base of roots, when
+/// models are normalized, and the instructions and threads. Lengths have been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Run<'a, E: Element<8>> {
     pub(super) backend: Backend,
@@ -33,7 +33,7 @@ pub(super) struct Run<'a, E: Element<8>> {
 /// The base that root joints stand on.
 #[derive(Clone, Debug)]
 pub enum Root<'a, E: Element<8>> {
-    /// Nothing: their local pose is their model pose.
+    /// No base: the local pose of a root is its model pose.
     None,
     /// One motion for all instances.
     Same(DualQuat<Number<E, 8>>),
@@ -95,7 +95,7 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// A [`Job`](super::Job) whose roots stand on nothing: their local pose is their model pose.
+/// A [`Job`](super::Job) without a base for roots: their local pose is their model pose.
 #[derive(Clone, Copy, Debug)]
 pub struct NoRoot;
 

@@ -16,7 +16,7 @@ use core::fmt;
 use core::ops::{Deref, Range};
 use dq8_simd::internal::CheckedSchedule;
 
-/// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
+/// A hierarchy that owns its parents, to be stored in a struct, such as an engine's rig.
 ///
 /// A [`Hierarchy`] borrows its parents; this holds them, and the [`Plan`](super::Plan) of them,
 /// with which its [`job`](Self::job) is faster for one instance in a plain slice.
@@ -198,8 +198,8 @@ impl Skeleton {
     /// [`sorted`](Self::sorted), with the names of a file, which are in the order of its parents.
     ///
     /// # Errors
-    /// As there, and as [`with_names`](Self::with_names), whose error counts names as they are
-    /// sorted.
+    /// As [`sorted`](Self::sorted), and as [`with_names`](Self::with_names), whose error numbers
+    /// names in the order of the skeleton.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -315,7 +315,7 @@ impl Skeleton {
     /// As [`Hierarchy::subtree`].
     ///
     /// # Errors
-    /// If there is no such joint, or what hangs from it does not lie in one range.
+    /// If there is no such joint, or the joints below it do not lie in one range.
     pub fn subtree(&self, joint: usize) -> Result<Range<usize>, HierarchyError> {
         self.hierarchy().subtree(joint)
     }

@@ -1,15 +1,16 @@
+//! [`JointSlot`]: the joints and instances in the lanes of a register, and their place in memory.
+
 use crate::batch::vector;
 use crate::number::Scalar;
 use crate::storage::{Tile, aos, identity};
 use dq8_simd::{Lanes, Level, Records};
 
-/// The number of joints that are prefetched ahead. For 1,000 skeletons
-/// whose palettes exceed the second cache it saves a seventh of the time, in that cache next to
-/// nothing; 4 is as good.
+/// The number of joints that are prefetched ahead. For 1,000 skeletons whose palettes exceed the
+/// second cache it saves a seventh of the time, in that cache next to nothing; 4 is as good.
 const PREFETCH_DISTANCE: usize = 2;
 
-/// The content of the lanes of a kernel over hierarchies: one joint of several instances, or
-/// several joints of one instance.
+/// The joints and instances in the lanes of a register: one joint of several instances, or several
+/// joints of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
     /// The joint, or the first one.
@@ -21,19 +22,19 @@ pub struct JointSlot {
     instance: usize,
     /// The distance of two lanes in elements, where lanes are instances.
     stride: Option<usize>,
-    /// `true` if lanes are joints; then, where the joints end that are computed.
+    /// The end of the range of joints, where lanes are joints of one instance.
     end: Option<usize>,
 }
 
 impl JointSlot {
-    /// A joint of the instances in one register of a block; `first` is the block of joint 0,
-    /// `instance` the first in the register.
+    /// The slot of a joint of the instances in one register of a block; `first` is the block of
+    /// joint 0, `instance` the first in the register.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
         Self { joint, first, register, instance, stride: None, end: None }
     }
 
-    /// A joint of as many instances, `joints` apart, as there are lanes.
+    /// The slot of a joint of as many instances as there are lanes, `joints` elements apart.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
         let first = instance * joints;
@@ -47,7 +48,7 @@ impl JointSlot {
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
-    /// A later slot of the same instances, with so many lanes.
+    /// The slot of the same instances that comes `slots` slots later, of so many lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
         let joints = if self.lanes_are_joints() { slots * lanes } else { slots };
@@ -72,13 +73,13 @@ impl JointSlot {
         self.end.is_some()
     }
 
-    /// Its place among all elements.
+    /// The slot's place among all elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn tile(self) -> Tile {
         Tile { element: self.first + self.joint, register: self.register, stride: self.stride }
     }
 
-    /// Its place among the elements of its own instances.
+    /// The slot's place among the elements of its own instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn own_tile(self) -> Tile {
         Tile { element: self.joint, register: self.register, stride: self.stride }
