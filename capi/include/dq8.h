@@ -7,7 +7,7 @@
  *
  * Names.    dq8_motion_NAME: one motion. dq8_mechanism_NAME: one configuration of a mechanism.
  *           dq8_skin_NAME: a mesh. dq8_plan_NAME: one instance of a hierarchy, in the best order.
- *           dq8_clips_NAME: packed clips.
+ *           dq8_clips_NAME: packed clips. dq8_trajectory_NAME, dq8_spline_NAME: poses over time.
  *           dq8_NAME: arrays of `count` things in all, plain. dq8_blocks_NAME: the same on blocks, the fastest
  *           way. Each for float (_f32) and for double (_f64); dq8_generic.h has one name for both (C11).
  * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
@@ -15,8 +15,8 @@
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
  *           except an index such as `bad_joint`, and the steps that were to be a mechanism.
- * Memory.   All of it is yours: the library allocates nothing but what dq8_resample needs while it runs,
- *           which a library without the feature `trajectory`, as firmware has it, has not; it keeps no pointer
+ * Memory.   All of it is yours: the library allocates nothing but what dq8_resample, dq8_trajectory_NAME and
+ *           dq8_spline_NAME need while they run, which firmware has not; it keeps no pointer
  *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
  *           weights, dq8_clips one to their bytes. What their functions do is undefined if that memory
  *           has changed or gone. A pointer may be null where the length of its array is 0.
@@ -76,6 +76,14 @@
  *   dq8_clips_duration                         The time from the first frame of a clip to the last
  *   dq8_clips_place                            The frame of a clip before the time `at`, and how far it is from ...
  *   dq8_clips_to_model                         As dq8_local_to_model, of what lies `t[i]` of the way from the ...
+ *
+ * Poses at stamps
+ *   dq8_trajectory_sample                      The unit poses of a trajectory at the `times`, `count` of them as ...
+ *   dq8_trajectory_deskew                      Points, x y z, that the body of a trajectory measured, each at its ...
+ *   dq8_trajectory_skew                        The inverse of dq8_trajectory_deskew
+ *
+ * A smooth curve by control poses
+ *   dq8_spline_poses                           A cubic spline at the `times`, `count` of them as of `out` and, ...
  *
  * One configuration of a mechanism
  *   dq8_mechanism_make                         Checks `count` joints and makes a mechanism of them, once; its ...
@@ -323,6 +331,11 @@ enum dq8_status
    * A time is not later than the one before, or not finite.
    */
   DQ8_STATUS_TIMES = 34,
+  /**
+   * A time is before the first stamp of a trajectory or after the last one, where that is
+   * refused, or is the frame's and not finite.
+   */
+  DQ8_STATUS_OUTSIDE = 35,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -970,6 +983,38 @@ typedef struct dq8_skin_f64 {
    */
   const double *opaque[8];
 } dq8_skin_f64;
+
+/**
+ * The clock of the times, the frame that results come out in, and what is outside the stamps.
+ */
+typedef struct dq8_trajectory_options {
+  /**
+   * The time t is the stamp origin + unit * t, in seconds; 0 and 1 for times in seconds.
+   */
+  double origin;
+  /**
+   * The seconds of a unit of the times, such as 1e-9.
+   */
+  double unit;
+  /**
+   * Before the first stamp and after the last one: 0 if the body stands there, 1 if it goes on as
+   * it moved there, 2 if such a time is refused.
+   */
+  int32_t outside;
+  /**
+   * 0: the world. 1: the body at the first stamp, 2: at the last one, 3: at `time`. 4: a frame
+   * with the pose `pose`.
+   */
+  int32_t frame;
+  /**
+   * In seconds, on the clock of the stamps.
+   */
+  double time;
+  /**
+   * Unit, in the world.
+   */
+  double pose[8];
+} dq8_trajectory_options;
 
 #ifdef __cplusplus
 extern "C" {
@@ -3234,6 +3279,86 @@ dq8_status dq8_resample_f32(const float *times,
                             size_t *bad_time);
 
 /**
+ * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
+ * `twists`, which may be null: the velocities there for one second, in the frame of the
+ * body, angular first. The trajectory has `pose_count` unit `poses` at rising `stamps`
+ * in seconds, and goes along one screw from each to the next, by the shorter way.
+ * `options` may be null: times are seconds, results are in the world, and the body
+ * stands before the first stamp and after the last one.
+ *
+ * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
+ * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
+ * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
+ * where the body is to go on. NaN makes NaN of its pose.
+ */
+dq8_status dq8_trajectory_sample_f32(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     float *out,
+                                     float *twists,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * Points, x y z, that the body of a trajectory measured, each at its own time: moved
+ * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
+ * as if it had been measured at one moment. Trajectory, options and errors are those of
+ * dq8_trajectory_sample.
+ */
+dq8_status dq8_trajectory_deskew_f32(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     const float *points,
+                                     float *moved,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
+ * measured them, each at its own time.
+ */
+dq8_status dq8_trajectory_skew_f32(const double *stamps,
+                                   const double *poses,
+                                   size_t pose_count,
+                                   const struct dq8_trajectory_options *options,
+                                   const double *times,
+                                   const float *points,
+                                   float *moved,
+                                   size_t count,
+                                   size_t *bad_time);
+
+/**
+ * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
+ * null, of `twists` and `accelerations`: velocities for one second in the frame of the
+ * body, angular first, and how fast they change. The spline has `control_count` unit
+ * control poses, four or more: number k at the time start + every * (k - 1), in seconds.
+ * `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull and Rom,
+ * which goes through all but the first and the last. Options are those of
+ * dq8_trajectory_sample.
+ *
+ * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
+ * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may be
+ * null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer than
+ * four.
+ */
+dq8_status dq8_spline_poses_f32(const double *control,
+                                size_t control_count,
+                                double start,
+                                double every,
+                                int32_t basis,
+                                const struct dq8_trajectory_options *options,
+                                const double *times,
+                                float *out,
+                                float *twists,
+                                float *accelerations,
+                                size_t count,
+                                size_t *bad_index);
+
+/**
  * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at
  * the times `at`, `count` of them as of `out`: along one screw from each pose to the
  * next, by the shorter way. Before the first pose it is that one, and behind the last
@@ -3250,6 +3375,86 @@ dq8_status dq8_resample_f64(const double *times,
                             double *out,
                             size_t count,
                             size_t *bad_time);
+
+/**
+ * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
+ * `twists`, which may be null: the velocities there for one second, in the frame of the
+ * body, angular first. The trajectory has `pose_count` unit `poses` at rising `stamps`
+ * in seconds, and goes along one screw from each to the next, by the shorter way.
+ * `options` may be null: times are seconds, results are in the world, and the body
+ * stands before the first stamp and after the last one.
+ *
+ * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
+ * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
+ * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
+ * where the body is to go on. NaN makes NaN of its pose.
+ */
+dq8_status dq8_trajectory_sample_f64(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     double *out,
+                                     double *twists,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * Points, x y z, that the body of a trajectory measured, each at its own time: moved
+ * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
+ * as if it had been measured at one moment. Trajectory, options and errors are those of
+ * dq8_trajectory_sample.
+ */
+dq8_status dq8_trajectory_deskew_f64(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     const double *points,
+                                     double *moved,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
+ * measured them, each at its own time.
+ */
+dq8_status dq8_trajectory_skew_f64(const double *stamps,
+                                   const double *poses,
+                                   size_t pose_count,
+                                   const struct dq8_trajectory_options *options,
+                                   const double *times,
+                                   const double *points,
+                                   double *moved,
+                                   size_t count,
+                                   size_t *bad_time);
+
+/**
+ * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
+ * null, of `twists` and `accelerations`: velocities for one second in the frame of the
+ * body, angular first, and how fast they change. The spline has `control_count` unit
+ * control poses, four or more: number k at the time start + every * (k - 1), in seconds.
+ * `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull and Rom,
+ * which goes through all but the first and the last. Options are those of
+ * dq8_trajectory_sample.
+ *
+ * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
+ * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may be
+ * null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer than
+ * four.
+ */
+dq8_status dq8_spline_poses_f64(const double *control,
+                                size_t control_count,
+                                double start,
+                                double every,
+                                int32_t basis,
+                                const struct dq8_trajectory_options *options,
+                                const double *times,
+                                double *out,
+                                double *twists,
+                                double *accelerations,
+                                size_t count,
+                                size_t *bad_index);
 
 /**
  * `twists[i]`, six numbers, angular part first, by the adjoint of the unit

@@ -115,6 +115,9 @@ statuses! {
         NotClips = 33: c"the bytes are no packed clips",
         /// A time is not later than the one before, or not finite.
         Times = 34: c"the times of a trajectory do not rise, or one is not finite",
+        /// A time is before the first stamp of a trajectory or after the last one, where that is
+        /// refused, or is the frame's and not finite.
+        Outside = 35: c"a time is outside the stamps of the trajectory",
     }
 }
 
