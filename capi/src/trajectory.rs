@@ -17,8 +17,8 @@ pub struct Options {
     pub origin: f64,
     /// The seconds of a unit of the times, such as 1e-9.
     pub unit: f64,
-    /// Before the first stamp and after the last one: 0 if the body stands there, 1 if it goes on as
-    /// it moved there, 2 if such a time is refused.
+    /// Before the first stamp and after the last one: 0 if the body stands there, 1 if it goes on
+    /// as it moved there, 2 if such a time is refused.
     pub outside: i32,
     /// 0: the world. 1: the body at the first stamp, 2: at the last one, 3: at `time`. 4: a frame
     /// with the pose `pose`.
@@ -274,11 +274,11 @@ macro_rules! functions {
         }
         export_one! { $R
             /// The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
-            /// `twists`, which may be null: the velocities there for one second, in the frame of the
-            /// body, angular first. The trajectory has `pose_count` unit `poses` at rising `stamps`
-            /// in seconds, and goes along one screw from each to the next, by the shorter way.
-            /// `options` may be null: times are seconds, results are in the world, and the body
-            /// stands before the first stamp and after the last one.
+            /// `twists`, which may be null: the velocities there for one second, in the frame of
+            /// the body, angular first. The trajectory has `pose_count` unit `poses` at rising
+            /// `stamps` in seconds, and goes along one screw from each to the next, by the shorter
+            /// way. `options` may be null: times are seconds, results are in the world, and the
+            /// body stands before the first stamp and after the last one.
             ///
             /// DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
             /// DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
@@ -298,8 +298,8 @@ macro_rules! functions {
         export_one! { $R
             /// Points, x y z, that the body of a trajectory measured, each at its own time: moved
             /// into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
-            /// as if it had been measured at one moment. Trajectory, options and errors are those of
-            /// dq8_trajectory_sample.
+            /// as if it had been measured at one moment. Trajectory, options and errors are those
+            /// of dq8_trajectory_sample.
             trajectory::deskew(
                 stamps: *const f64, poses: *const f64, pose_count: usize, options: *const Options,
                 times: *const f64, points: *const $R, moved: *mut $R, count: usize,
@@ -329,15 +329,15 @@ macro_rules! functions {
             /// A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
             /// null, of `twists` and `accelerations`: velocities for one second in the frame of the
             /// body, angular first, and how fast they change. The spline has `control_count` unit
-            /// control poses, four or more: number k at the time start + every * (k - 1), in seconds.
-            /// `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull and Rom,
-            /// which goes through all but the first and the last. Options are those of
+            /// control poses, four or more: number k at the time start + every * (k - 1), in
+            /// seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
+            /// and Rom, which goes through all but the first and the last. Options are those of
             /// dq8_trajectory_sample.
             ///
             /// DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
-            /// pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may be
-            /// null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer than
-            /// four.
+            /// pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
+            /// be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
+            /// than four.
             spline::poses(
                 control: *const f64, control_count: usize, start: f64, every: f64, basis: i32,
                 options: *const Options, times: *const f64, out: *mut $R, twists: *mut $R,

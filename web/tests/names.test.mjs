@@ -48,7 +48,7 @@ const TABLE = [
   ["trajectory/src/job.rs", "skew", none(RECORDED), "trajectory_skew", "skew"],
   ["trajectory/src/spline/job.rs", "sample", none("a page has squad and clips"), "spline_poses", "class Spline"],
   ["trajectory/src/compare/pairs.rs", "absolute", none(RECORDED), none("a comparison ends in text, not in arrays"), "compare"],
-  ["src/fit/mod.rs", "rigid", none(RECORDED), none("fits are not in the C interface yet"), "fit"],
+  ["src/fit/mod.rs", "rigid", none(RECORDED), none("fits are not in the C interface yet"), "fit_pairs"],
   ["src/storage/mod.rs", null, "floats", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/storage/mod.rs", null, "motions", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/hierarchy/skeleton.rs", null, "free", none(BORROWED), none("Python collects what is not needed")],

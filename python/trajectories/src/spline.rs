@@ -13,10 +13,11 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// A cubic spline by control poses at equal intervals, in the cumulative form
-/// ``σ₀exp(½λ₁ξ₁)exp(½λ₂ξ₂)exp(½λ₃ξ₃)`` with ``ξⱼ = 2 log(σⱼ₋₁*σⱼ)``.
+/// ``σ₀exp(½λ₁ξ₁)exp(½λ₂ξ₂)exp(½λ₃ξ₃)`` with ``ξⱼ = 2
+/// log(σⱼ₋₁*σⱼ)``.
 ///
-/// Control pose k is at the time ``start + every·(k − 1)``: the first stands before the beginning,
-/// the last after the end, as four are needed between any two knots. All is float64.
+/// Control pose k is at the time ``start + every·(k − 1)``: the first stands before the
+/// beginning, the last after the end, as four are needed between any two knots. All is float64.
 ///
 /// Parameters
 /// ----------
@@ -28,8 +29,8 @@ use pyo3::prelude::*;
 ///     The time of the first knot in seconds.
 /// basis : str
 ///     ``'smooth'``: a B-spline, which goes near the control poses, its twist and acceleration
-///     continuous; or ``'through'``: Catmull and Rom's, which goes through all but the first and the
-///     last, its twist continuous.
+///     continuous; or ``'through'``: Catmull and Rom's, which goes through all but the first and
+///     the last, its twist continuous.
 ///
 /// References
 /// ----------
@@ -105,8 +106,9 @@ impl Spline {
         Ok((make, arguments.into_any()))
     }
 
-    /// The pose at one time in seconds, ``σ₀exp(½λ₁ξ₁)exp(½λ₂ξ₂)exp(½λ₃ξ₃)``, shape (8,),
-    /// float64; before the first knot and after the last one it is the pose there.
+    /// The pose at one time in seconds,
+    /// ``σ₀exp(½λ₁ξ₁)exp(½λ₂ξ₂)exp(½λ₃ξ₃)``, shape (8,), float64; before
+    /// the first knot and after the last one it is the pose there.
     fn at<'py>(&self, py: Python<'py>, time: f64) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.spline.at(time).to_array())
     }
@@ -134,8 +136,8 @@ impl Spline {
         })
     }
 
-    /// Velocities at many times: the twists ω with ``dσ/dt = ½σω``, for one second in the frame of
-    /// the moving body, angular first. Parameters are those of `Trajectory.twists`.
+    /// Velocities at many times: the twists ω with ``dσ/dt = ½σω``, for one second in the
+    /// frame of the moving body, angular first. Parameters are those of `Trajectory.twists`.
     ///
     /// Returns
     /// -------
@@ -154,8 +156,9 @@ impl Spline {
             .answer(SIX, &|at, to| self.derivatives(options, at, to, &mut vec![[0.0; 6]; at.len()]))
     }
 
-    /// The changes of the twists, ``dω/dt``, for one second. (The acceleration of the origin of the
-    /// body is the linear part plus angular × linear of the twist.) Parameters are those of `twists`.
+    /// The changes of the twists, ``dω/dt``, for one second. (The acceleration of the origin of
+    /// the body is the linear part plus angular × linear of the twist.) Parameters are those of
+    /// `twists`.
     ///
     /// Returns
     /// -------
@@ -175,8 +178,8 @@ impl Spline {
     }
 
     /// The derivatives of poses by the four control poses that count: matrices J with ``η = Jδ``,
-    /// where the control pose σⱼ becomes ``σⱼexp(½δ)`` and the pose σ ``σexp(½η)``. The first
-    /// of the four is control pose ``floor((t − start)/every)``, from 0 to n − 4.
+    /// where the control pose σⱼ becomes ``σⱼexp(½δ)`` and the pose σ ``σexp(½η)``. The
+    /// first of the four is control pose ``floor((t − start)/every)``, from 0 to n − 4.
     ///
     /// Returns
     /// -------

@@ -114,8 +114,8 @@ impl Trajectory {
         Ok((Self { path }, dropped))
     }
 
-    /// The motion ``exp(tξ)`` at a constant twist for one second, shape (6,), angular first, in the
-    /// frame of the moving body, from the time `start` to the time `end`; the identity at 0.
+    /// The motion ``exp(tξ)`` at a constant twist for one second, shape (6,), angular first, in
+    /// the frame of the moving body, from the time `start` to the time `end`; the identity at 0.
     #[staticmethod]
     fn of_twist(twist: &Bound<'_, PyAny>, start: f64, end: f64) -> PyResult<Self> {
         let twist = Input::<f64>::of(&Argument::new("twist", SIX, twist)?)?;
@@ -206,8 +206,8 @@ impl Trajectory {
     ///     ``(origin, unit)``: the time t is the stamp ``origin + unit·t`` in seconds, so
     ///     ``(start, 1e-9)`` for nanoseconds since `start`.
     /// frame : str, float or array_like, shape (8,)
-    ///     The frame of the results: ``'world'``, the body at the ``'start'`` or at the ``'end'``, or
-    ///     at a time in seconds; or a pose of your own.
+    ///     The frame of the results: ``'world'``, the body at the ``'start'`` or at the ``'end'``,
+    ///     or at a time in seconds; or a pose of your own.
     /// outside : str
     ///     What is before the first stamp and after the last one: the body stands (``'hold'``) or
     ///     goes on as it moved there (``'continue'``), or it is a ValueError (``'refuse'``).
@@ -246,8 +246,8 @@ impl Trajectory {
     /// Returns
     /// -------
     /// ndarray, shape (..., 6)
-    ///     Twists for one second in the frame of the moving body, angular first, float64. At a stamp
-    ///     it is that of the way to the next pose; where the body stands it is zero.
+    ///     Twists for one second in the frame of the moving body, angular first, float64. At a
+    ///     stamp it is that of the way to the next pose; where the body stands it is zero.
     #[pyo3(signature = (times, *, clock=(0.0, 1.0), outside="hold", out=None))]
     fn twists<'py>(
         &self,
@@ -268,8 +268,8 @@ impl Trajectory {
     /// Parameters
     /// ----------
     /// points : array_like, shape (..., c)
-    ///     Lengths, and c − 3 ≥ 0 numbers more, which are copied. A point that is not finite keeps
-    ///     that to itself.
+    ///     Lengths, and c − 3 ≥ 0 numbers more, which are copied. A point that is not finite
+    ///     keeps that to itself.
     /// times : array_like, shape (...)
     ///     When each was measured. Dimensions broadcast, so ``times[column]`` serves all rows of a
     ///     scan ``points[row, column]``.
