@@ -11,6 +11,7 @@ from pathlib import Path
 
 NOUNS = [
     ("motion", "One motion"), ("plan", "One instance of a hierarchy, in the fastest order"), ("clips", "Packed clips"),
+    ("trajectory", "Poses at stamps"), ("spline", "A smooth curve by control poses"),
     ("mechanism", "One configuration of a mechanism"), ("joint", "A joint of a mechanism, filled in"), ("skin", "A mesh"),
     ("blocks", "Arrays: dq8_NAME plain, dq8_blocks_NAME in blocks of lanes"), ("", "Arrays, plain, and the library itself"),
 ]

@@ -7,8 +7,9 @@
  * in your unit.
  *
  * Names.    dq8_motion_NAME computes one motion, dq8_mechanism_NAME one configuration of a mechanism,
- *           dq8_skin_NAME a mesh, dq8_plan_NAME one instance of a hierarchy in the fastest order, and
- *           dq8_clips_NAME packed clips. dq8_NAME computes plain arrays, and dq8_blocks_NAME the same
+ *           dq8_skin_NAME a mesh, dq8_plan_NAME one instance of a hierarchy in the fastest order,
+ *           dq8_clips_NAME packed clips, and dq8_trajectory_NAME and dq8_spline_NAME poses over
+ *           time. dq8_NAME computes plain arrays, and dq8_blocks_NAME the same
  *           on blocks, which is fastest. All have a form for float (_f32) and one for double (_f64);
  *           dq8_generic.h has one name for both (C11).
  * Blocks.   A block holds `lanes` things, component after component: with 8 lanes, the eight px, then
@@ -17,8 +18,8 @@
  * Errors.   Every call returns a dq8_status. If it is not DQ8_STATUS_OK, the outputs are as they were,
  *           except an index such as `bad_joint`, the steps of a mechanism, and scratch.
  * Memory.   All memory is yours. The library allocates nothing and keeps no pointer after it returns.
- *           (dq8_resample alone allocates while it runs. Without the feature `trajectory`, as for
- *           firmware, the library does not have it.) But a dq8_mechanism points to its steps, a
+ *           (dq8_resample, dq8_trajectory_NAME and dq8_spline_NAME alone allocate while they run.
+ *           Without the feature `trajectory`, as for firmware, the library does not have them.) But a dq8_mechanism points to its steps, a
  *           dq8_skin to its joints and weights, and dq8_clips to their bytes: do not change or free
  *           these, or the behaviour is undefined. A pointer may be null if the length of its array
  *           is 0.
@@ -80,6 +81,14 @@
  *   dq8_clips_duration                         Writes the time from the first frame of a clip to its last frame, ...
  *   dq8_clips_place                            Finds the time `at` in a clip
  *   dq8_clips_to_model                         Computes the model poses of many instances that play packed clips, ...
+ *
+ * Poses at stamps
+ *   dq8_trajectory_sample                      The unit poses of a trajectory at the `times`, `count` of them as ...
+ *   dq8_trajectory_deskew                      Points, x y z, that the body of a trajectory measured, each at its ...
+ *   dq8_trajectory_skew                        The inverse of dq8_trajectory_deskew
+ *
+ * A smooth curve by control poses
+ *   dq8_spline_poses                           A cubic spline at the `times`, `count` of them as of `out` and, ...
  *
  * One configuration of a mechanism
  *   dq8_mechanism_make                         Makes a mechanism of `count` joints
@@ -335,6 +344,11 @@ enum dq8_status
    * A time of a trajectory is not later than the one before, or is not finite.
    */
   DQ8_STATUS_TIMES = 34,
+  /**
+   * A time is before the first stamp of a trajectory or after its last one and the options
+   * refuse that, or the time of the frame is not finite.
+   */
+  DQ8_STATUS_OUTSIDE = 35,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1005,6 +1019,38 @@ typedef struct dq8_skin_f64 {
    */
   const double *opaque[8];
 } dq8_skin_f64;
+
+/**
+ * The clock of the times, the frame that results come out in, and what is outside the stamps.
+ */
+typedef struct dq8_trajectory_options {
+  /**
+   * The time t is the stamp origin + unit * t, in seconds; 0 and 1 for times in seconds.
+   */
+  double origin;
+  /**
+   * The seconds of a unit of the times, such as 1e-9.
+   */
+  double unit;
+  /**
+   * Before the first stamp and after the last one: 0 if the body stands there, 1 if it goes on
+   * as it moved there, 2 if such a time is refused.
+   */
+  int32_t outside;
+  /**
+   * 0: the world. 1: the body at the first stamp, 2: at the last one, 3: at `time`. 4: a frame
+   * with the pose `pose`.
+   */
+  int32_t frame;
+  /**
+   * In seconds, on the clock of the stamps.
+   */
+  double time;
+  /**
+   * Unit, in the world.
+   */
+  double pose[8];
+} dq8_trajectory_options;
 
 #ifdef __cplusplus
 extern "C" {
@@ -3594,6 +3640,86 @@ dq8_status dq8_resample_f32(const float *times,
                             size_t *bad_time);
 
 /**
+ * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
+ * `twists`, which may be null: the velocities there for one second, in the frame of
+ * the body, angular first. The trajectory has `pose_count` unit `poses` at rising
+ * `stamps` in seconds, and goes along one screw from each to the next, by the shorter
+ * way. `options` may be null: times are seconds, results are in the world, and the
+ * body stands before the first stamp and after the last one.
+ *
+ * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
+ * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
+ * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
+ * where the body is to go on. NaN makes NaN of its pose.
+ */
+dq8_status dq8_trajectory_sample_f32(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     float *out,
+                                     float *twists,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * Points, x y z, that the body of a trajectory measured, each at its own time: moved
+ * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
+ * as if it had been measured at one moment. Trajectory, options and errors are those
+ * of dq8_trajectory_sample.
+ */
+dq8_status dq8_trajectory_deskew_f32(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     const float *points,
+                                     float *moved,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
+ * measured them, each at its own time.
+ */
+dq8_status dq8_trajectory_skew_f32(const double *stamps,
+                                   const double *poses,
+                                   size_t pose_count,
+                                   const struct dq8_trajectory_options *options,
+                                   const double *times,
+                                   const float *points,
+                                   float *moved,
+                                   size_t count,
+                                   size_t *bad_time);
+
+/**
+ * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
+ * null, of `twists` and `accelerations`: velocities for one second in the frame of the
+ * body, angular first, and how fast they change. The spline has `control_count` unit
+ * control poses, four or more: number k at the time start + every * (k - 1), in
+ * seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
+ * and Rom, which goes through all but the first and the last. Options are those of
+ * dq8_trajectory_sample.
+ *
+ * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
+ * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
+ * be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
+ * than four.
+ */
+dq8_status dq8_spline_poses_f32(const double *control,
+                                size_t control_count,
+                                double start,
+                                double every,
+                                int32_t basis,
+                                const struct dq8_trajectory_options *options,
+                                const double *times,
+                                float *out,
+                                float *twists,
+                                float *accelerations,
+                                size_t count,
+                                size_t *bad_index);
+
+/**
  * Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
  * times and the unit poses at these. `at` holds `count` times, and `out` gets the
  * poses there: along one screw from each pose to the next, by the shorter way. Before
@@ -3610,6 +3736,86 @@ dq8_status dq8_resample_f64(const double *times,
                             double *out,
                             size_t count,
                             size_t *bad_time);
+
+/**
+ * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
+ * `twists`, which may be null: the velocities there for one second, in the frame of
+ * the body, angular first. The trajectory has `pose_count` unit `poses` at rising
+ * `stamps` in seconds, and goes along one screw from each to the next, by the shorter
+ * way. `options` may be null: times are seconds, results are in the world, and the
+ * body stands before the first stamp and after the last one.
+ *
+ * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
+ * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
+ * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
+ * where the body is to go on. NaN makes NaN of its pose.
+ */
+dq8_status dq8_trajectory_sample_f64(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     double *out,
+                                     double *twists,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * Points, x y z, that the body of a trajectory measured, each at its own time: moved
+ * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
+ * as if it had been measured at one moment. Trajectory, options and errors are those
+ * of dq8_trajectory_sample.
+ */
+dq8_status dq8_trajectory_deskew_f64(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     const double *points,
+                                     double *moved,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
+ * measured them, each at its own time.
+ */
+dq8_status dq8_trajectory_skew_f64(const double *stamps,
+                                   const double *poses,
+                                   size_t pose_count,
+                                   const struct dq8_trajectory_options *options,
+                                   const double *times,
+                                   const double *points,
+                                   double *moved,
+                                   size_t count,
+                                   size_t *bad_time);
+
+/**
+ * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
+ * null, of `twists` and `accelerations`: velocities for one second in the frame of the
+ * body, angular first, and how fast they change. The spline has `control_count` unit
+ * control poses, four or more: number k at the time start + every * (k - 1), in
+ * seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
+ * and Rom, which goes through all but the first and the last. Options are those of
+ * dq8_trajectory_sample.
+ *
+ * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
+ * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
+ * be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
+ * than four.
+ */
+dq8_status dq8_spline_poses_f64(const double *control,
+                                size_t control_count,
+                                double start,
+                                double every,
+                                int32_t basis,
+                                const struct dq8_trajectory_options *options,
+                                const double *times,
+                                double *out,
+                                double *twists,
+                                double *accelerations,
+                                size_t count,
+                                size_t *bad_index);
 
 /* A joint of this kind, which mimics no other and has no limits. */
 static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, const float *placement, const float *axis)

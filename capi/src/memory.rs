@@ -4,7 +4,6 @@ use crate::span::{Span, disjoint};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::slice;
-use dq8::ShapeError;
 
 /// An array that is read.
 pub(crate) struct Input<T> {
@@ -126,13 +125,16 @@ pub(crate) unsafe fn read<T: Copy, R>(from: *const R) -> Result<T, Status> {
 ///
 /// # Safety
 /// The same as for [`Input::slice`] and [`Output::slice`].
-pub(crate) unsafe fn from_to<T: Copy, R>(
+pub(crate) unsafe fn from_to<T: Copy, R, E>(
     from: *const R,
     to: *mut R,
     count: usize,
-    elsewhere: impl FnOnce(&[T], &mut [T]) -> Result<(), ShapeError>,
-    in_place: impl FnOnce(&mut [T]) -> Result<(), ShapeError>,
-) -> Done {
+    elsewhere: impl FnOnce(&[T], &mut [T]) -> Result<(), E>,
+    in_place: impl FnOnce(&mut [T]) -> Result<(), E>,
+) -> Done
+where
+    Status: From<E>,
+{
     let (from, to) = (Input::<T>::new(from, count)?, Output::<T>::new(to, count)?);
     if to.start.cast_const() == from.start {
         // SAFETY: the caller promises this, and the input is not borrowed at the same time.

@@ -119,6 +119,9 @@ statuses! {
         NotClips = 33: c"the bytes are no packed clips",
         /// A time of a trajectory is not later than the one before, or is not finite.
         Times = 34: c"a time of a trajectory is not later than the one before, or is not finite",
+        /// A time is before the first stamp of a trajectory or after its last one and the options
+        /// refuse that, or the time of the frame is not finite.
+        Outside = 35: c"a time is outside the stamps of the trajectory",
     }
 }
 

@@ -7,6 +7,7 @@ use dq8_capi::joint::Joint;
 use dq8_capi::mechanism::{Mechanism, Step};
 use dq8_capi::reach::{Goal, ReachOptions, ReachReport};
 use dq8_capi::skin::Skin;
+use dq8_capi::trajectory::Options;
 use dq8_fixtures::random::Random;
 use std::fmt::Debug;
 
@@ -157,6 +158,7 @@ things! {
     [] [u32; 2], |pair| pair;
     [] [u32; 6], |scratch| scratch;
     [] Place, |place| place;
+    [] Options, |options| options;
     [] Clips, |made| (made.joints, made.clips);
     [R] Joint<R>, |joint| joint;
     [R] Step<R>, |_step| ();

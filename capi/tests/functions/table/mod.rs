@@ -7,6 +7,7 @@ mod mechanisms;
 mod motions;
 mod searches;
 mod skins;
+mod trajectories;
 
 use crate::function::Function;
 use crate::shape::Shape;
@@ -21,6 +22,7 @@ pub(crate) fn table(shape: &Shape) -> Vec<Function> {
     motions::add(shape, &mut all);
     searches::add(shape, &mut all);
     skins::add(shape, &mut all);
+    trajectories::add(shape, &mut all);
     all
 }
 
