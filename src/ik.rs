@@ -83,7 +83,7 @@ errors! {
         Shape(error: ShapeError) => "{error}";
         /// A limb cannot be bent.
         Limb {
-            /// The number of the first such limb; in blocks, things are counted one after the other.
+            /// The number of the first such limb; in blocks, things count one after the other.
             limb: usize,
             /// The fault.
             error: LimbError,
