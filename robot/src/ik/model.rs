@@ -11,7 +11,7 @@
 use super::freedom::Freedom;
 use super::goal::Goal;
 use super::problem::Reach;
-use super::report::Tracking;
+use super::report::Settings;
 use super::scratch::{EXCESS, GOAL, POSE, Registers, Scratch, TARGET, TURN};
 use crate::mechanism::step::{JointFrame, JointScrews, NONE};
 use crate::mechanism::values::LaneValues;
@@ -93,10 +93,10 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     pub(super) fn new(
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,
-        tracking: &Tracking<L::Real>,
+        settings: Settings<'_, L::Real>,
         memory: &'s mut [L::Real],
     ) -> Option<Self> {
-        let (scratch, options) = (Scratch::new(reach, memory)?, &tracking.options);
+        let (scratch, options) = (Scratch::new(reach, memory)?, settings.options);
         // Set for each lane with its configuration.
         let one = L::splat(level, dq8::Real::ONE);
         let damping = L::splat(level, options.damping);
@@ -107,12 +107,12 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
             least_damping: damping * damping,
         };
         let square = |weight: L::Real| L::splat(level, weight * weight);
-        let posture = reach.posture.map_or(L::Real::default(), |_| tracking.posture_weight);
+        let posture = reach.posture.map_or(L::Real::default(), |_| settings.posture_weight);
         let weights = PostureWeights {
-            uses_tree: TRACK && reach.uses_tree(tracking),
-            has_weights: TRACK && reach.has_weights(tracking),
+            uses_tree: TRACK && reach.uses_tree(settings),
+            has_weights: TRACK && reach.has_weights(settings),
             posture: square(posture),
-            start: square(tracking.start_weight),
+            start: square(settings.start_weight),
         };
         Some(Self { level, reach, scales, scratch, weights })
     }
@@ -170,9 +170,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             position += 1;
             let before = if step.parent == NONE {
-                HalfPose::root(level, step)
+                HalfPose::on_base(level, step)
             } else {
-                get(level, &scratch.slots, step.parent_slot as usize * POSE).place(step)
+                get(level, &scratch.slots, step.parent_slot as usize * POSE).joint_frame(step)
             };
             let pose = before.link_frame(step, &mut numbers);
             put(&mut scratch.slots, step.slot as usize * POSE, pose);
@@ -248,8 +248,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
-            // A position is reached along a straight line, a whole pose along a screw: its twist,
-            // with the velocity of the link and not of the origin.
+            // A position is reached along a straight line, and a whole pose along a screw, whose
+            // twist is given the velocity of the link instead of that of the origin.
             let (mut angular, mut linear) = ([zero; 3], way);
             way = vector::add(way, self.excess(index, lane));
             if goal.asks_rotation() {
@@ -454,7 +454,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 row,
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
-                    // A sum, because a joint that mimics another shares its column.
+                    // Summed, because a joint that mimics another shares its column.
                     columns.set(row, columns.get(level, row) + component);
                 },
             );
@@ -526,7 +526,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// The difference of a freedom to a value, in radians; zero for floating joints.
+    /// The difference from a freedom's value to another one, in radians; zero for floating joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn difference_to(&self, freedom: &Freedom<L::Real>, value: L) -> L {
         let zero = value.constant(0.0);
@@ -596,8 +596,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 const CANDIDATES: usize = 4 * MAX_LANES;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Puts a lane at the nearest of the candidates of restart number `restart`. The poses of the other
-    /// lanes are overwritten.
+    /// Puts a lane at the nearest of the candidates of restart number `restart`. The poses of the
+    /// other lanes are overwritten.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn restart(&mut self, lane: usize, restart: u32) {
         let mut nearest = None;
@@ -613,7 +613,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     (nearest, picked) = (Some(square), Some(index));
                 }
             }
-            // At once, because the next candidates overwrite these.
+            // Copied at once, because the next candidates overwrite these.
             if let Some(picked) = picked {
                 let scratch = &mut self.scratch;
                 for value in 0..self.reach.mechanism.values {
@@ -632,8 +632,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Puts samples of the ranges, from number `first` on, one into each lane; the other values are
-    /// those of the start of lane `lane`.
+    /// Draws candidates for a lane, one into each lane, with sample number `first` and the next
+    /// ones. Values whose range has no end are those of the start of the lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn draw(&mut self, lane: usize, first: u64) {
         let scratch = &mut self.scratch;

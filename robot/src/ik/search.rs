@@ -31,8 +31,8 @@
 
 use super::freedom::Kind;
 use super::model::{Configurations, Decisions, Model, PoseErrors, StepResult};
-use super::report::{Options, Outcome, Report, Tracking};
-use super::scratch::GOAL;
+use super::report::{Options, Outcome, Report, Settings};
+use super::scratch::{EXCESS, GOAL};
 use dq8::batch::Quat;
 use dq8::scalar::DualQuat;
 use dq8::{Real, Scalar};
@@ -43,8 +43,7 @@ pub(super) struct Work<'s, R> {
     pub(super) targets: &'s [DualQuat<R>],
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
-    /// Without weights if the search does not track.
-    pub(super) tracking: &'s Tracking<R>,
+    pub(super) settings: Settings<'s, R>,
     /// The number of frames of each clip, of which each starts from the one before; `None` if every
     /// configuration starts from its own values.
     pub(super) clips: Option<&'s [usize]>,
@@ -72,13 +71,13 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
 
     /// Searches until every configuration has its report; with restarts if `RESTARTS`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn run<const RESTARTS: bool>(mut self) {
+    pub(super) fn run<const RESTARTS: bool>(&mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         self.model.scratch.values.fill(zero);
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
         let mut last = StepResult { residual: zero, change: zero };
-        let may_restart = RESTARTS && self.work.tracking.options.restarts;
+        let may_restart = RESTARTS && self.work.settings.options.restarts;
         loop {
             self.exchange();
             if !self.is_working() {
@@ -233,7 +232,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             if lane.configuration.is_none() {
                 continue;
             }
-            let options = &self.work.tracking.options;
+            let options = self.work.settings.options;
             let (is_best, next) =
                 lane.decide::<RESTARTS, TRACK>(measured, options, has_posture, has_weights);
             lane.next = next;
@@ -268,15 +267,16 @@ pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     L::load(lanes.level(), &array)
 }
 
-/// The part to which the squared error must fall to count as progress, if the lane may restart ...
+/// The part to which the squared error must fall within [`PATIENCE`] steps to count as progress, if
+/// the lane may restart.
 const PROGRESS: f32 = 0.4;
-/// ... and the same if it may not.
+/// The same part if the lane may not restart, within [`LAST_PATIENCE`] steps.
 const LAST_PROGRESS: f32 = 0.999;
-/// The number of steps in which it must. Patience costs iterations that a restart could use: with
-/// 3, fewer of the random targets in the tests are reached. Without restarts patience costs
-/// nothing.
+/// The number of steps in which progress is expected, if the lane may restart. Patience costs
+/// iterations that a restart could use: with 3, fewer of the random targets in the tests are
+/// reached.
 const PATIENCE: u32 = 2;
-/// The same if it may not restart.
+/// The same number if the lane may not restart: then patience costs nothing.
 const LAST_PATIENCE: u32 = 6;
 /// A lane that may restart gives up after a step that limits cut so short that even its own linear
 /// model leaves more than this part of the squared error. Of 10,000 random targets of an arm of
@@ -385,9 +385,10 @@ impl<R: Real> Lane<R> {
         Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Returns whether these values are the best so far, and the next action. With `has_posture` the
-    /// search goes on to a posture once the targets are reached; with `has_weights` the posture or
-    /// the start has a weight in every step.
+    /// Returns whether these values are the best so far, and the next action. With `has_posture`
+    /// the search goes on to a posture once the targets are reached; with `has_weights` the posture
+    /// or the start has a weight in every step.
+    #[cfg_attr(target_os = "none", inline(never))]
     fn decide<const RESTARTS: bool, const TRACK: bool>(
         &mut self,
         measured: Measured<R>,
@@ -561,7 +562,21 @@ impl<R: Real> Lane<R> {
         measured.residual > self.square * R::from(HOPELESS) && self.square > R::from(NEAR_TARGET)
     }
 
-    pub(super) fn outcome(&self, is_at_limits: bool) -> Outcome {
+    /// The report of a search that ends.
+    fn report(&self, is_at_limits: bool) -> Report<R> {
+        match self.outcome(is_at_limits) {
+            Outcome::Invalid => Report::INVALID,
+            outcome => Report {
+                outcome,
+                iterations: self.iterations,
+                restarts: self.restarts,
+                angular_error: self.best.angular,
+                linear_error: self.best.linear,
+            },
+        }
+    }
+
+    fn outcome(&self, is_at_limits: bool) -> Outcome {
         // If the last step was the best of all, more iterations would go on.
         let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
         // From the most to the least specific: a search for a target out of reach also stalls, and
@@ -583,21 +598,18 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
         // Invalid configurations are reported on the way, and take no lane.
-        let mut next = Lane::IDLE;
-        let last = self.lanes.get(lane).copied().unwrap_or(Lane::IDLE);
-        let (mut before, mut rest) = (last.configuration, last.rest);
-        while next.configuration.is_none()
-            && let Some(configuration) = self.next_configuration(before, &mut rest)
-        {
-            match self.load(lane, configuration) {
-                Some(out_of_reach) => {
-                    next = Lane::new(configuration, out_of_reach);
-                    next.rest = rest;
-                }
-                None => self.report(configuration, &Lane::IDLE, Outcome::Invalid),
+        let last = self.lanes.get(lane).map(|lane| (lane.configuration, lane.rest));
+        let (mut before, mut rest) = last.unwrap_or_default();
+        let next = loop {
+            let Some(configuration) = self.next_configuration(before, &mut rest) else {
+                break Lane::IDLE;
+            };
+            if let Some(out_of_reach) = self.load(lane, configuration) {
+                break Lane { rest, ..Lane::new(configuration, out_of_reach) };
             }
+            self.report(configuration, Report::INVALID);
             before = Some(configuration);
-        }
+        };
         if let Some(slot) = self.lanes.get_mut(lane) {
             *slot = next;
         }
@@ -637,8 +649,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// is out of reach. `None` if an input is invalid.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
-        let options = &self.work.tracking.options;
-        if !options.is_valid() || (TRACK && !self.work.tracking.has_valid_weights()) {
+        let options = self.work.settings.options;
+        if !options.is_valid() || (TRACK && !self.work.settings.has_valid_weights()) {
             return None;
         }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
@@ -659,9 +671,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
             let tolerance = options.linear_tolerance;
             let (target, excess) = reach.clamped(index, target, tolerance)?;
             beyond |= excess.is_some();
-            let numbers = target.to_array().into_iter().chain(excess.unwrap_or_default());
-            for (row, number) in numbers.enumerate() {
+            for (row, &number) in target.to_array().iter().enumerate() {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
+            }
+            for (row, &number) in excess.unwrap_or_default().iter().enumerate() {
+                scratch.goals.set_number(index * GOAL + EXCESS + row, lane, number);
             }
         }
         // The default length per radian is an eighth of the longest way to a goal. While tracking
@@ -687,32 +701,23 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// Writes the result of a lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish(&mut self, index: usize) {
-        let Some(&lane) = self.lanes.get(index) else { return };
+        let is_at_limits = self.is_at_limits(index);
+        let Some(lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
-        let outcome = lane.outcome(self.is_at_limits(index));
+        let report = lane.report(is_at_limits);
         // The caller's values are written only now: until a search ends, they are its start.
-        if outcome != Outcome::Invalid {
+        if report.outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;
             let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();
             for (row, value) in values.iter_mut().enumerate().take(count) {
                 *value = self.model.scratch.best.number(row, index);
             }
         }
-        self.report(configuration, &lane, outcome);
+        self.report(configuration, report);
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
-        let mut report = Report {
-            iterations: lane.iterations,
-            restarts: lane.restarts,
-            angular_error: lane.best.angular,
-            linear_error: lane.best.linear,
-            outcome,
-        };
-        if outcome == Outcome::Invalid {
-            (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
-        }
+    fn report(&mut self, configuration: usize, report: Report<L::Real>) {
         if let Some(slot) = self.work.reports.get_mut(configuration) {
             *slot = report;
         }
