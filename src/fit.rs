@@ -363,7 +363,7 @@ errors! {
             /// The rank of Σ w y xᵀ: 0 where one of the sets is in a point, 1 where one is on a
             /// line.
             rank: usize,
-        } => "{pairs} pairs do not say how the points turned: the rank is {rank}, and many rotations fit equally well";
+        } => "many rotations fit the {pairs} pairs equally well: their rank is {rank}";
         /// A square of a distance, or the map itself, overflows.
         Overflow => "the points are too far apart: a square of a distance overflows";
     }

@@ -83,7 +83,7 @@ errors! {
         Shape(error: ShapeError) => "{error}";
         /// A limb cannot be bent.
         Limb {
-            /// Which, the first one; in blocks, things are counted one after the other.
+            /// The number of the first such limb; in blocks, things count one after the other.
             limb: usize,
             /// The fault.
             error: LimbError,
@@ -94,7 +94,7 @@ errors! {
             joint: usize,
             /// The joint that should be its parent.
             parent: usize,
-        } => "joint {joint} is no child of joint {parent}";
+        } => "joint {joint} is not a child of joint {parent}";
         /// A hinge that is no axis.
         Hinge {
             /// The coordinate.

@@ -39,7 +39,7 @@ errors! {
         Collinear {
             /// The sine of the angle at the first point.
             sine: f64,
-        } => "three points on one line: the sine of their angle is {sine}";
+        } => "the three points are on one line: the sine of their angle is {sine}";
         /// A point lies on a line, within rounding: through both go many planes.
         PointOnLine {
             /// The distance of the two.

@@ -73,7 +73,7 @@ fn reduce(x: f32) -> (u32, Precise) {
     if !x.is_finite() {
         return (0, Precise { number: f32::NAN, missing: 0.0 });
     }
-    // The number is m · 2ᵏ, −24 ≤ k ≤ 104. Bits of 2/π that it makes multiples of four are
+    // The number is m · 2ᵏ, −24 ≤ k ≤ 104. Bits of 2/π that it makes multiples of 4 are
     // whole turns; of the others the next 96 are enough.
     let bits = x.to_bits();
     let m = u64::from(bits & 0x7f_ffff | 0x80_0000);

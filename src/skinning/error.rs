@@ -20,7 +20,7 @@ errors! {
             joint: u32,
             /// The number of joints.
             joints: usize,
-        } => "vertex {vertex}: influence {influence} is joint {joint}, and there is no such one among {}, counted from 0",
+        } => "vertex {vertex}: influence {influence} is joint {joint}, but there {} only {}", if *joints == 1 { "is" } else { "are" },
             Count(*joints, "joint");
         /// A weight is negative, infinite or not a number.
         Weight {
@@ -30,7 +30,7 @@ errors! {
             influence: usize,
             /// The weight.
             value: f64,
-        } => "vertex {vertex}: the weight of influence {influence} is {value}";
+        } => "vertex {vertex}: the weight of influence {influence} is {value}, which must be finite and not negative";
         /// The weights of a vertex should sum to one, and are farther from that than by a factor of
         /// 1024 ([`Skin::WEIGHT_RANGE`](super::Skin::WEIGHT_RANGE)); or, where the last is implied,
         /// the others exceed one by more than rounding to eight bits.
@@ -39,7 +39,7 @@ errors! {
             vertex: usize,
             /// The sum.
             total: f64,
-        } => "vertex {vertex}: the weights sum to {total}, which should be 1";
+        } => "vertex {vertex}: the weights sum to {total}, which must be about 1";
         /// A share of a mix is not in [0, 1].
         Share {
             /// The vertex.
@@ -47,7 +47,7 @@ errors! {
             /// The share.
             value: f64,
         } => "vertex {vertex}: the share is {value}, which must be from 0 to 1";
-        /// Three numbers from `first` on do not lie in a vertex of `stride` numbers, or lie in
+        /// A field of three numbers does not fit into a vertex of `stride` numbers, or overlaps
         /// another field.
         Field {
             /// The buffer, `rest` or `posed`.
@@ -56,10 +56,10 @@ errors! {
             first: usize,
             /// The number of numbers of a vertex.
             stride: usize,
-        } => "{what}: three numbers from {first} on do not lie in a vertex of {}, or lie in another field",
+        } => "{what}: the field at {first} does not fit into a vertex of {}, or overlaps another field",
             Count(*stride, "number");
-        /// The influences of a vertex do not lie in it: so many elements from `first` on, where a
-        /// vertex has `stride`.
+        /// The influences of a vertex do not fit into it: they begin at `first`, and a vertex has
+        /// `stride` elements.
         InfluenceField {
             /// Their name, `joints` or `weights`.
             what: &'static str,
@@ -69,7 +69,7 @@ errors! {
             stride: usize,
             /// The number of influences it should have.
             influences: usize,
-        } => "{what}: {} from {first} on {} not lie in a vertex of {}", Count(*influences, "element"),
+        } => "{what}: {} at {first} {} not fit into a vertex of {}", Count(*influences, "element"),
             if *influences == 1 { "does" } else { "do" }, Count(*stride, "element");
         /// An element of a joint's matrix is not finite.
         NotFinite {
@@ -77,7 +77,7 @@ errors! {
             joint: usize,
             /// The value.
             value: f64,
-        } => "joint {joint}: an element of its matrix is {value}";
+        } => "joint {joint}: an element of its matrix is {value}, which must be finite";
         /// The last row of a joint's matrix is not 0 0 0 1. Columns given as rows look like this.
         NotAffine {
             /// The joint.

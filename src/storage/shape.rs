@@ -45,15 +45,15 @@ errors! {
             joint: usize,
             /// Its parent.
             parent: usize,
-        } => "the parent of joint {joint}, joint {parent}, is not among those that are computed";
+        } => "joint {joint} is computed, but its parent, joint {parent}, is not";
         /// A pair of an order that is not a joint and its parent, or comes before the last root:
         /// the order was made for other parents, or not at all.
         NotOrder {
             /// The number of the pair.
             place: usize,
-        } => "pair {place} of the order is not one of these parents";
+        } => "pair {place} of the order is not a joint of this hierarchy and its parent";
         /// A job was given the plan of other parents than its own.
-        OtherPlan => "the plan is of other parents than the job";
+        OtherPlan => "the plan was made for another hierarchy than the job";
         /// A link that a robot (crate `dq8-robot`) does not have.
         NoLink {
             /// The link asked for.
@@ -71,7 +71,7 @@ errors! {
             instances: usize,
             /// The number of joints.
             joints: usize,
-        } => "no joint {joint} of instance {instance} among {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
+        } => "there is no joint {joint} of instance {instance}: the crowd has {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
         /// A frame that a clip does not have, or that no frame follows.
         NoFrame {
             /// The instance that is to be there.
@@ -80,19 +80,19 @@ errors! {
             frame: usize,
             /// The number of frames.
             frames: usize,
-        } => "instance {instance} lies after frame {frame}, and none follows it among {}", Count(*frames, "frame");
+        } => "instance {instance} is sampled after frame {frame}, the last or beyond: the clip has {}", Count(*frames, "frame");
         /// A place that packed clips do not have: it was made of others.
         NoPlace {
             /// The instance that is to be there.
             instance: usize,
-        } => "instance {instance} lies at a place of other clips than these";
+        } => "instance {instance} is sampled at a place in other clips than these";
         /// So few poses that no window of this length lies in them.
         NoWindow {
             /// The number of poses.
             poses: usize,
             /// The length of the window.
             window: usize,
-        } => "{} {} no window of {window}", Count(*poses, "pose"), if *poses == 1 { "holds" } else { "hold" };
+        } => "a window of {window} does not fit into {}", Count(*poses, "pose");
     }
 }
 
