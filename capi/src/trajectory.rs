@@ -1,12 +1,12 @@
 //! Trajectories: poses at times, sampled at other times.
 
 use crate::memory::{Input, Output};
-use crate::span::apart;
+use crate::span::disjoint;
 use crate::status::{Done, Status};
 use dq8::{DualQuat, Scalar};
 use dq8_trajectory::{OwnedTrajectory, Time, TrajectoryError};
 
-/// Poses at times.
+/// The poses of a trajectory and their times.
 struct Known<R> {
     times: *const R,
     poses: *const R,
@@ -14,7 +14,7 @@ struct Known<R> {
 }
 
 /// # Safety
-/// As for [`Input::slice`], [`Output::slice`] and [`Output::write`].
+/// The same as for [`Input::slice`], [`Output::slice`] and [`Output::write`].
 unsafe fn resample<R: Scalar + Time>(
     known: Known<R>,
     at: *const R,
@@ -27,8 +27,8 @@ unsafe fn resample<R: Scalar + Time>(
     let at = Input::<R>::new(at, count)?;
     let out = Output::<DualQuat<R>>::new(out, count)?;
     let bad = Output::<usize>::unless_null(bad_time)?;
-    apart(&[out.span, bad.span], &[times.span, poses.span, at.span])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[out.span, bad.span], &[times.span, poses.span, at.span])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     let (times, poses, at, out) =
         unsafe { (times.slice(), poses.slice(), at.slice(), out.slice()) };
     let stamps = times.iter().map(|&time| time.into()).collect();
@@ -39,10 +39,10 @@ unsafe fn resample<R: Scalar + Time>(
             None => return path.job().sample(at, out).map_err(|_| Status::Length),
         },
         Err(TrajectoryError::NotRising { index, .. }) => (Status::Times, index),
-        // There is no pose.
+        // The trajectory has no pose.
         Err(_) => return Err(Status::Length),
     };
-    // SAFETY: promised, and apart.
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe { bad.write(index) };
     Err(status)
 }
@@ -50,14 +50,14 @@ unsafe fn resample<R: Scalar + Time>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at
-            /// the times `at`, `count` of them as of `out`: along one screw from each pose to the
-            /// next, by the shorter way. Before the first pose it is that one, and behind the last
-            /// one that.
+            /// Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
+            /// times and the unit poses at these. `at` holds `count` times, and `out` gets the
+            /// poses there: along one screw from each pose to the next, by the shorter way. Before
+            /// the first time it is the first pose, and after the last time the last one.
             ///
-            /// DQ8_STATUS_TIMES if a time is not later than the one before or not finite,
-            /// DQ8_STATUS_NOT_FINITE if one to sample at is NaN; `bad_time`, which may be null, is
-            /// set to it. DQ8_STATUS_LENGTH if there is no pose.
+            /// Returns DQ8_STATUS_TIMES if one of `times` is not later than the one before or not
+            /// finite, and DQ8_STATUS_NOT_FINITE if one of `at` is NaN, and sets `bad_time`, which
+            /// may be null, to its index. Returns DQ8_STATUS_LENGTH if there is no pose.
             resample(
                 times: *const $R, poses: *const $R, pose_count: usize, at: *const $R, out: *mut $R,
                 count: usize, bad_time: *mut usize,

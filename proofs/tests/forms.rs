@@ -26,10 +26,10 @@ const FORMS: &[Row] = &[
         &["local_to_model_lanes", "local_to_model_roots_lanes"],
         "",
     ),
-    ("src/hierarchy/plain.rs Walk", &["local_to_model", "bones"], ""),
+    ("src/hierarchy/plain.rs OneByOne", &["local_to_model", "bones"], ""),
     ("src/hierarchy/plain.rs product x 1", &["local_to_model", "local_to_model_roots"], ""),
     ("src/hierarchy/plain.rs PaletteInstances", &["palette_lanes"], ""),
-    ("src/hierarchy/plan.rs Walk", &["local_to_model_planned"], ""),
+    ("src/hierarchy/plan.rs InOrder", &["local_to_model_planned"], ""),
     ("src/hierarchy/plan.rs Begin", &["local_to_model_planned_root"], ""),
     (
         "src/hierarchy/plan.rs product x 3",

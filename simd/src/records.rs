@@ -115,7 +115,7 @@ pub trait Records: Lanes {
             array.as_mut().copy_from_slice(row);
             return [Self::load(level, &array); C];
         }
-        // Of a record of three numbers four are read.
+        // A fourth number is read after a record of three.
         if const { C < 3 }
             || flat.len() < reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } })
         {

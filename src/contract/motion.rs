@@ -227,7 +227,7 @@ shared_trait! {
         fn point_error(self, other: Self, point: [Self::Real; 3]) -> Self::Real;
         /// d + 2 r sin(θ/2), at least |av − bv| for |v| ≤ r
         fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
-        /// Not unit within the tolerance.
+        /// The opposite of `is_unit`, within the tolerance.
         fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
 
         /// ½ξσ, ξ the spatial twist

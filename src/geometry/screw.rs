@@ -83,7 +83,7 @@ impl<T: Copy> DualVector<T> {
     }
 }
 
-sums!(DualVector { real, dual });
+sums_of_vectors!(DualVector { real, dual });
 
 /// l + εm
 impl<T> From<Line<T>> for DualVector<T> {

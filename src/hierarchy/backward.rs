@@ -49,9 +49,9 @@ impl<E: Element<8>> Backward<'_, '_, E> {
             let joints = run.parents.len();
             let all = (locals, joints);
             return run.backend.share(grain(joints), all, &|first, (locals, _): Rows<'_, E>| {
-                let part = first..first + locals.len() / joints;
-                let models = models.part(part.start * joints..part.end * joints);
-                run.backend.run(Backward { run: &run.part(part), models, locals });
+                let range = first..first + locals.len() / joints;
+                let models = models.part(range.start * joints..range.end * joints);
+                run.backend.run(Backward { run: &run.part(range), models, locals });
             });
         }
         self.run.backend.run(self);
@@ -59,7 +59,8 @@ impl<E: Element<8>> Backward<'_, '_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
-    /// One instance (block) whose lanes are instances, or that is one.
+    /// The locals of one block, whose lanes are instances, or of one instance where a register
+    /// holds one number.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn locals_of_block<V: Level>(
         &self,
@@ -88,7 +89,8 @@ impl<E: Element<8>> Run<'_, E> {
         }
     }
 
-    /// One instance whose joints are in the lanes, their parents gathered one by one.
+    /// The locals of one plain instance: lanes are joints, and their parents are gathered one by
+    /// one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn locals_of_plain<V: Level>(
         &self,
@@ -100,8 +102,8 @@ impl<E: Element<8>> Run<'_, E> {
         let root = self.root_of(instance);
         let lanes = E::Layout::records::<V>();
         let nothing = root.unwrap_or(identity());
-        // One array of both: of two that begin alike, the compiler would copy one from the other by a
-        // call.
+        // One array of both: of two that begin alike, the compiler would copy one from the other by
+        // a call.
         let mut both = [nothing; 2 * MAX_LANES];
         let (own, parents) = both.split_at_mut(MAX_LANES);
         let mut end = self.joints.end;
@@ -130,8 +132,8 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// poses(j) = local(j). In the lanes are instances where they lie in blocks, and where locals are
-/// made: a clip and a layer are quicker for a group of joints at a time, and a small skeleton has
+/// poses(j) = local(j). Lanes are instances in blocks, and for plain instances where locals are
+/// computed: a clip or a layer is quicker for a batch of joints at a time, and a small skeleton has
 /// fewer registers of joints than that, of which the last one is half empty. What lies in memory,
 /// and the instances left over, have joints of one instance in the lanes: no joint waits for
 /// another here, and joints side by side are not strided. The bits are the same.
@@ -143,9 +145,9 @@ pub(super) struct Write<'r, 's, E: Element<8>, L> {
 
 impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     type Output = ();
-    const WIDE: bool = E::Layout::WIDE || L::MADE;
+    const WIDE: bool = E::Layout::WIDE || L::COMPUTED;
     // A fifth to a quarter less time where 512 bits are shuffled as quickly as 256.
-    const SHUFFLES: bool = !E::Layout::WIDE && L::MADE;
+    const SHUFFLES: bool = !E::Layout::WIDE && L::COMPUTED;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
@@ -156,7 +158,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
         let pass = Pass { level, run, locals };
         let mut batch = pass.batch();
         let mut instance = 0;
-        if const { MANY && L::MADE && E::Layout::THINGS == 1 } {
+        if const { MANY && L::COMPUTED && E::Layout::THINGS == 1 } {
             while instances - instance >= lanes {
                 for joint in run.joints.clone() {
                     let slot = JointSlot::of_instances(joint, instance, joints);
@@ -195,8 +197,8 @@ impl<E: Element<8>, L: Locals<E>> Write<'_, '_, E, L> {
             let joints = run.parents.len();
             let all = (poses, joints);
             return run.backend.share(grain(joints), all, &|first, (poses, _): Rows<'_, E>| {
-                let part = first..first + poses.len() / joints;
-                let (run, locals) = (&run.part(part.clone()), locals.part(joints, part));
+                let range = first..first + poses.len() / joints;
+                let (run, locals) = (&run.part(range.clone()), locals.part(joints, range));
                 run.backend.run(Write { run, locals, poses });
             });
         }

@@ -1,6 +1,6 @@
 //! model(j) = model(parent(j)) · local(j), for blocks: lanes are instances in memory already.
 
-use super::locals::{GROUP, InPlace, LocalBatch, Locals, Numbers, Pass};
+use super::locals::{BATCH, InPlace, LocalBatch, Locals, Pass, Registers};
 use super::run::{Epilogue, Forward};
 use super::slot::JointSlot;
 use crate::backend::Kernel;
@@ -13,14 +13,14 @@ use dq8_simd::{Lanes, Level};
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
 
-/// Bytes of the first cache, or less, that instances side by side may fill.
+/// The bytes that instances side by side may fill: the size of the first cache, or less.
 const CACHE: usize = 32 << 10;
 
 /// The number of joints that the loop prefetches ahead. It saves 1024 skeletons of 64 joints in
 /// place a tenth of the time with AVX2 and a twentieth with AVX-512, and costs one block of 16,
 /// which never leaves the first cache, a twentieth. Farther ahead is not faster, and from 8 joints
 /// on it is slower.
-const AHEAD: usize = 2;
+const PREFETCH_DISTANCE: usize = 2;
 
 /// Parents first. Three things keep this loop at the speed of its multiplications:
 ///
@@ -43,8 +43,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Blocks<'_, '_, E, L
         let pass = Pass { level, run, locals };
         let mut batch = pass.batch();
         // Registers of one block are side by side already.
-        let alone = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
-        let side_by_side = if OVERLAPS && !alone { 2 } else { 1 };
+        let one_at_a_time = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
+        let side_by_side = if OVERLAPS && !one_at_a_time { 2 } else { 1 };
         // There are joints where there is anything to do, and no part of an instance. The compiler
         // does not know: `chunks_mut(0)` or a plain `split_at_mut` would be a path to a panic in
         // the machine code.
@@ -76,7 +76,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             JointSlot::in_block(joint, block * run.parents.len(), register, first)
         };
         for joint in run.joints.clone() {
-            if const { L::MADE } && (joint - run.joints.start).is_multiple_of(GROUP) {
+            if const { L::COMPUTED } && (joint - run.joints.start).is_multiple_of(BATCH) {
                 for (block, models) in &mut blocks {
                     for register in 0..E::Layout::registers::<V>() {
                         if self.place(batch, models, slot(joint, *block, register)).is_none() {
@@ -89,14 +89,13 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             let Some(&parent) = run.parents.get(joint) else { return };
             let renormalize = run.renormalize.applies_to(joint);
             for (block, models) in &mut blocks {
-                if let Some(soon) = models.get(joint.saturating_add(AHEAD)) {
+                if let Some(soon) = models.get(joint.saturating_add(PREFETCH_DISTANCE)) {
                     level.prefetch(soon);
                 }
                 for register in 0..E::Layout::registers::<V>() {
                     let slot = slot(joint, *block, register);
                     // One comparison, the bounds check of this load, also tells roots from
-                    // children. The root's model goes to memory, like that of a child: a value that
-                    // two paths could have left in registers would be moved there on both.
+                    // children. *One source*: the model goes to memory on both ways.
                     let parent = Tile::at(parent as usize, register);
                     if let Some(parent) = motions(level, models, parent) {
                         let Some(local) = self.local_of_block(models, slot) else { return };
@@ -110,7 +109,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     if !renormalize && const { !X::ACTIVE } {
                         continue;
                     }
-                    // Read back, for the reason above; it is in the first cache.
+                    // *One source*: read back, from the first cache.
                     let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
                     if renormalize {
                         model = model.normalize();
@@ -124,7 +123,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         }
     }
 
-    /// The model of a joint without a parent. Inlined, it would take registers from the children.
+    /// The model of a joint without a parent. *Kept apart*: inlined, it would take registers from
+    /// the children.
     #[cold]
     #[inline(never)]
     fn root_of_block(self, block: usize, models: &mut [E], slot: JointSlot) {
@@ -143,10 +143,10 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         );
     }
 
-    /// The local of a slot; where locals are made, it lies where its model will.
+    /// The local of a slot. Computed locals lie where their models will.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn local_of_block(self, models: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
-        if const { L::MADE } {
+    fn local_of_block(self, models: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
+        if const { L::COMPUTED } {
             InPlace.load(self.level, models, slot)
         } else {
             self.locals.load(self.level, models, slot)

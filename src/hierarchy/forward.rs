@@ -70,9 +70,9 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
             let count = most.min(instances - done);
             let (epilogue, after) = rest.split(count * joints);
             rest = after;
-            let part = done..done + count;
+            let range = done..done + count;
             done += count;
-            let (run, locals) = (&run.part(part.clone()), locals.part(joints, part));
+            let (run, locals) = (&run.part(range.clone()), locals.part(joints, range));
             let models = scratch.get_mut(..count * joints).unwrap_or_default();
             Forward { run, locals, models, epilogue }.on_this_thread();
         }
@@ -89,8 +89,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
         let grain = instances.div_ceil(threads).max(grain(joints));
         let all = Entries { epilogue, instances, joints, scratch };
         run.backend.share(grain, all, &|first, Entries { epilogue, instances, scratch, .. }| {
-            let part = first..first + instances;
-            let (run, locals) = (&run.part(part.clone()), locals.part(joints, part));
+            let range = first..first + instances;
+            let (run, locals) = (&run.part(range.clone()), locals.part(joints, range));
             PaletteOnly { run, locals, instances, scratch, epilogue }.on_this_thread();
         });
     }

@@ -103,7 +103,7 @@ impl<'a, P> Job<'a, NoRoot, P> {
         self.with(roots)
     }
 
-    /// Puts root joints on what is chosen when the program runs.
+    /// Puts root joints on a base that is chosen when the program runs.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Root};
@@ -194,7 +194,7 @@ impl<'a, S, P> Job<'a, S, P> {
 }
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// See [`Hierarchy::local_to_model`].
+    /// As [`Hierarchy::local_to_model`].
     ///
     /// # Errors
     /// If lengths or the range do not fit; `models` is untouched.
@@ -254,8 +254,9 @@ impl<S, P: Plans> Job<'_, S, P> {
         Ok(())
     }
 
-    /// The run that every loop is told, if the range, the plan and the roots fit the hierarchy, and
-    /// there are whole instances: so many elements of a name, and as many models.
+    /// Checks that the range, the plan and the roots fit the hierarchy, that `length` elements of
+    /// `what` are whole instances, and that there are as many models. Returns the run that all
+    /// loops read.
     #[inline]
     pub(super) fn check<E: Element<8>>(
         &self,
@@ -373,8 +374,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         L: Locals<E>,
         M: PaletteEntry<C, Layout = E::Layout>,
     {
-        // Before the job is lent to checks: a compiler that has seen the order written keeps the
-        // stores of that one alone.
+        // *Settled* (docs/measured.md): copied before the job is lent to checks, so that a compiler
+        // that has seen the order written keeps the stores of that one alone.
         let order = self.order;
         let run = self.check(locals.shape(self.parents.len(), palette.len())?, palette.len())?;
         let joints = run.parents.len();
@@ -447,8 +448,8 @@ impl<S, P: Plans> Job<'_, S, P> {
 }
 
 impl<P: Plans> Job<'_, NoRoot, P> {
-    /// Local poses as motions, of locals in any form: what a clip or layers are at a time, for
-    /// inverse kinematics after animation, root motion, and export.
+    /// Writes locals of any form, such as a clip or layers at a time, as motions: for inverse
+    /// kinematics after animation, for root motion, and for export.
     /// [`locals_to_model`](Self::locals_to_model) computes models without them. With
     /// [`joints`](Self::joints), only those are written.
     ///

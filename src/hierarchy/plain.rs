@@ -13,15 +13,15 @@
 //!   second time would cost as much as the product. Most parents are a few joints back, so the last
 //!   [`RECENT`] models stay in memory as the registers held them; only a parent that lies farther
 //!   back is transposed again, out of line.
-//! - *One source for every product.* Roots, near parents and far ones all end as a place in the
-//!   ring. Where two ways lead to a value, the compiler moves eight registers on both.
+//! - *One source* (`docs/measured.md`, *What keeps loops in registers*). Roots, near parents and
+//!   far ones all end as a place in the ring, which is where every product reads its left factor.
 //! - *Same operations in the same order, together and one by one*: the model of an instance is the
 //!   same to the last bit, however many others are in the call.
 //! - *Prefetch before a strided store*, once models exceed the second cache: the CPU does not
 //!   foresee so many places.
 
 use super::chain::{product, product_in_lanes};
-use super::locals::{GROUP, LocalBatch, Locals, Numbers, Pass, Rows, load, store};
+use super::locals::{BATCH, LocalBatch, Locals, Pass, Registers, Stored, load, store};
 use super::run::{Epilogue, Forward, PaletteOnly};
 use super::slot::JointSlot;
 use crate::backend::Kernel;
@@ -31,17 +31,17 @@ use crate::storage::{Element, Layout, Motions, Register, Source, Tile, identity,
 use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
-/// So many models are kept as they are in registers, for their children. What lies farther back is
-/// transposed again. More would fill the first cache, which the instances share.
+/// The number of models that stay in memory as registers held them, for their children. Those
+/// farther back are transposed again. More would fill the first cache, which the instances share.
 const RECENT: usize = 16;
 
-/// Whether many instances in plain slices are worth a loop of their own. Firmware has few, and
-/// counts the bytes of code and stack.
+/// `true` if many instances in plain slices have a loop of their own. Firmware has few instances,
+/// and counts the bytes of code and stack.
 pub(super) const MANY: bool = cfg!(not(target_os = "none"));
 
-/// More bytes of models than the second cache holds are asked for before they are written, which
-/// saves a tenth of the time of models and a sixth of that of palettes with models. Fewer would
-/// take a twentieth longer, and models over their locals gain nothing.
+/// The size of the second cache in bytes. Models that exceed it are prefetched before they are
+/// written, which saves a tenth of the time of models and a sixth of that of palettes with models.
+/// With fewer, prefetching costs a twentieth, and models over their locals gain nothing.
 const NEAR: usize = 1 << 20;
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
@@ -57,12 +57,13 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
             done = backend.run(Instances(&mut self));
         }
         if const { Register::<E, Portable, 8>::LANES > 1 } && done < self.models.len() {
-            backend.run(Walk { of: self, done });
+            backend.run(OneByOne { of: self, done });
         }
     }
 }
 
-/// Lanes are instances, strided in memory. Gives back how many elements are done: whole groups.
+/// The loop whose lanes are instances, strided in memory. Returns the number of elements that are
+/// done: groups of as many instances as there are lanes.
 struct Instances<'f, 'r, 's, E: Element<8>, L, X>(&'f mut Forward<'r, 's, E, L, X>);
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, '_, E, L, X> {
@@ -106,7 +107,7 @@ struct Waiting<E: Element<8>, V: Level> {
 
 /// The recent models as registers hold them: that of joint j is at j % [`RECENT`] until joint j +
 /// [`RECENT`] takes its place. The last place is for a parent that is not among them.
-struct Ring<E: Element<8>, V: Level>([Numbers<E, V>; RECENT + 1]);
+struct Ring<E: Element<8>, V: Level>([Registers<E, V>; RECENT + 1]);
 
 impl<E: Element<8>, V: Level> Ring<E, V> {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -145,11 +146,9 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// As many instances as there are lanes, from number `instance` on.
-    ///
-    /// All models go through memory that the first cache holds, not from register to register:
-    /// where two ways lead to a value (a parent that is recent or not, a joint that is a root or
-    /// not), the compiler would move eight registers.
+    /// The models of as many instances as there are lanes, from number `instance` on. *One source*
+    /// of every product: parents go through memory that the first cache holds, whether they are
+    /// recent or not, roots or not.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn instances<X: Epilogue<E>>(
         self,
@@ -159,8 +158,6 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         epilogue: &mut X,
     ) {
         let Self { level, run, locals } = self;
-        // In registers: what is stored might be what `run` refers to, for all that the compiler
-        // knows.
         let (parents, joints, prefetch) = (run.parents, run.parents.len(), wait.prefetch);
         let Waiting { ring, batch, .. } = wait;
         for joint in run.joints.clone() {
@@ -203,7 +200,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         batch: &mut LocalBatch<E, V>,
         models: &mut [E],
         slot: JointSlot,
-        to: &mut Numbers<E, V>,
+        to: &mut Registers<E, V>,
     ) {
         let Self { level, run, locals } = self;
         level.run(
@@ -220,9 +217,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         );
     }
 
-    /// One instance where a register holds one number. Models go through memory, since eight
-    /// numbers would not stay in registers anyway. The product is the one of all other loops, on
-    /// targets with wider registers too.
+    /// The models of one instance where a register holds one number. Models go through memory,
+    /// since eight numbers would not stay in registers anyway. The product is the one of all other
+    /// loops, on targets with wider registers too.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn one_instance<X: Epilogue<E>>(
         self,
@@ -259,14 +256,15 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 }
 
-/// One instance after the other: the eight numbers of one motion in the lanes of one register.
-struct Walk<'r, 's, E: Element<8>, L, X> {
+/// The loop over one instance after the other: the lanes of one register hold the eight numbers of
+/// one motion.
+struct OneByOne<'r, 's, E: Element<8>, L, X> {
     of: Forward<'r, 's, E, L, X>,
-    /// How many elements are done already.
+    /// The number of elements that are done already.
     done: usize,
 }
 
-impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, X> {
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for OneByOne<'_, '_, E, L, X> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -277,17 +275,17 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, 
         let mut batch = pass.batch();
         let instances = models.get_mut(done..).unwrap_or_default().chunks_exact_mut(joints);
         for (instance, models) in (done / joints..).zip(instances) {
-            pass.walk(models, instance, &mut batch, &mut epilogue);
+            pass.one_by_one(models, instance, &mut batch, &mut epilogue);
         }
     }
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// One instance, each joint multiplied onto its parent. Locals that are not motions in memory
-    /// are made before, for as many joints as there are lanes; the epilogue comes after, in lanes
-    /// again.
+    /// The models of one instance, each multiplied onto its parent. Locals that are not motions in
+    /// memory are loaded before, for as many joints as there are lanes; the epilogue comes after,
+    /// in lanes again.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn walk<X: Epilogue<E>>(
+    fn one_by_one<X: Epilogue<E>>(
         self,
         models: &mut [E],
         instance: usize,
@@ -340,7 +338,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 }
 
-/// On lanes, so that every bit is that of [`Ring::normalize`].
+/// Normalizes one model on lanes, so that every bit is that of [`Ring::normalize`].
 #[cold]
 #[inline(never)]
 fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
@@ -355,19 +353,18 @@ fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
 }
 
 /// The models of one joint.
-type Models<E, V> = Rows<Register<E, V, 8>>;
+type Models<E, V> = Stored<Register<E, V, 8>>;
 
 /// Bytes of a cache line, or more than a register has: rows that begin at a multiple of it lie in
 /// one line each.
 const LINE: usize = 64;
 
-/// Palettes of plain instances whose models nobody asks for: the models stay in the caller's
-/// scratch as registers hold them. To transpose and store them would be two fifths of what a
-/// palette shuffles and stores, and all parents are where they were put, so nothing is loaded
-/// again.
+/// The loop for palettes whose models nobody asks for: the models stay in the caller's scratch as
+/// registers held them. To transpose and store them would be two fifths of what a palette shuffles
+/// and stores, and no parent is ever transposed again.
 ///
-/// Lanes are instances, strided in memory. Gives back how many instances are done: whole groups,
-/// none if the scratch does not hold one.
+/// Lanes are instances, strided in memory. Returns the number of instances that are done: groups of
+/// as many as there are lanes; none if the scratch does not hold one group.
 pub(super) struct PaletteInstances<'f, 'r, 's, E: Element<8>, L, X>(
     pub(super) &'f mut PaletteOnly<'r, 's, E, L, X>,
 );
@@ -396,7 +393,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
     }
 }
 
-/// One of `M` for each joint, if there are as many numbers; at a cache line if there are more.
+/// The numbers as one `M` for each joint, `None` if there are too few; from a cache line on if
+/// there are more.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn aligned<R: Scalar, M: bytemuck::Pod>(numbers: &mut [R], joints: usize) -> Option<&mut [M]> {
     let needed = joints.checked_mul(size_of::<M>() / size_of::<R>())?;
@@ -409,8 +407,9 @@ fn aligned<R: Scalar, M: bytemuck::Pod>(numbers: &mut [R], joints: usize) -> Opt
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// As many instances as there are lanes, from number `instance` on. All models go through
-    /// memory, as in [`instances`](Self::instances). Locals that are made wait where the models go.
+    /// The palette of as many instances as there are lanes, from number `instance` on. All models
+    /// go through memory, as in [`instances`](Self::instances). Computed locals wait where the
+    /// models go.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn palette<X: Epilogue<E>>(
         self,
@@ -421,8 +420,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         let Self { level, run, locals } = self;
         let joints = run.joints.clone();
         let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
-        // What roots stand on: in memory, as the parents of all others are, so that products have
-        // one source.
+        // The base of roots is in memory like all other parents: *one source* (docs/measured.md).
         let mut base = Models::<E, V>::zeroed();
         let base = if let Some(root) = run.root.load(level, instance, 0) {
             store(root.to_array(), &mut base);
@@ -430,17 +428,17 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         } else {
             None
         };
-        if const { L::MADE } {
+        if const { L::COMPUTED } {
             let rows = models.get_mut(joints.clone()).unwrap_or_default();
-            for (first, rows) in joints.clone().step_by(GROUP).zip(rows.chunks_mut(GROUP)) {
-                if locals.ahead(level, slot(first), rows).is_none() {
+            for (first, rows) in joints.clone().step_by(BATCH).zip(rows.chunks_mut(BATCH)) {
+                if locals.load_batch(level, slot(first), rows).is_none() {
                     return;
                 }
             }
         }
         for joint in joints {
             let Some(rows) = models.get(joint) else { return };
-            let local = if const { L::MADE } {
+            let local = if const { L::COMPUTED } {
                 Some(load(level, rows))
             } else {
                 locals.load(level, &[], slot(joint))
@@ -449,7 +447,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             let local = locals.motion(local).to_array();
             let Some(&parent) = run.parents.get(joint) else { return };
             // ROOT is beyond the last joint: there is no such model.
-            // Two stores: where two ways lead to one, registers move.
+            // *Kept apart* (docs/measured.md): each way has a store of its own.
             if let Some(parent) = models.get(parent as usize).or(base) {
                 let model = product_in_lanes(load(level, parent), local);
                 let Some(place) = models.get_mut(joint) else { return };
@@ -459,8 +457,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                 store(local, place);
             }
             let Some(place) = models.get_mut(joint) else { return };
-            // Loaded again: whether it was normalized or not, the epilogue has one source. It is in
-            // the first cache.
+            // *One source*, whether it was normalized or not; it is in the first cache.
             if run.renormalize.applies_to(joint) {
                 normalize_rows::<Register<E, V, 8>>(level, place);
             }
@@ -471,7 +468,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
 
 #[cold]
 #[inline(never)]
-fn normalize_rows<L: Lanes>(level: L::Level, model: &mut Rows<L>) {
+fn normalize_rows<L: Lanes>(level: L::Level, model: &mut Stored<L>) {
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
         || {

@@ -259,7 +259,7 @@ fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Per
     (n, [first, second], vector::dot(way, n))
 }
 
-/// Of all between parallel unit lines, the one in the plane through the origin.
+/// The perpendicular of parallel unit lines that lies in the plane through the origin.
 fn between_parallel<R: Real>(a: Line<R>, b: Line<R>) -> Result<Perpendicular<R>, IncidenceError> {
     let feet = [a, b].map(Line::closest_point_to_origin);
     let way = vector::sub(feet[1], feet[0]);

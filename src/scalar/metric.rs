@@ -1,4 +1,4 @@
-//! How far two motions are apart.
+//! Distances between motions.
 
 use super::{DualQuat, Quat, vector};
 use crate::number::Real;

@@ -1,4 +1,4 @@
-//! How things lie in memory, and the one way from there into registers and back.
+//! Layouts of things in memory, and the one way from there into registers and back.
 //!
 //! A *record* is the `C` numbers of one thing: a motion has 8, a point 3. A slice holds records one
 //! after the other ([`Aos`], array of structures), or in [`Block`]s of `N` ([`AoSoA`], array of

@@ -170,9 +170,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             position += 1;
             let before = if step.parent == NONE {
-                HalfPose::root(level, step)
+                HalfPose::on_base(level, step)
             } else {
-                get(level, &scratch.slots, step.parent_slot as usize * POSE).place(step)
+                get(level, &scratch.slots, step.parent_slot as usize * POSE).joint_frame(step)
             };
             let pose = before.link_frame(step, &mut numbers);
             put(&mut scratch.slots, step.slot as usize * POSE, pose);

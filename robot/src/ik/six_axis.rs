@@ -35,6 +35,8 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 /// miss a family by at most 10⁻³, as do those of arms whose angles were typed with few digits,
 /// the solutions of the family's formula are the starts, which are far fewer.
 ///
+#[doc = include_str!("six_axes.svg")]
+///
 /// ```
 /// use dq8::DualQuat;
 /// use dq8_robot::ik::{Family, Goal, OwnedReach, SixAxisArm};
@@ -507,7 +509,11 @@ impl<R: Scalar> SixAxisArm<'_, R> {
             if !reach.moves_goal(position) {
                 continue;
             }
-            pose = if step.parent == NONE { HalfPose::root(level, step) } else { pose.place(step) };
+            pose = if step.parent == NONE {
+                HalfPose::on_base(level, step)
+            } else {
+                pose.joint_frame(step)
+            };
             if let JointKind::Revolute { .. } = step.kind
                 && let Some(value) = values.next()
             {

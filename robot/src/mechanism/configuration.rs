@@ -1,6 +1,17 @@
-//! One configuration of floats by the [plan](super::plan): what `f32` and `f64` compute instead of
-//! the products of the book. A frame is kept nowhere: what branches off is turned back from the
-//! pose that has been written.
+//! One configuration of `f32` or `f64`, by the plan of [`step`](super::step): base frames in place of
+//! the general products of `single.rs`.
+//!
+//! ```text
+//! for each step:
+//!     frame ← frame of the parent          the last one, or recovered from the pose that was written
+//!     frame ← frame moved by half_offset   to the joint
+//!     frame ← frame moved by the joint     to the link
+//!     pose of the link ← frame · link_rotation
+//! ```
+//!
+//! Frames are not stored. Where the tree branches, the frame of the parent is recovered from its
+//! stored pose. Four lanes hold a quaternion, p or q of the motion p + εq. Nothing is fused, so the
+//! bits are the same on all targets.
 
 use super::jacobians::Frame;
 use super::job::{Point, PointsByLink};
@@ -23,14 +34,14 @@ fn path<'s, R: Copy>(
     link: usize,
 ) -> impl Iterator<Item = &'s Step<R>> {
     let end = mechanism.steps.get(link).map_or(NONE, |step| step.position) as usize;
-    // No steps, if there is no such link: the base.
+    // There are no steps to the base, which is no link.
     let steps = mechanism.steps.get(..=end).unwrap_or_default().iter().enumerate();
-    // What a step carries follows it.
+    // A step is followed by all that it carries.
     steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
 }
 
-/// What a [`Mechanism`] asks of floats, by name: where a number is any `Real`, a function over
-/// [`Number`] cannot be named, but what it is to be called with can.
+/// The calls of a [`Mechanism`] that floats answer by the plan, as structs of their arguments. Code
+/// for any `Real` cannot name a function that needs a [`Number`], but it can hand over such a struct.
 macro_rules! quick {
     ($($name:ident { $($field:ident: $type:ty),+ } -> $output:ty;)*) => {$(
         pub(crate) struct $name<'s, R> {
@@ -59,7 +70,6 @@ quick! {
     LinkPoints { points: &'s [Point<R>], places: &'s mut [[R; 3]] } -> ();
 }
 
-/// For any value: NaN where an angle is too far for lanes.
 impl<R: Real + Number> LinkPoses<'_, R> {
     #[inline(always)]
     fn run(self) {
@@ -68,7 +78,7 @@ impl<R: Real + Number> LinkPoses<'_, R> {
         let base = BaseFrame::base();
         let (mut last, mut at) = (NONE, base);
         for step in self.mechanism.steps {
-            // The children of a link but the first come after what the others carry.
+            // Between a parent and its second child lie the steps that the first one carries.
             if step.parent != last {
                 let link = step.parent as usize;
                 at = match (self.poses.get(link), self.mechanism.step(link)) {
@@ -78,7 +88,7 @@ impl<R: Real + Number> LinkPoses<'_, R> {
                     _ => base,
                 };
             }
-            at = at.placed(step).joined(step, &mut angles);
+            at = at.joint_frame(step).planned_link_frame(step, &mut angles);
             last = step.link;
             if let Some(slot) = self.poses.get_mut(step.link as usize) {
                 *slot = at.pose(&step.plan.link_rotation);
@@ -94,7 +104,7 @@ impl<R: Real + Number> LinkPose<'_, R> {
         angles.begin(path(self.mechanism, self.link).next());
         let (mut at, mut own) = (BaseFrame::base(), &Factor::ONE);
         for step in path(self.mechanism, self.link) {
-            at = at.placed(step).joined(step, &mut angles);
+            at = at.joint_frame(step).planned_link_frame(step, &mut angles);
             own = &step.plan.link_rotation;
         }
         at.pose(own)
@@ -109,21 +119,21 @@ impl<R: Real + Number> LinkJacobian<'_, R> {
         angles.begin(path(self.mechanism, self.link).next());
         let (mut at, mut own) = (BaseFrame::base(), &Factor::ONE);
         for step in path(self.mechanism, self.link) {
-            let before = at.placed(step);
-            at = before.joined(step, &mut angles);
+            let before = at.joint_frame(step);
+            at = before.planned_link_frame(step, &mut angles);
             own = &step.plan.link_rotation;
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
             let [joint, link] = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
             let frames = BaseFrames { joint, link, values: self.values };
             for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
-                // What others mimic is moved by all of them.
+                // The columns of joints that mimic the same one are added up.
                 *column = *column + frames.screw(step, index);
             }
         }
         let pose = at.pose(own);
         let (back, origin) = (pose.conjugate(), pose.translation());
         for column in self.columns {
-            // Of a joint that does not carry the link, wherever that is.
+            // The column of a joint that does not carry the link stays zero in every frame.
             if column.to_array() == [R::ZERO; 6] {
                 continue;
             }
@@ -146,14 +156,14 @@ impl<R: Real + Number> LinkPoints<'_, R> {
         let (mut last, mut at) = (NONE, BaseFrame::base());
         for step in self.mechanism.steps {
             if step.parent != last {
-                // Again, from the base: there is no memory for frames, and few branch off far from
-                // it.
+                // No poses are written here, so the frame is computed again from the base. Few
+                // robots branch far from it.
                 at = BaseFrame::base();
                 for step in path(self.mechanism, step.parent as usize) {
-                    at = at.placed(step).joined(step, &mut angles);
+                    at = at.joint_frame(step).planned_link_frame(step, &mut angles);
                 }
             }
-            at = at.placed(step).joined(step, &mut angles);
+            at = at.joint_frame(step).planned_link_frame(step, &mut angles);
             last = step.link;
             let some = found.of(step.link as usize);
             if some.is_empty() {
@@ -176,7 +186,7 @@ impl<R: Real + Number> LinkPoints<'_, R> {
     }
 }
 
-/// The base frames of a joint and of its link, and the values that have moved one to the other.
+/// The base frames of a joint and of its link, and the values of all joints.
 struct BaseFrames<'v, R> {
     joint: DualQuat<R>,
     link: DualQuat<R>,
@@ -220,8 +230,9 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
         Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
     }
 
-    /// The axis of a planar joint is known also where its angle is too far, and the link is not.
-    #[inline(always)]
+    /// The axis of a planar joint is known even if its angle is out of range and its link is NaN. Not
+    /// inlined, as few robots have such joints: a Jacobian takes 7 % fewer instructions.
+    #[inline(never)]
     fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
         let JointKind::Planar { .. } = step.kind else {
             return hinge(axis, self.link.translation());
@@ -240,12 +251,7 @@ fn hinge<R: Real>(axis: [R; 3], point: [R; 3]) -> Twist<R> {
     Twist { angular: axis, linear: vector::cross(point, axis) }
 }
 
-// The frames of one configuration, turned parallel to the base: four lanes hold a quaternion, p or
-// q of the motion p + εq.
-//
-// Nothing is fused: the bits are the same on all targets.
-
-/// A quaternion.
+/// The lanes of a quaternion.
 pub(crate) type Four<R> = <R as Float>::Half<Unfused<Portable>>;
 
 #[inline(always)]
@@ -258,32 +264,32 @@ pub(crate) fn load<R: Float>(numbers: [R; 4]) -> Four<R> {
     Lanes::load(LEVEL, &numbers)
 }
 
-/// x e_K but for its signs.
+/// The numbers of the product q e_K, without their signs.
 #[inline(always)]
 fn ordered<const K: usize, R: Float>(x: Four<R>) -> Four<R> {
     let (x, [a, b, c, d]) = (x.to_array(), ORDER[K]);
     load([x[a], x[b], x[c], x[d]])
 }
 
-/// What a number along an axis multiplies [`ordered`] numbers with.
+/// The factors of [`ordered`] numbers for a vector on axis K.
 #[inline(always)]
 fn row<const K: usize, R: Float>(number: R) -> Four<R> {
     splat::<R>(number) * load(SIGNS[K].map(R::from))
 }
 
-/// What a vector along no axis multiplies them with.
+/// The factors of [`ordered`] numbers, for each axis, for a vector on none.
 #[inline(always)]
 fn rows<R: Float>([x, y, z]: [R; 3]) -> [Four<R>; 3] {
     [row::<0, R>(x), row::<1, R>(y), row::<2, R>(z)]
 }
 
-/// x (v + w)
+/// The product q (v + w).
 #[inline(always)]
 fn product<R: Float>(x: Four<R>, [i, j, k]: [Four<R>; 3], w: Four<R>) -> Four<R> {
     (x * w + ordered::<0, R>(x) * i) + (ordered::<1, R>(x) * j + ordered::<2, R>(x) * k)
 }
 
-/// The turned frame of a link.
+/// The base frame of a joint or a link: the motion p + εq.
 #[derive(Clone, Copy)]
 pub(crate) struct BaseFrame<R: Float> {
     p: Four<R>,
@@ -307,7 +313,7 @@ impl<R: Real + Number> BaseFrame<R> {
         [x, y, z, w, qx, qy, qz, qw]
     }
 
-    /// Moved by a vector in its own axes, of which half is given: q + p h.
+    /// The frame moved by a vector in its own axes, of which half, h, is given: q + p h.
     #[inline(always)]
     fn moved(self, along: Alignment, half: [R; 3]) -> Self {
         let (p, [x, y, z]) = (self.p, half);
@@ -324,9 +330,9 @@ impl<R: Real + Number> BaseFrame<R> {
         Self { p, q: self.q + added }
     }
 
-    /// BaseFrame by the unit quaternion v + w.
+    /// The frame rotated by the unit quaternion v + w.
     #[inline(always)]
-    fn turned(self, about: Alignment, v: [R; 3], w: R) -> Self {
+    fn rotated(self, about: Alignment, v: [R; 3], w: R) -> Self {
         let [x, y, z] = v;
         match about {
             Alignment::None => self,
@@ -347,33 +353,33 @@ impl<R: Real + Number> BaseFrame<R> {
         Self { p: p * w + ordered::<K, R>(p) * row, q: q * w + ordered::<K, R>(q) * row }
     }
 
-    /// The pose of the link, whose own frame this is turned to.
+    /// The pose of the link that has this base frame.
     #[inline(always)]
     pub(crate) fn pose(self, own: &Factor<R>) -> DualQuat<R> {
-        let own = self.turned(own.v.along, own.v.vector, own.w);
+        let own = self.rotated(own.v.along, own.v.vector, own.w);
         DualQuat::from_array(own.to_array())
     }
 
-    /// And back.
+    /// The base frame of the link that has this pose.
     #[inline(always)]
     pub(crate) fn of_pose(pose: &DualQuat<R>, own: &Factor<R>) -> Self {
-        Self::new(pose.to_array()).turned(own.v.along, own.v.vector.map(|c| -c), own.w)
+        Self::new(pose.to_array()).rotated(own.v.along, own.v.vector.map(|c| -c), own.w)
     }
 
-    /// From the frame of the parent to that of the joint.
+    /// The frame of the joint on a parent with this frame.
     #[inline(always)]
-    pub(crate) fn placed(self, step: &Step<R>) -> Self {
+    pub(crate) fn joint_frame(self, step: &Step<R>) -> Self {
         let half_offset = &step.plan.half_offset;
         self.moved(half_offset.along, half_offset.vector)
     }
 
-    /// From the frame of the joint to that of the link.
+    /// The frame of the link behind a joint with this frame.
     #[inline(always)]
-    pub(crate) fn joined(self, step: &Step<R>, angles: &mut HalfAngles<'_, R>) -> Self {
+    pub(crate) fn planned_link_frame(self, step: &Step<R>, angles: &mut HalfAngles<'_, R>) -> Self {
         let (at, [x, y, z]) = (self, step.plan.axis.vector);
         let mut turn = || angles.half_angle(step.value as usize);
         match step.plan.moves {
-            Moves::Not => at,
+            Moves::Fixed => at,
             Moves::AboutX => {
                 let [cos, sin] = turn();
                 at.about::<0>(x * sin, cos)
@@ -388,16 +394,16 @@ impl<R: Real + Number> BaseFrame<R> {
             }
             Moves::AboutAny => {
                 let [cos, sin] = turn();
-                at.turned(Alignment::Any, [x * sin, y * sin, z * sin], cos)
+                at.rotated(Alignment::Any, [x * sin, y * sin, z * sin], cos)
             }
-            // By value: what is in memory here would be there for all.
+            // Passed by value: taking the address would force the frame to memory on every path.
             Moves::General => Self::new(general_joint(at.to_array(), step, angles.values)),
         }
     }
 }
 
-/// What most joints of a robot are not. Out of line: its constants would take the registers of what
-/// is in it.
+/// The motion of a joint of any kind. Not inlined: its constants would take the registers of the
+/// loop.
 #[cold]
 #[inline(never)]
 fn general_joint<R: Real + Number>(frame: [R; 8], step: &Step<R>, mut values: &[R]) -> [R; 8] {
@@ -430,7 +436,7 @@ impl<R: Real + Number> JointFrame<R, &[R]> for BaseFrame<R> {
     #[inline(always)]
     fn turn(self, step: &Step<R>, [cos, sin]: [R; 2]) -> Self {
         let AxisVector { along, vector } = step.plan.axis;
-        self.turned(along, vector::scale(vector, sin), cos)
+        self.rotated(along, vector::scale(vector, sin), cos)
     }
 
     #[inline(always)]
@@ -452,20 +458,17 @@ impl<R: Real + Number> JointFrame<R, &[R]> for BaseFrame<R> {
         let half = own.rotate([tx * R::HALF, ty * R::HALF, tz * R::HALF]);
         let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
         let [x, y, z, w] = turn.to_array();
-        self.moved(Alignment::Any, half).turned(Alignment::Any, [x, y, z], w)
+        self.moved(Alignment::Any, half).rotated(Alignment::Any, [x, y, z], w)
     }
 }
 
-// Cosines and sines of one configuration: they come first, as many at a time as there are lanes
-// for.
-
 pub(crate) const LEVEL: Unfused<Portable> = Unfused(Portable);
-/// Eight angles.
+/// The lanes of eight angles.
 type Eight<R> = <R as Float>::Packed<Unfused<Portable>>;
-/// What a register holds.
+/// The lanes that a register holds.
 type Native<R> = <R as Float>::Lanes<Unfused<Portable>>;
 
-/// The values, and cosine and sine of half of some that follow each other.
+/// The values of a configuration, and cosine and sine of half of eight that follow each other.
 pub(crate) struct HalfAngles<'v, R> {
     pub(crate) values: &'v [R],
     first: usize,
@@ -474,17 +477,17 @@ pub(crate) struct HalfAngles<'v, R> {
 }
 
 impl<'v, R: Real + Number> HalfAngles<'v, R> {
-    /// So many at a time. Where lanes hold one number, a loop that keeps its constants in
-    /// registers, over fewer that may not be needed.
-    const SOME: usize = if Native::<R>::LANES == 1 { 4 } else { 8 };
+    /// The number of angles computed at once: eight, or four on targets with one lane, where angles
+    /// that are not needed cost time.
+    const BATCH: usize = if Native::<R>::LANES == 1 { 4 } else { 8 };
 
     #[inline(always)]
     pub(crate) fn new(values: &'v [R]) -> Self {
         Self { values, first: 0, cos: [R::NAN; 8], sin: [R::NAN; 8] }
     }
 
-    /// From the values of a step on, at once: nothing else can be computed before. Where they are:
-    /// a copy of what has just been written in fours that overlap would wait for the memory.
+    /// Computes the angles from the first value of a step on, before the loop needs them. They are
+    /// computed in place: copying numbers that were just written would wait for memory.
     #[inline(always)]
     pub(crate) fn begin(&mut self, step: Option<&Step<R>>) {
         let index = step.map_or(0, |step| step.value as usize);
@@ -495,13 +498,13 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         }
     }
 
-    /// Cosine and sine of half of value number `index`.
+    /// Cosine and sine of half of value number `index`, computed with its neighbours if need be.
     #[inline(always)]
     pub(crate) fn half_angle(&mut self, index: usize) -> [R; 2] {
-        if index.wrapping_sub(self.first) >= Self::SOME {
+        if index.wrapping_sub(self.first) >= Self::BATCH {
             self.compute_others(index);
         }
-        let at = index.wrapping_sub(self.first) % Self::SOME;
+        let at = index.wrapping_sub(self.first) % Self::BATCH;
         [self.cos[at], self.sin[at]]
     }
 
@@ -511,13 +514,13 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         self.compute(index);
     }
 
-    /// Those of this value and of as many of the next ones as there are.
+    /// Computes cosine and sine for value number `index` and those after it.
     #[inline(always)]
     fn compute(&mut self, index: usize) {
         if Native::<R>::LANES == 1 {
             self.first = index;
             let rest = self.values.get(index..).unwrap_or_default();
-            let angles = self.cos.iter_mut().zip(&mut self.sin).take(Self::SOME);
+            let angles = self.cos.iter_mut().zip(&mut self.sin).take(Self::BATCH);
             for ((cos, sin), &value) in angles.zip(rest) {
                 [*cos, *sin] = half_angle_of(value);
             }
@@ -525,7 +528,7 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         }
         self.first = index.min(self.values.len().saturating_sub(4));
         let rest = self.values.get(self.first..).unwrap_or_default();
-        // The last four again, rather than fewer than four.
+        // The last four, some of them again, because lanes load no fewer than four.
         let second = rest.len().wrapping_sub(4).min(4);
         let high = rest.get(second..).and_then(<[R]>::first_chunk::<4>);
         let some = match (rest.first_chunk::<4>(), high) {

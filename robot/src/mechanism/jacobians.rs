@@ -1,8 +1,11 @@
-use super::job::{Job, carries, first_carried, place_of, repeat, things};
+//! Jacobians of links for many configurations, the frames in which they are given, and
+//! manipulability.
+
+use super::job::{Job, carries, first_carried, place_of, repeat};
 use super::step::{JointScrews, Step};
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
-use super::walk::{LinkFrames, Task};
+use super::walk::{Task, Visit};
 use core::fmt::Debug;
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
@@ -11,7 +14,7 @@ use dq8::storage::{Element, Layout, Number, Tile, identity, same_length};
 use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level};
 
-/// In which axes, and about which point, the columns of a Jacobian are: [`World`], [`Body`] or
+/// The axes and the reference point of the columns of a Jacobian: [`World`], [`Body`] or
 /// [`WorldAligned`]. The type of a column says which part comes first: `[R; 6]` and
 /// [`Twist`](dq8::Twist) have the angular part first, [`LinearFirst`](dq8::storage::LinearFirst)
 /// the linear one. Sealed.
@@ -32,7 +35,7 @@ pub struct Body;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WorldAligned;
 
-/// The same as values, for code that is written once.
+/// The three frames as values, for code that is written once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(hidden)]
 pub enum Frame {
@@ -57,8 +60,6 @@ mod sealed {
     impl Sealed for super::Body {}
     impl Sealed for super::WorldAligned {}
 }
-
-// Jacobians of links for many configurations.
 
 impl<R: Scalar> Job<'_, R, &[usize]> {
     /// The geometric Jacobians of some links, and their poses, for many configurations in one pass:
@@ -103,18 +104,14 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
         T: JointValues<E::Layout>,
         C: Element<6, Layout = E::Layout>,
     {
-        self.check_links()?;
-        let (mechanism, links) = (self.mechanism, self.links);
-        let (steps, rates) = (mechanism.steps, mechanism.rates);
-        let elements =
-            mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
+        let (links, count) = (self.links, self.links.len());
+        let run = self.check::<E::Layout, T>(values, ("poses", poses.len()), count)?;
+        let (steps, rates) = (run.mechanism.steps, run.mechanism.rates);
         same_length("columns", columns.len(), poses.len() * rates)?;
-        let sums = steps.iter().any(|step| step.mimics);
-        let (frame, count) = (F::FRAME, links.len());
+        let (sums, frame) = (steps.iter().any(|step| step.mimics), F::FRAME);
         let outputs = ((&mut *poses, count), (columns, count * rates));
-        self.walk(values, outputs, |_, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
-            let elements = things(poses, count, elements);
-            (elements, Jacobians { poses, columns, steps, links, rates, sums, frame })
+        run.walk(outputs, |_, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
+            (run.within(poses), Jacobians { poses, columns, steps, links, rates, sums, frame })
         });
         repeat(links, poses);
         Ok(())
@@ -127,15 +124,15 @@ struct Jacobians<'s, E: Element<8>, C> {
     steps: &'s [Step<Number<E, 8>>],
     links: &'s [usize],
     rates: usize,
-    /// Whether some columns are sums: of a joint and those that mimic it.
+    /// `true` if some columns are the sum over a joint and those that mimic it.
     sums: bool,
-    /// No parameter of the type: it is asked once for a column that is loaded and stored, and the
-    /// kernel is compiled once.
+    /// Not a parameter of the type, so that the kernel is compiled once: the frame is asked for only
+    /// once per column that is loaded and stored.
     frame: Frame,
 }
 
 impl<E: Element<8>, C> Jacobians<'_, E, C> {
-    /// Where a column of link number `index` is.
+    /// The place of a column of link number `index`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn place<V: Level>(&self, group: Group, index: usize, rate: usize) -> Tile {
         group.tile::<E::Layout, V>(index * self.rates + rate, self.links.len() * self.rates)
@@ -147,8 +144,9 @@ impl<E: Element<8>, C> Jacobians<'_, E, C> {
     }
 }
 
-/// Columns are those of the world at first, in the place of the first link that the joint carries.
-/// The other links have the same ones, and take them from there, in their own frames.
+/// Columns are computed in the frame [`World`], in which they are the same for all links, and stored
+/// for the first link that the joint carries. At the end of a group the other links take them from
+/// there, and all are turned into the frame that was asked for.
 impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
     E: Element<8>,
@@ -189,24 +187,18 @@ where
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn link<V: Level>(
-        &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
-        (): &(),
-        (): &mut (),
-    ) {
+    fn link<V: Level>(&mut self, visit: &Visit<'_, E::Layout, V>, (): &(), (): &mut ()) {
+        let Visit { level, group, step, ref frames } = *visit;
         let link = step.link as usize;
         let Some(position) = self.steps.get(link).map(|step| step.position as usize) else {
             return;
         };
         for rate in 0..step.kind.rates() {
-            let column = joined.screw(step, rate);
+            let column = frames.screw(step, rate);
             let rate = step.rate as usize + rate;
             if !self.sums {
-                // Not a loop over all links that it carries, around the registers of a column.
+                // Stored once: a loop over all links that the joint carries would keep the
+                // registers of a column in memory.
                 let first = first_carried(self.steps, position, self.links).unwrap_or(0);
                 C::store(column.to_array(), self.columns, self.place::<V>(group, first, rate));
                 let (at, count) = (first * self.rates + rate, self.links.len() * self.rates);
@@ -225,7 +217,7 @@ where
         }
         if let Some(index) = place_of(self.links, link) {
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
-            E::store(joined.link.to_motion(), self.poses, tile);
+            E::store(frames.link.to_motion(), self.poses, tile);
         }
     }
 
@@ -234,7 +226,7 @@ where
         if self.frame == Frame::World && (self.sums || self.links.len() == 1) {
             return;
         }
-        // From the last link on: the first one changes the columns that the others take.
+        // The last link comes first, as the first one changes the columns that the others take.
         for (index, &link) in self.links.iter().enumerate().rev() {
             let tile = place_of(self.links, link).unwrap_or(index);
             let tile = group.tile::<E::Layout, V>(tile, self.links.len());
@@ -266,7 +258,7 @@ where
                     };
                     let mut seen = twist.to_array();
                     if self.sums {
-                        // Of a joint that does not carry the link, wherever that is.
+                        // The column of a joint that does not carry the link stays zero.
                         let zero = column[0].constant(0.0);
                         let [a, b, c, d, e, f] = column.map(|number| number.eq(zero));
                         seen = vector::select(a & b & c & d & e & f, column, seen);
@@ -279,18 +271,18 @@ where
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The distance of a link from where it cannot move in every direction: w = √det(J Jᵀ), the
-    /// volume of the twists that rates of length one give it, but for a constant factor (Yoshikawa,
-    /// *Manipulability of Robotic Mechanisms*, 1985, eq. 9), from the whole Jacobian of six rows;
-    /// radians, and lengths cubed. It is the same in every [frame](super::JacobianFrame). Zero
-    /// where the link is singular, but for rounding, and always where there are fewer than six
-    /// rates; NaN if its pose is. It is computed in the memory of `columns`, which may hold
-    /// anything.
+    /// The manipulability of a link, w = √det(J Jᵀ): the volume of the twists that rates of length
+    /// one give it, up to a constant factor (Yoshikawa, *Manipulability of Robotic Mechanisms*, 1985,
+    /// eq. 9). J is the whole Jacobian of six rows, so the unit is radians and lengths cubed. It is the
+    /// same in every [frame](super::JacobianFrame). It is zero, up to rounding, at a singularity, where
+    /// the link cannot move in every direction, and always if there are fewer than six rates; it is NaN
+    /// if the pose is. The memory of `columns` is used, whatever it holds.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
     /// use dq8_robot::{Joint, OwnedMechanism};
-    /// // Three slides, and three hinges that meet in a point: singular where the second lays the third along the first.
+    /// // Three slides, and three hinges that meet in a point. They are singular if the second hinge
+    /// // lays the third along the first.
     /// let [x, y, z] = [[1.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     /// let here = DualQuat::IDENTITY;
     /// let wrist = OwnedMechanism::new(&[
@@ -324,11 +316,11 @@ impl<R: Real> Mechanism<'_, R> {
     }
 }
 
-/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six
-/// rows, each without what lies along those before it (Gram–Schmidt). Near singularities the
-/// product J Jᵀ would have lost half of the digits.
+/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six rows,
+/// after each was made orthogonal to those before it (Gram–Schmidt). Near a singularity the product
+/// J Jᵀ would lose half of the digits.
 fn volume<R: Real>(columns: &mut [Twist<R>]) -> R {
-    // Six rows of fewer columns are never independent.
+    // Six rows with fewer than six columns are never independent.
     let mut volume = if columns.len() < 6 { R::ZERO } else { R::ONE };
     for first in 0..6 {
         let dot = |columns: &[Twist<R>], row: usize| {

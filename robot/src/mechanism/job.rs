@@ -1,28 +1,28 @@
+//! Many configurations at a time: [`Job`], its options and its check; the poses of links; points on
+//! links; and [`OwnedMechanism`](super::OwnedMechanism), which has memory of its own.
+
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::{Group, JointValues};
-use super::walk::{LinkFrames, Task, Walk};
-#[cfg(feature = "alloc")]
-use super::{Dh, DhConvention, Joint, MechanismError};
-#[cfg(feature = "alloc")]
-use alloc::{vec, vec::Vec};
+use super::walk::{Task, Visit, Walk};
+use core::marker::PhantomData;
 use core::ops::Range;
 use dq8::batch::{Quat, vector};
-#[cfg(feature = "alloc")]
-use dq8::geometry::Screw;
-#[cfg(feature = "alloc")]
-use dq8::internal::brief;
 use dq8::internal::{Choice, Outputs};
-#[cfg(feature = "alloc")]
-use dq8::scalar::DualQuat;
 use dq8::storage::{Element, Layout, Number, whole_instances};
-use dq8::{Real, Scalar, ShapeError};
+use dq8::{Backend, Scalar, ShapeError};
 use dq8_simd::{Level, Records};
+#[cfg(feature = "alloc")]
+use {
+    super::{Dh, DhConvention, Joint, MechanismError},
+    alloc::{vec, vec::Vec},
+    dq8::{Real, geometry::Screw, internal::brief, scalar::DualQuat},
+};
 
-/// A run over many configurations of a mechanism, as many at a time as there are lanes, with
-/// options that all have a default.
+/// A run over many configurations of a mechanism, one per lane, with options that all have a
+/// default.
 ///
-/// `S` says of which links: [`AllLinks`], or those that [`links`](Self::links) names.
+/// `S` is the set of links: [`AllLinks`], or those that [`links`](Self::links) names.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -57,21 +57,10 @@ impl<'a, R: Copy> Mechanism<'a, R> {
 }
 
 impl<'a, R: Copy> Job<'a, R> {
-    /// Only these links, in this order. Links that carry none of them are not computed; for a tool
-    /// at the end of an arm nothing else is stored.
+    /// Only these links, in this order. Links that carry none of them are not computed, and poses of
+    /// other links are not stored.
     pub fn links(self, links: &'a [usize]) -> Job<'a, R, &'a [usize]> {
         Job { mechanism: self.mechanism, links, choice: self.choice }
-    }
-}
-
-impl<R: Copy> Job<'_, R, &[usize]> {
-    /// Whether there are these links.
-    pub(crate) fn check_links(&self) -> Result<(), ShapeError> {
-        let links = self.mechanism.links();
-        match self.links.iter().find(|&&link| link >= links) {
-            Some(&link) => Err(ShapeError::NoLink { link, links }),
-            None => Ok(()),
-        }
     }
 }
 
@@ -79,52 +68,101 @@ impl<R, S> Job<'_, R, S> {
     dq8::internal::options!();
 }
 
-impl<R: Scalar, S: Sync> Job<'_, R, S> {
-    /// The walk over all configurations, on as many threads as are asked for. `task` takes a part
-    /// of the outputs, from some configuration or block of them on, and says how many it holds.
-    pub(crate) fn walk<Y, T, O, K>(
-        &self,
-        values: &[T],
-        outputs: O,
-        task: impl Fn(usize, O) -> (usize, K) + Sync,
-    ) where
+/// The links of a [`Job`]: [`AllLinks`], or some by their numbers.
+pub trait Links: Copy + Sync {
+    /// `true` for all links.
+    const ALL: bool;
+    /// The numbers of some links; empty for all.
+    fn some(&self) -> &[usize];
+}
+
+impl Links for AllLinks {
+    const ALL: bool = true;
+
+    fn some(&self) -> &[usize] {
+        &[]
+    }
+}
+
+impl Links for &[usize] {
+    const ALL: bool = false;
+
+    #[inline]
+    fn some(&self) -> &[usize] {
+        self
+    }
+}
+
+impl<R: Scalar, S: Links> Job<'_, R, S> {
+    /// Checks the links, the output called `what`, which has `width` elements for each
+    /// configuration, and the values.
+    pub(crate) fn check<'r, Y: Layout, T: JointValues<Y>>(
+        &'r self,
+        values: &'r [T],
+        (what, length): (&'static str, usize),
+        width: usize,
+    ) -> Result<Run<'r, R, T>, ShapeError> {
+        let mechanism = self.mechanism;
+        self.links.some().iter().try_for_each(|&link| mechanism.check_link(link))?;
+        let elements = whole_instances(what, width, length)?;
+        T::check("values", values, mechanism.values, elements)?;
+        Ok(Run { mechanism, backend: self.choice.instructions(), values, elements, width })
+    }
+}
+
+/// Configurations that have been checked, for the loop.
+#[derive(Clone, Copy)]
+pub(crate) struct Run<'r, R, T> {
+    pub(crate) mechanism: Mechanism<'r, R>,
+    backend: Backend,
+    values: &'r [T],
+    /// The number of configurations, or of blocks of them.
+    pub(crate) elements: usize,
+    /// The number of elements that a configuration has in the output.
+    pub(crate) width: usize,
+}
+
+impl<R: Scalar, T> Run<'_, R, T> {
+    /// Runs the loop over all configurations, on as many threads as the job allows. `task` takes the
+    /// number of the first configuration (or block) of a part of the outputs, and the part; it returns
+    /// how many the part holds, and the task for them.
+    pub(crate) fn walk<Y, O, K>(self, outputs: O, task: impl Fn(usize, O) -> (usize, K) + Sync)
+    where
         Y: Layout<Real = R>,
         T: JointValues<Y>,
         O: Outputs,
         K: Task<Y>,
     {
-        let (mechanism, backend) = (self.mechanism, self.choice.instructions());
-        // Some microseconds of work for each thread, and a multiple of the most lanes.
+        let Self { mechanism, values, .. } = self;
+        // A thread gets some microseconds of work, and a multiple of the largest number of lanes.
         let grain = 2048_usize.div_ceil(mechanism.links().max(1));
         let grain = grain.next_multiple_of(dq8_simd::MAX_LANES);
-        backend.share(grain, outputs, &|first, part| {
+        self.backend.share(grain, outputs, &|first, part| {
             let (elements, task) = task(first, part);
             let values = T::part(values, mechanism.values, first, elements);
-            backend.run(Walk::<Y, _, _> { mechanism, values, elements, task });
+            self.backend.run(Walk::<Y, _, _> { mechanism, values, elements, task });
         });
+    }
+
+    /// The number of configurations, or of blocks of them, in a part of the output.
+    pub(crate) fn within<E>(&self, part: &[E]) -> usize {
+        part.len().checked_div(self.width).unwrap_or(self.elements)
     }
 }
 
-/// How many configurations, or blocks of them, a part of the output holds, `width` elements each;
-/// `all` where that is none.
-pub(crate) fn things<E>(part: &[E], width: usize, all: usize) -> usize {
-    part.len().checked_div(width).unwrap_or(all)
-}
-
-// Poses of links for many configurations.
-
-impl<R: Scalar> Job<'_, R> {
-    /// The poses of all links of many configurations, in the frame of the base: what
+impl<R: Scalar, S: Links> Job<'_, R, S> {
+    /// The poses of the links of many configurations, in the frame of the base: what
     /// [`Mechanism::link_poses`] gives for one, on lanes.
     ///
-    /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]`
-    /// in plain numbers for both, or a slice of plain numbers for each value, or
+    /// `poses` is `[configuration][link]`, plain or in blocks: all links, or those that the job names,
+    /// in the order in which it names them. `values` is `[configuration][value]` in plain numbers, or a
+    /// slice of plain numbers for each value, or, if poses are in blocks,
     /// `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
     /// or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
-    /// If `poses` holds no whole number of configurations or `values` another number of them;
-    /// `poses` is untouched.
+    /// If there is no such link, `poses` holds no whole number of configurations or `values`
+    /// another number of them; `poses` is untouched.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -155,50 +193,19 @@ impl<R: Scalar> Job<'_, R> {
         E: Element<8, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
     {
-        self.write::<T, E, true>(&[], self.mechanism.links(), values, poses)
-    }
-}
-
-impl<R: Scalar> Job<'_, R, &[usize]> {
-    /// The poses of some links: `poses` is `[configuration][i]` for the links that the job names,
-    /// and else as for all links.
-    ///
-    /// # Errors
-    /// If there is no such link, `poses` holds no whole number of configurations or `values`
-    /// another number of them; `poses` is untouched.
-    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
-    where
-        E: Element<8, Layout: Layout<Real = R>>,
-        T: JointValues<E::Layout>,
-    {
-        self.check_links()?;
-        self.write::<T, E, false>(self.links, self.links.len(), values, poses)?;
-        repeat(self.links, poses);
-        Ok(())
-    }
-}
-
-impl<R: Scalar, S: Sync> Job<'_, R, S> {
-    fn write<T, E, const ALL: bool>(
-        &self,
-        links: &[usize],
-        count: usize,
-        values: &[T],
-        poses: &mut [E],
-    ) -> Result<(), ShapeError>
-    where
-        E: Element<8, Layout: Layout<Real = R>>,
-        T: JointValues<E::Layout>,
-    {
-        let elements = self.mechanism.configurations::<E::Layout, T>(values, count, poses.len())?;
-        self.walk(values, (poses, count), |_, (poses, _): (&mut [E], usize)| {
-            (things(poses, count, elements), Poses::<E, ALL> { poses, links, count })
+        let links = self.links.some();
+        let count = if S::ALL { self.mechanism.links() } else { links.len() };
+        let run = self.check::<E::Layout, T>(values, ("poses", poses.len()), count)?;
+        run.walk((&mut *poses, count), |_, (poses, _): (&mut [E], usize)| {
+            let task = Poses::<E, S> { poses, links, count, which: PhantomData };
+            (run.within(task.poses), task)
         });
+        repeat(links, poses);
         Ok(())
     }
 }
 
-/// Where a link is asked for more than once, its pose to the other places.
+/// Copies the pose of a link that is asked for more than once to its other places.
 pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     for (again, &link) in links.iter().enumerate() {
         let Some(first) = place_of(links, link) else { continue };
@@ -214,7 +221,7 @@ pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     }
 }
 
-/// The first place of a link.
+/// The first place of a link in `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
     links.iter().position(
@@ -224,13 +231,14 @@ pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
 }
 
 /// The poses of all links, or of some.
-struct Poses<'s, E, const ALL: bool> {
+struct Poses<'s, E, S> {
     poses: &'s mut [E],
     links: &'s [usize],
     count: usize,
+    which: PhantomData<S>,
 }
 
-impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
+impl<E: Element<8>, S: Links> Task<E::Layout> for Poses<'_, E, S> {
     type State<V: Level> = ();
     type Carried<V: Level> = ();
 
@@ -240,39 +248,32 @@ impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
     fn base<V: Level>(_: V) {}
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
-        !(ALL || carries(steps, position, self.links))
+        !(S::ALL || carries(steps, position, self.links))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn link<V: Level>(
-        &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
-        (): &(),
-        (): &mut (),
-    ) {
+    fn link<V: Level>(&mut self, visit: &Visit<'_, E::Layout, V>, (): &(), (): &mut ()) {
+        let Visit { level, group, step, ref frames } = *visit;
         let (link, count) = (step.link as usize, self.count);
-        if ALL {
+        if S::ALL {
             let tile = group.tile::<E::Layout, V>(link, count);
-            E::store(joined.link.to_motion(), self.poses, tile);
+            E::store(frames.link.to_motion(), self.poses, tile);
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
-            // The first place only, of a link that is asked for more than once: a loop around the
-            // registers of a pose would keep them in memory, which takes half as long again.
+            // A link that is asked for more than once is written to its first place only. A loop
+            // around the registers of a pose would keep them in memory, and take half as long again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
-            E::store(joined.link.to_motion(), self.poses, tile);
+            E::store(frames.link.to_motion(), self.poses, tile);
         }
     }
 }
 
-/// Whether the link of a step, or one that it carries, is among `links`.
+/// `true` if the link of a step, or one that it carries, is among `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
     first_carried(steps, position, links).is_some()
 }
 
-/// The first place in `links` of one that is the link of a step, or that this carries.
+/// The first place in `links` of the link of a step, or of one that it carries.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn first_carried<R>(
     steps: &[Step<R>],
@@ -288,17 +289,15 @@ pub(crate) fn first_carried<R>(
     None
 }
 
-// Points that links carry: spheres of a collision model, feet, sensors.
-
 /// A link, and a point in its frame.
 pub(crate) type Point<R> = (usize, [R; 3]);
 
-/// Points, of which those of one link are looked for after the other.
+/// Points on links, looked up for one link after the other.
 #[derive(Clone, Copy)]
 pub(crate) struct PointsByLink<'p, R> {
     pub(crate) points: &'p [Point<R>],
     in_order: bool,
-    /// Where those of the next link are likely to begin.
+    /// The place at which the points of the next link are likely to begin.
     next: usize,
 }
 
@@ -308,7 +307,7 @@ impl<'p, R> PointsByLink<'p, R> {
         Self { points, in_order, next: 0 }
     }
 
-    /// Those of a link are among these.
+    /// A range that holds all points of a link.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
         if !self.in_order {
@@ -316,8 +315,8 @@ impl<'p, R> PointsByLink<'p, R> {
         }
         let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
         let mut end = self.next;
-        // `next` is where the points of the last link ended, so never in the middle of a link's
-        // own.
+        // The points of the last link ended at `next`, so it is never in the middle of a link's
+        // own points.
         if !is_of(self.points.get(end)) {
             end = self.points.partition_point(|(of, _)| *of < link);
         }
@@ -330,19 +329,9 @@ impl<'p, R> PointsByLink<'p, R> {
     }
 }
 
-impl<R: Real> Mechanism<'_, R> {
-    pub(crate) fn check_points(&self, points: &[Point<R>]) -> Result<(), ShapeError> {
-        let links = self.links();
-        match points.iter().find(|(link, _)| *link >= links) {
-            Some(&(link, _)) => Err(ShapeError::NoLink { link, links }),
-            None => Ok(()),
-        }
-    }
-}
-
 impl<R: Scalar> Job<'_, R> {
-    /// Where points on links are for many configurations, in one pass and without poses in memory:
-    /// what [`Mechanism::link_points`] gives for one.
+    /// The places of points on links for many configurations, in one pass and without poses in
+    /// memory: what [`Mechanism::link_points`] gives for one.
     ///
     /// `places` is `[configuration][point]` in the order of `points`: `[R; 3]`, or blocks.
     ///
@@ -370,12 +359,11 @@ impl<R: Scalar> Job<'_, R> {
         E: Element<3, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
     {
-        let mechanism = self.mechanism;
-        mechanism.check_points(points)?;
-        let elements = whole_instances("places", points.len(), places.len())?;
-        T::check("values", values, mechanism.values, elements)?;
-        self.walk(values, (places, points.len()), |_, (places, count): (&mut [E], usize)| {
-            (things(places, count, elements), Points { places, found: PointsByLink::new(points) })
+        points.iter().try_for_each(|&(link, _)| self.mechanism.check_link(link))?;
+        let count = points.len();
+        let run = self.check::<E::Layout, T>(values, ("places", places.len()), count)?;
+        run.walk((places, count), |_, (places, _): (&mut [E], usize)| {
+            (run.within(places), Points { places, found: PointsByLink::new(points) })
         });
         Ok(())
     }
@@ -386,16 +374,16 @@ struct Points<'s, E: Element<3>> {
     found: PointsByLink<'s, Number<E, 3>>,
 }
 
-/// Places of points that follow each other. Three numbers of a point are no register that can be
-/// written at once, but the twelve of four points are three: a quarter of the stores, which are
-/// most of the time where places lie plainly.
+/// Up to four places that wait to be written together. The three numbers of a point fill no register,
+/// but the twelve of four points fill three. That takes a quarter of the stores, which are most of the
+/// time in plain slices.
 struct PointQuad<L> {
     first: usize,
     count: usize,
     places: [[L; 3]; FOUR],
 }
 
-/// As many points wait.
+/// The number of points that are written together.
 const FOUR: usize = 4;
 
 type Register<E, V> = <<E as Element<3>>::Layout as Layout>::Register<V>;
@@ -436,21 +424,19 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 3>>,
-        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
+        visit: &Visit<'_, E::Layout, V>,
         (): &(),
         waiting: &mut Self::State<V>,
     ) {
+        let Visit { level, group, step, ref frames } = *visit;
         let (link, points) = (step.link as usize, self.found.points);
         let some = self.found.of(link);
         if some.is_empty() {
             return;
         }
-        let [hx, hy, hz] = joined.link.half;
+        let [hx, hy, hz] = frames.link.half;
         let origin = [hx + hx, hy + hy, hz + hz];
-        let [a, b, c] = Quat::from_array(joined.link.rotation).to_matrix3();
+        let [a, b, c] = Quat::from_array(frames.link.rotation).to_matrix3();
         let columns = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
         for index in some {
             let Some(&(of, point)) = points.get(index) else { return };

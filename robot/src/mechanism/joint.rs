@@ -1,32 +1,34 @@
+//! Joints as the caller describes them, and the errors in them.
+
 use dq8::Real;
 use dq8::internal::errors;
 use dq8::scalar::DualQuat;
 
-/// How a link is joined to the one that carries it.
+/// The joint of a link: how it moves on the link that carries it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<R> {
-    /// The link that carries this one, by the number of its joint; `None` is the base. Parents come
-    /// first.
+    /// The number of the link that carries this one, which must be lower; `None` for the base.
     pub parent: Option<usize>,
-    /// Where the frame of the joint is in that of the parent: the pose of the link where the joint
-    /// is at zero. Unit to 10⁻³, and made so exactly.
+    /// The pose of the joint in the frame of the parent, which is the pose of the link while the
+    /// joint is at zero. It must be unit to 10⁻³, and is made unit exactly.
     pub placement: DualQuat<R>,
-    /// How the joint moves.
+    /// The kind of motion.
     pub kind: JointKind<R>,
-    /// The least and the largest value of a joint of one value. Inverse kinematics keeps to them
-    /// ([`Reach`](crate::Reach)); poses are computed of any values.
+    /// The least and the largest value, for a joint with one value. Inverse kinematics keeps to them
+    /// ([`Reach`](crate::Reach)); poses are computed for any values.
     pub limits: Option<[R; 2]>,
-    /// For a joint without a value of its own: whose value it takes.
+    /// The joint whose value this one takes, if it has none of its own.
     pub mimic: Option<Mimic<R>>,
 }
 
-/// How a joint moves, in its own frame. Axes have length 1 to 10⁻³, and are made so exactly.
+/// The motion of a joint, in its own frame. Axes must have length 1 to 10⁻³, and are made unit
+/// exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JointKind<R> {
-    /// Not at all. No value.
+    /// Does not move. No value.
     Fixed,
-    /// HalfAngles about `axis`, through the origin of its frame. One value, radians; without limits this
+    /// Turns about `axis`, through the origin of its frame. One value, radians; without limits this
     /// is a continuous joint.
     Revolute {
         /// The axis.
@@ -37,14 +39,14 @@ pub enum JointKind<R> {
         /// The axis.
         axis: [R; 3],
     },
-    /// HalfAngles about `axis` and slides along it, `pitch` for each radian. One value, radians.
+    /// Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
     Screw {
         /// The axis.
         axis: [R; 3],
         /// Length per radian: the lead of a thread over 2π.
         pitch: R,
     },
-    /// Slides in the plane across `normal`, then turns about the normal. Three values: x and y,
+    /// Slides in the plane perpendicular to `normal`, then turns about the normal. Three values: x and y,
     /// lengths, and the angle, radians. The axes of x and y are those of the joint's frame after
     /// the shortest rotation that takes z to the normal (for −z, half a turn about x). Three
     /// rates, ẋ, ẏ, θ̇.
@@ -58,19 +60,19 @@ pub enum JointKind<R> {
     Floating,
 }
 
-/// A joint that does as another: its value is `multiplier` · value(`joint`) + `offset`.
+/// The rule of a joint that follows another: its value is `multiplier` · value(`joint`) + `offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mimic<R> {
-    /// The other joint, of one value and no mimic itself.
+    /// The number of the other joint, which has one value and mimics none.
     pub joint: usize,
-    /// What its value is multiplied by.
+    /// The factor of its value.
     pub multiplier: R,
-    /// What is added.
+    /// The number that is added.
     pub offset: R,
 }
 
 impl<R> Joint<R> {
-    /// Of any kind, without limits.
+    /// A joint of any kind, without limits.
     #[must_use]
     pub fn new(parent: Option<usize>, placement: DualQuat<R>, kind: JointKind<R>) -> Self {
         Self { parent, placement, kind, limits: None, mimic: None }
@@ -100,7 +102,7 @@ impl<R> Joint<R> {
         Self::new(parent, placement, JointKind::Screw { axis, pitch })
     }
 
-    /// A plate that slides across `normal`, of length 1, and turns about it.
+    /// A plate that slides in the plane perpendicular to `normal`, of length 1, and turns about it.
     #[must_use]
     pub fn planar(parent: Option<usize>, placement: DualQuat<R>, normal: [R; 3]) -> Self {
         Self::new(parent, placement, JointKind::Planar { normal })
@@ -118,7 +120,7 @@ impl<R> Joint<R> {
         Self { limits: Some(limits), ..self }
     }
 
-    /// The same joint without a value of its own.
+    /// The same joint, which takes its value from another one.
     #[must_use]
     pub fn mimicking(self, joint: usize, multiplier: R, offset: R) -> Self {
         Self { mimic: Some(Mimic { joint, multiplier, offset }), ..self }
@@ -164,7 +166,7 @@ fn cast<R: Real, S: Real>(number: R) -> S {
 }
 
 impl<R> JointKind<R> {
-    /// How many values it takes to say where the joint is.
+    /// The number of values that say where the joint is.
     #[must_use]
     pub fn values(&self) -> usize {
         match self {
@@ -175,7 +177,7 @@ impl<R> JointKind<R> {
         }
     }
 
-    /// How many rates it takes to say how the joint moves.
+    /// The number of rates that say how the joint moves.
     #[must_use]
     pub fn rates(&self) -> usize {
         match self {
@@ -186,49 +188,50 @@ impl<R> JointKind<R> {
 }
 
 errors! {
-    /// Joints that make no mechanism. All name the joint.
+    /// An error in the joints of a mechanism. Each names the joint.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MechanismError {
-        /// A joint whose parent does not come before it: itself, a later one (which a circle
-        /// needs), or none that there is.
+        /// The parent of a joint is the joint itself, a later one, or does not exist. Parents must come
+        /// first, which also rules out circles.
         Parent { joint: usize = "The joint.", parent: usize = "Its parent." }
-            => "the parent of joint {joint} is {parent}, which does not come before it";
-        /// A placement whose rotation is not unit.
+            => "joint {joint} has the parent {parent}, but a parent must have a lower number than its joint";
+        /// The rotation of a placement is not unit.
         Placement { joint: usize = "The joint.", norm: f64 = "The norm of the real part." }
-            => "the placement of joint {joint} is not unit: the norm of the real part is {norm}";
-        /// A placement whose dual part is not a translation's.
+            => "the placement of joint {joint} is not a unit dual quaternion: the norm of its real part is {norm}, not 1";
+        /// The dual part of a placement is not perpendicular to its real part, as that of a motion is.
         DualPart {
             joint: usize = "The joint.",
-            along: f64 = "How much of the dual part lies along the real part, where a motion has none."
+            along: f64 = "The dot product of its real and dual parts."
         }
-            => "the placement of joint {joint} is not a motion: {along} of its dual part lies along the real part";
-        /// A number that is infinite or NaN.
+            => "the placement of joint {joint} is not a motion: the dot product of its real and dual parts is {along}, not 0";
+        /// A number is infinite or NaN.
         NotFinite {
-            joint: usize = "The joint.", what: &'static str = "What the number belongs to.", value: f64 = "The number."
+            joint: usize = "The joint.", what: &'static str = "The part of the joint that holds it.", value: f64 = "The number."
         }
             => "the {what} of joint {joint} is not finite: {value}";
-        /// An axis or normal that is not of length 1.
+        /// An axis or a normal does not have length 1.
         Axis { joint: usize = "The joint.", length: f64 = "The length." }
             => "the axis of joint {joint} has length {length}, not 1";
-        /// A screw that is none of a joint, whose angle is 1 and slide finite, or whose angle is 0
-        /// and slide 1.
+        /// A screw is not that of a joint, which has angle 1 and a finite slide, or angle 0 and slide
+        /// 1.
         Screw { joint: usize = "The joint.", angle: f64 = "The angle of the screw.", slide: f64 = "Its slide." }
-            => "joint {joint} cannot turn by {angle} and slide by {slide} for a value of 1: a hinge or a thread turns by \
-                1, and what only slides, by 1";
-        /// Limits that are not in order, or NaN, or of a joint that has not one value.
+            => "the screw of joint {joint} turns by {angle} and slides by {slide} for a value of 1: a hinge or a thread \
+                must turn by 1, and a slide must turn by 0 and slide by 1";
+        /// Limits are not in order, or NaN, or of a joint that does not have exactly one value.
         Limits { joint: usize = "The joint.", low: f64 = "The lower limit.", high: f64 = "The upper limit." }
-            => "joint {joint} cannot have the limits {low} and {high}: they must be in order, and the joint must have \
-                one value";
-        /// A joint that cannot mimic that one: there is none, it is the joint itself or mimics too,
-        /// or one of the two has not exactly one value.
+            => "joint {joint} has the limits {low} and {high}: the first must not exceed the second, and the joint must \
+                have exactly one value";
+        /// A joint cannot mimic another, because that one does not exist, is the joint itself, or mimics
+        /// too, or because one of the two does not have exactly one value.
         Mimic { joint: usize = "The joint.", other: usize = "The joint that it should mimic." }
-            => "joint {joint} cannot mimic joint {other}: both must have one value, and the other one of its own";
-        /// Too little room for the steps, or more joints than can be counted.
+            => "joint {joint} cannot mimic joint {other}: each must have exactly one value, and joint {other} must not \
+                mimic another";
+        /// There are fewer steps than joints, or more joints than can be counted.
         Steps {
-            steps: usize = "How many steps there is room for.",
-            joints: usize = "How many joints there are: joint number `joints` has no room."
+            steps: usize = "The number of steps.",
+            joints: usize = "The number of joints."
         }
-            => "there is room for {steps} steps where {joints} joints need one each";
+            => "{joints} joints need {joints} steps, but there are {steps}";
     }
 }

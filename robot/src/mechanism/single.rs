@@ -1,6 +1,6 @@
-//! One configuration, by the book, for any number: what the lanes are held to, and what a motor
-//! controller calls. Floats take the short cut of `configuration` first, which the tests hold to
-//! the book.
+//! One configuration at a time, for any number, by the formulas of textbooks. Tests compare the
+//! lanes with it. `f32` and `f64` take the faster `configuration.rs` instead, which is compared with
+//! it too.
 
 use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
 use super::jacobians::{Frame, JacobianFrame};
@@ -38,7 +38,7 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(())
     }
 
-    /// The pose of one link: nothing but what carries it is computed.
+    /// The pose of one link. Only the links that carry it are computed.
     ///
     /// # Errors
     /// If there are not as many values as the mechanism has, or there is no such link.
@@ -58,8 +58,8 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(pose)
     }
 
-    /// Where points on links are, in the frame of the base. `points` name the link and the place in
-    /// its frame, in any order; in the order of the links they are found sooner.
+    /// The places of points on links, in the frame of the base. Each point is a link and a place in its
+    /// frame. They may be in any order; points in the order of their links are found sooner.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -87,7 +87,7 @@ impl<R: Real> Mechanism<'_, R> {
     ) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
         same_length("places", places.len(), points.len())?;
-        self.check_points(points)?;
+        points.iter().try_for_each(|&(link, _)| self.check_link(link))?;
         let quick = LinkPoints { mechanism: self, values, points, places: &mut *places };
         if R::quick(quick).is_some() {
             return Ok(());
@@ -146,13 +146,13 @@ impl<R: Real> Mechanism<'_, R> {
             return Ok(pose);
         }
         columns.fill(Twist::from_array([R::ZERO; 6]));
-        // The pose of the link in the frame of the joint, from the link up.
+        // The pose of the link in the frame of each joint, from the link toward the base.
         let mut tail = DualQuat::IDENTITY;
         let mut joint = link;
         while let Some(step) = self.step(joint) {
             let own = columns.get_mut(step.rate as usize..).unwrap_or_default();
             for (index, column) in own.iter_mut().take(step.kind.rates()).enumerate() {
-                // What others mimic is moved by all of them.
+                // The columns of joints that mimic the same one are added up.
                 *column = *column + tail.conjugate().adjoint(BodyScrews(values).screw(step, index));
             }
             tail = step.placement() * step.motion(values) * tail;
@@ -201,7 +201,8 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(())
     }
 
-    /// The same, and the spatial accelerations of all links, the derivatives of their twists:
+    /// The poses, the spatial twists and the spatial accelerations of all links. Accelerations are the
+    /// derivatives of twists:
     /// acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist)
     /// Ad(pose(j)) Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47).
     /// The point of a link that is at x is accelerated by a + α × x + ω × (v + ω × x), for
@@ -228,8 +229,8 @@ impl<R: Real> Mechanism<'_, R> {
             let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
             let own = step.own_twists(values, second_rates).fold(zero, |sum, own| sum + own);
             acceleration = acceleration + pose.adjoint(own);
-            // What carries the screws of the joint along: its parent, and for the turn of a planar
-            // joint its slides, which are before it.
+            // The twist of the frame in which the next screw of the joint lies: that of the parent,
+            // and for the turn of a planar joint that of its slides too.
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
             let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
             for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
@@ -248,32 +249,33 @@ impl<R: Real> Mechanism<'_, R> {
 
     fn check(&self, values: &[R], link: usize) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
-        self.job().links(&[link]).check_links()
+        self.check_link(link)
     }
 }
 
 impl<R: Real> Step<R> {
-    /// The numbers of this joint among `all`; for what is not there, NaN. The shape has been
-    /// checked.
+    /// `C` numbers of `all` from number `first` on. NaN stands for numbers that are missing, which the
+    /// check of lengths rules out.
     pub(crate) fn numbers<const C: usize>(first: u32, all: &[R]) -> [R; C] {
         let rest = all.get(first as usize..).unwrap_or_default();
         rest.first_chunk().copied().unwrap_or([R::NAN; C])
     }
 
-    /// Number `index` of a joint, an angle or a distance; of one that mimics, what it takes.
+    /// Number `index` of a joint: an angle or a distance, with the multiplier and offset of one that
+    /// mimics.
     pub(crate) fn number(&self, index: usize, values: &[R]) -> R {
         let [number] = Self::numbers(self.value + index as u32, values);
-        // Joints of more numbers than one mimic nothing.
+        // Joints with more than one number mimic nothing.
         if index == 0 { number * self.multiplier + self.offset } else { number }
     }
 
-    /// Moved across the normal of a planar joint, in the frame of the joint.
+    /// The vector of two distances in the plane of a planar joint, in the frame of the joint.
     pub(crate) fn in_plane(&self, [x, y]: [R; 2]) -> [R; 3] {
         let [first, second] = self.plane;
         vector::add(vector::scale(first, x), vector::scale(second, y))
     }
 
-    /// From the joint's frame to that of the link.
+    /// The pose of the link in the frame of its joint.
     pub(crate) fn motion(&self, mut values: &[R]) -> DualQuat<R> {
         let rest = Motion { rotation: None, translation: None };
         match rest.link_frame(self, &mut values) {
@@ -290,16 +292,16 @@ impl<R: Real> Step<R> {
         }
     }
 
-    /// The body twists for the joint's rates among all of them, in order.
+    /// The body twists for the rates of this joint, in their order.
     fn own_twists(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
-        // None of a joint without rates.
+        // A joint without rates has none.
         let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
         let own = rates.take(self.kind.rates()).enumerate();
         own.map(move |(index, &rate)| BodyScrews(values).screw(self, index).scale(rate))
     }
 }
 
-/// The motion of a joint, with what it is made of.
+/// The motion of a joint. A part that is `None` is not multiplied by.
 #[derive(Clone, Copy)]
 struct Motion<R> {
     rotation: Option<Quat<R>>,

@@ -1,63 +1,89 @@
+//! A joint as the kernels use it: [`Step`], made and checked from a [`Joint`]; what a joint does to
+//! frames ([`JointFrame`]) and to twists ([`JointScrews`]); the plan for one configuration at a time
+//! ([`plan`]); and the limits of joints that mimic others.
+//!
+//! # The plan for one configuration
+//!
+//! One configuration leaves no others for the lanes, and each link waits for the one before. So the
+//! mechanism is planned when it is made. A link's *base frame* is its frame turned so that it is
+//! parallel to the base where every value is zero:
+//!
+//! ```text
+//!   link frames, as in the file     base frames: same origins, axes of the base
+//!
+//!   z         y                     z         z
+//!   │         │                     │         │
+//!   ●── x ────●── z                 ●── x ────●── x
+//!   link 0    link 1                link 0    link 1
+//! ```
+//!
+//! Between base frames no placement has a rotation: the frame of a joint is that of its parent,
+//! moved. And the axes of nearly all robots are axes of the base, so turning by a hinge is
+//! `r ← cos · r + sin · (r n)`, where the product `r n` with a unit vector n along an axis reorders
+//! the four numbers and changes some signs. The link's own rotation is multiplied on when its pose
+//! is written; no other link waits for that.
+
 use super::joint::{Joint, JointKind, MechanismError};
 use core::ops::Mul;
 use dq8::Real;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, vector};
 
-/// How far axes, placements and targets may be from unit: numbers that people type with four
-/// decimals are nearer.
+/// The tolerance for axes, placements and targets that should be unit. Numbers that people type
+/// with four decimals are within it.
 pub(crate) const UNIT: f32 = 1e-3;
 
-/// No such link, value or rate.
+/// The number of a link, value or rate that does not exist.
 pub(crate) const NONE: u32 = u32::MAX;
 
 /// A joint as kernels use it, in the memory that a [`Mechanism`](super::Mechanism) borrows.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<R> {
-    /// The placement as lanes need it: rotation, and half the translation.
+    /// The placement of the joint on its parent, as lanes need it: rotation, half the translation.
     pub(crate) rotation: [R; 4],
     pub(crate) half_offset: [R; 3],
-    /// Which axes the two are about and along.
+    /// The axes that the rotation is about and the translation is along.
     pub(crate) rotation_alignment: Alignment,
     pub(crate) offset_alignment: Alignment,
-    /// With axes that are exactly unit.
+    /// The kind of the joint, with axes that are exactly unit.
     pub(crate) kind: JointKind<R>,
     pub(crate) axis: [R; 3],
     /// The two directions of a planar joint.
     pub(crate) plane: [[R; 3]; 2],
     pub(crate) axis_alignment: Alignment,
-    /// Which way the axis points along the one it is aligned with; 1 where there is none.
+    /// −1 if the axis of the joint points against the frame axis that it lies on, else 1.
     pub(crate) sign: R,
-    /// Value of the joint = multiplier · value number `value` + offset.
+    /// The value of the joint is `multiplier` · value number `value` + `offset`.
     pub(crate) multiplier: R,
     pub(crate) offset: R,
-    /// The same of half the value, about or along the aligned axis where that is positive.
+    /// The same factors for half the value, times `sign`.
     pub(crate) half_multiplier: R,
     pub(crate) half_bias: R,
     pub(crate) plan: JointPlan<R>,
     pub(crate) limits: Option<[R; 2]>,
     pub(crate) mimics: bool,
-    /// The first of its values and rates among all.
+    /// The numbers of the first value and the first rate of the joint.
     pub(crate) value: u32,
     pub(crate) rate: u32,
-    /// The number of the joint among those of the caller, and that of its parent.
+    /// The caller's numbers of the joint and of its parent.
     pub(crate) link: u32,
     pub(crate) parent: u32,
-    /// While steps are put in order, where this one goes; then, in step i, where that of link i is.
+    /// The place of the step of link i, in step i. While steps are put in order: the place to which
+    /// this one goes.
     pub(crate) position: u32,
-    /// How many steps from here on belong to this link and what it carries.
+    /// The number of steps from here on that belong to this link and to what it carries.
     pub(crate) size: u32,
-    /// While steps are put in order: the link that carries most of that, and the next place for
-    /// another.
+    /// While steps are put in order: the child with the largest subtree, and the next free place for
+    /// the subtree of another child.
     pub(crate) largest: u32,
     pub(crate) free: u32,
-    /// Where the pose is kept for the children, and where that of the parent is.
+    /// The slot in which the pose is kept for the children, and the slot of the parent.
     pub(crate) slot: u8,
     pub(crate) parent_slot: u8,
 }
 
 impl<R: Real> Default for Step<R> {
-    /// Memory to be written.
+    /// Memory that [`Mechanism::new`](super::Mechanism::new) will write.
     fn default() -> Self {
         Self {
             rotation: [R::ZERO, R::ZERO, R::ZERO, R::ONE],
@@ -91,7 +117,7 @@ impl<R: Real> Default for Step<R> {
 }
 
 impl<R: Real> Step<R> {
-    /// Joint number `index`, checked but for what other joints have to do with it.
+    /// Checks joint number `index` on its own. Its parent and what it mimics are checked later.
     pub(crate) fn of(joint: &Joint<R>, index: usize) -> Result<Self, MechanismError> {
         let mut step = Self::default();
         step.place(joint.placement, index)?;
@@ -134,7 +160,7 @@ impl<R: Real> Step<R> {
         Ok(step)
     }
 
-    /// Where the frame of the joint is in that of the parent.
+    /// The pose of the joint in the frame of its parent.
     #[inline]
     pub(crate) fn placement(&self) -> DualQuat<R> {
         let rotation = Quat::from_array(self.rotation);
@@ -156,13 +182,13 @@ impl<R: Real> Step<R> {
         for number in translation {
             finite(number, "translation", index)?;
         }
-        // The cosine of a quarter turn, as floats have it, is no more than rounding.
+        // The cosine of a quarter turn is not zero in floats, only by rounding.
         for number in &mut rotation {
             if number.abs() <= R::EPSILON {
                 *number = R::ZERO;
             }
         }
-        // A negative zero is none either.
+        // Adding zero turns a negative zero into a positive one.
         for number in &mut translation {
             *number += R::ZERO;
         }
@@ -289,25 +315,25 @@ fn from_z<R: Real>([x, y, z]: [R; 3]) -> Quat<R> {
         let about_x = if z < R::ZERO { R::ONE } else { R::ZERO };
         return Quat::from_xyzw(about_x, R::ZERO, R::ZERO, R::ONE - about_x);
     }
-    // z × n and 1 + z·n, which cancels near −z; there x and y tell the angle better.
+    // The quaternion is z × n and 1 + z·n. Near −z the sum cancels, and x and y give it better.
     let across = vector::norm([x, y]);
     let w = if z < R::ZERO { across * across / (R::ONE - z) } else { R::ONE + z };
     Quat::from_xyzw(-y, x, R::ZERO, w).normalize()
 }
 
-/// The norm: once in machine code.
+/// The norm, not inlined so that machine code holds it once.
 #[inline(never)]
 fn norm<R: Real>(quaternion: Quat<R>) -> R {
     quaternion.norm()
 }
 
-/// NaN is too.
+/// `true` for a length that is not 1 within [`UNIT`], and for NaN.
 fn is_far_from_one<R: Real>(length: R) -> bool {
     let near = (length - R::ONE).abs() <= R::from(UNIT);
     !near
 }
 
-// Once in machine code, not for each kind of joint.
+// Not inlined, so that machine code holds it once and not for each kind of joint.
 #[inline(never)]
 pub(crate) fn unit<R: Real>(axis: [R; 3], index: usize) -> Result<[R; 3], MechanismError> {
     let length = vector::norm(axis);
@@ -328,18 +354,16 @@ pub(crate) fn finite<R: Real>(
     Err(MechanismError::NotFinite { joint: index, what, value: value.into() })
 }
 
-// What a joint multiplies the frame of its parent with.
-
-/// Whether something is about, or along, an axis of the frame: most of what robots have is, and
-/// then most of a product is multiplication by zero.
+/// The axis of a frame that a vector lies on. Most vectors of robots lie on one, and then most of a
+/// product would be multiplication by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alignment {
-    /// Zero: no rotation, or no translation.
+    /// The vector is zero: no rotation, or no translation.
     None,
     X,
     Y,
     Z,
-    /// No axis.
+    /// The vector lies on no axis.
     Any,
 }
 
@@ -355,13 +379,13 @@ impl Alignment {
     }
 }
 
-/// x ↦ x e_K for the axes of the base: where each of the numbers x, y, z, w comes from, and its
-/// sign.
+/// The product q e_K of a quaternion with the unit vector of axis K: number i of it is number
+/// `ORDER[K][i]` of q, times `SIGNS[K][i]`.
 pub(crate) const ORDER: [[usize; 4]; 3] = [[3, 2, 1, 0], [2, 3, 0, 1], [1, 0, 3, 2]];
 pub(crate) const SIGNS: [[f32; 4]; 3] =
     [[1.0, 1.0, -1.0, -1.0], [-1.0, 1.0, 1.0, -1.0], [1.0, -1.0, 1.0, -1.0]];
 
-/// A vector, and how it lies.
+/// A vector, and the axis that it lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisVector<R> {
     pub(crate) along: Alignment,
@@ -376,7 +400,7 @@ impl<R: Real> AxisVector<R> {
     }
 }
 
-/// The quaternion v + w as a right factor.
+/// The quaternion v + w, by which frames are multiplied from the right.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factor<R> {
     pub(crate) v: AxisVector<R>,
@@ -396,50 +420,42 @@ impl<R: Real> Factor<R> {
     }
 }
 
-/// What a joint does to such a frame.
+/// The motion of a joint between base frames.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Moves {
-    Not,
-    /// A hinge with a value of its own, about an axis of the base or another.
+    Fixed,
+    /// A hinge with a value of its own, about x of the base; then about y, z, and any other axis.
     AboutX,
     AboutY,
     AboutZ,
     AboutAny,
-    /// What most robots have none of.
+    /// Any other joint. Few robots have one.
     General,
 }
 
-/// A joint between such frames.
+/// A joint between base frames.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JointPlan<R> {
     pub(crate) moves: Moves,
-    /// The link's own frame where all values are zero.
+    /// The rotation from the base frame of the link to its own.
     pub(crate) link_rotation: Factor<R>,
-    /// Half the way from the parent.
+    /// Half the translation from the parent.
     pub(crate) half_offset: AxisVector<R>,
-    /// The axis or normal of the joint.
+    /// The axis or normal of the joint, in base frames.
     pub(crate) axis: AxisVector<R>,
 }
 
 impl<R: Real> JointPlan<R> {
     pub(crate) const NONE: Self = Self {
-        moves: Moves::Not,
+        moves: Moves::Fixed,
         link_rotation: Factor::ONE,
         half_offset: AxisVector::ZERO,
         axis: AxisVector::ZERO,
     };
 }
 
-// What is found when a mechanism is made, for one configuration at a time: joints between frames
-// that are all parallel to the base where every value is zero.
-//
-// Turn the frame of every link so. Then no placement has a rotation, and the axes of nearly all
-// robots are those of the base: a hinge is r ← c r + s r n with a product r n that is a
-// permutation and three signs. A link's own frame is turned back when its pose is written, which
-// no other link waits for.
-
-/// Plans all steps, which are in the order of the joints.
-// Once in machine code, not for each way to make a mechanism.
+/// Plans all steps, which are still in the order of the joints.
+// Not inlined, so that machine code holds it once and not for each way to make a mechanism.
 #[inline(never)]
 pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     for index in 0..steps.len() {
@@ -447,7 +463,7 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
         let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.plan.link_rotation);
         let on = on.quaternion();
         let own = on * Quat::from_array(step.rotation);
-        // Unit but for rounding: a step of Newton's makes it so.
+        // One step of Newton's method removes what rounding has added to the norm.
         let mut own = own.scale(R::from(1.5) - R::HALF * own.dot(own)).to_array();
         snap(&mut own, R::ONE);
         let largest = step.half_offset.into_iter().map(R::abs).fold(R::ZERO, R::max_or_nan);
@@ -458,7 +474,7 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
         if let Some(step) = steps.get_mut(index) {
             let axis = AxisVector::new(axis);
             let moves = match (step.kind, axis.along) {
-                (JointKind::Fixed, _) => Moves::Not,
+                (JointKind::Fixed, _) => Moves::Fixed,
                 (JointKind::Revolute { .. }, _) if step.mimics => Moves::General,
                 (JointKind::Revolute { .. }, Alignment::X) => Moves::AboutX,
                 (JointKind::Revolute { .. }, Alignment::Y) => Moves::AboutY,
@@ -472,8 +488,8 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     }
 }
 
-/// With the zeros, halves, roots of a half and ones that rounding has missed, of numbers of this
-/// size: frames of machines are turned by quarters.
+/// Replaces numbers that rounding has moved off zero, a half, the root of a half, or one, times
+/// `size`. Frames of machines are turned by quarters, whose quaternions are made of these.
 #[inline(never)]
 fn snap<R: Real>(numbers: &mut [R], size: R) {
     let (root, near) = (R::HALF.sqrt(), R::TWO * R::EPSILON * size);
@@ -486,22 +502,19 @@ fn snap<R: Real>(numbers: &mut [R], size: R) {
     }
 }
 
-// The limits of values: of a joint, and of what mimics it.
-//
-// A joint that mimics another has limits of its own in many files, copied from its leader without
-// the sign or the factor between them. They bind the leader where they leave a part of its range.
-// Where they would leave nothing, or one value alone, the file cannot mean them, and the joint has
-// none.
+// In many files a joint that mimics another has limits of its own, copied from its leader without the
+// sign or the factor between them. They bind the leader if they leave a part of its range. If they
+// leave nothing, or one value alone, the file cannot mean them, and the joint has no limits.
 
-/// The part of the `leader`'s range in which a follower, at `multiplier` times its value and
-/// `offset`, is within its own limits. `None` if that is not more than one value.
+/// The part of the leader's range in which a follower, at `multiplier` times its value plus `offset`,
+/// is within its own `limits`. `None` if no more than one value is left.
 pub(crate) fn common_range<R: Real>(
     [low, high]: [R; 2],
     limits: [R; 2],
     multiplier: R,
     offset: R,
 ) -> Option<[R; 2]> {
-    // NaN and infinities of a multiplier of zero share nothing.
+    // A multiplier of zero gives NaN and infinities, which have no common range.
     let [a, b] = limits.map(|limit| (limit - offset) / multiplier);
     let [least, most] = if a <= b { [a, b] } else { [b, a] };
     let low = if least > low { least } else { low };
@@ -510,8 +523,8 @@ pub(crate) fn common_range<R: Real>(
 }
 
 impl<R: Real> Step<R> {
-    /// [`common_range`] with the limits of this joint, which mimics another; all of the range if it has
-    /// none.
+    /// The [`common_range`] of the leader and of this joint, which mimics it; the whole range if this
+    /// joint has no limits.
     pub(crate) fn narrowed(&self, range: [R; 2]) -> Option<[R; 2]> {
         match self.limits {
             Some(limits) => common_range(range, limits, self.multiplier, self.offset),
@@ -532,8 +545,8 @@ mod tests {
     use crate::mechanism::step::Step;
     use dq8::{DualQuat, Quat, Real};
 
-    /// Frames that are turned by a quarter or a half each, as files and floats have it, stay on the
-    /// axes of the base.
+    /// Frames that are each turned by a quarter or a half, with the rounding of floats, keep their
+    /// axes on those of the base.
     fn stays_aligned<R: Real>() {
         let mut steps = [Step::default(); 60];
         for (index, step) in steps.iter_mut().enumerate() {
@@ -554,7 +567,7 @@ mod tests {
     }
 
     #[test]
-    fn quarter_turns_leave_hinges_and_ways_along_axes_of_the_base() {
+    fn quarter_turns_leave_hinges_and_offsets_on_axes_of_the_base() {
         stays_aligned::<f32>();
         stays_aligned::<f64>();
     }

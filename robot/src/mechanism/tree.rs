@@ -1,22 +1,26 @@
+//! [`Mechanism`]: a tree of joints, checked and put in order. Three constructors: from joints, from
+//! screws, and from a table of Denavit and Hartenberg.
+
 use super::joint::{Joint, JointKind, MechanismError};
 use super::step::{NONE, Step, finite, plan, unit, unlimited};
-use super::values::JointValues;
 use dq8::geometry::{Line, Screw};
 use dq8::internal::brief;
 use dq8::scalar::{DualQuat, Quat, vector};
-use dq8::storage::{Layout, same_length, whole_instances};
+use dq8::storage::same_length;
 use dq8::{Real, ShapeError};
 
-/// A tree of joints, checked once, of any number known at run time. It borrows its memory: a
+/// A tree of joints, checked once; their number is known at run time. It borrows its memory, a
 /// [`Step`] for each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
 ///
-/// Link j is what joint j carries, so joints and links have one number; poses, twists and
-/// accelerations are indexed by it, and so are goals. Values are one array for each configuration:
-/// those of joint 0, then those of joint 1, and so on; joints that are fixed or mimic have none, so
-/// that value j is not of joint j ([`values_of`](Self::values_of) says which are). Limits and
-/// postures are indexed by value. Rates are numbered in the same way, apart from values, as a
-/// floating joint has seven of those and six rates ([`rates_of`](Self::rates_of)); columns of a
-/// Jacobian are indexed by rate.
+/// - Joint j carries link j, so joints and links share one number. It indexes poses, twists,
+///   accelerations and goals.
+/// - The values of a configuration are one array: those of joint 0, then those of joint 1, and so
+///   on. Joints that are fixed or mimic have none, so value j is not the value of joint j;
+///   [`values_of`](Self::values_of) gives the values of a joint. Limits and postures are indexed by
+///   value.
+/// - Rates are numbered in the same way, but by themselves, because a floating joint has seven values
+///   and six rates; [`rates_of`](Self::rates_of) gives the rates of a joint. Columns of a Jacobian are
+///   indexed by rate.
 ///
 /// ```
 /// use dq8_robot::{Joint, Mechanism, Step};
@@ -37,7 +41,7 @@ use dq8::{Real, ShapeError};
 /// ```
 #[derive(Clone, Copy)]
 pub struct Mechanism<'a, R> {
-    /// In an order in which what a link carries comes right after it, the largest branch last.
+    /// The steps, each followed by all that its link carries, the largest branch last.
     pub(crate) steps: &'a [Step<R>],
     pub(crate) values: usize,
     pub(crate) rates: usize,
@@ -48,13 +52,13 @@ brief!([R] Mechanism<'_, R>: Mechanism |it| {
 });
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// Checks the joints and prepares them. It is here that axes along those of a frame, and
-    /// placements without rotation or translation, are found, for which kernels do less.
+    /// Checks the joints and prepares them. Axes that lie on those of a frame, and placements without
+    /// a rotation or a translation, are found here; kernels do less for them.
     ///
     /// # Errors
     /// If a parent does not come before its joint, a placement or axis is farther than 10⁻³ from
-    /// unit or not finite, limits are not in order, what should be mimicked has not one value of
-    /// its own, or there are fewer steps than joints. `steps` may have been written.
+    /// unit or not finite, limits are not in order, a joint mimics one that does not have exactly one
+    /// value of its own, or there are fewer steps than joints. `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
         let steps = step_memory(steps, joints.len())?;
         let counts = check(joints, steps)?;
@@ -63,9 +67,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The least and the largest of each value, infinite where there is no limit: the limits of its
-    /// joint, and of each joint that mimics it, as far as those leave more than one value of the
-    /// range.
+    /// The least and the largest of each value, infinite without a limit: the limits of its joint,
+    /// narrowed by those of each joint that mimics it, unless these would leave one value or none.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -130,40 +133,33 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Copy> Mechanism<'_, R> {
-    /// How many configurations, or blocks of them, have as many `poses` if each has those of
-    /// `links` links, and whether there are values for as many.
-    pub(crate) fn configurations<Y: Layout, T: JointValues<Y>>(
-        &self,
-        values: &[T],
-        links: usize,
-        poses: usize,
-    ) -> Result<usize, ShapeError> {
-        let elements = whole_instances("poses", links, poses)?;
-        T::check("values", values, self.values, elements)?;
-        Ok(elements)
+    /// An error if there is no such link.
+    pub(crate) fn check_link(&self, link: usize) -> Result<(), ShapeError> {
+        let links = self.links();
+        if link < links { Ok(()) } else { Err(ShapeError::NoLink { link, links }) }
     }
 
-    /// How many links there are: one for each joint.
+    /// The number of links: one for each joint.
     #[must_use]
     pub fn links(&self) -> usize {
         self.steps.len()
     }
 
-    /// The link that carries a link; none if the base does, or there is no such link.
+    /// The link that carries a link; `None` if the base does, or there is no such link.
     #[must_use]
     pub fn parent(&self, link: usize) -> Option<usize> {
         let parent = self.step(link)?.parent;
         (parent != NONE).then_some(parent as usize)
     }
 
-    /// How many values a configuration has.
+    /// The number of values of a configuration.
     #[must_use]
     #[doc(alias("nq"))]
     pub fn values(&self) -> usize {
         self.values
     }
 
-    /// How many rates, and columns of a Jacobian, a configuration has.
+    /// The number of rates of a configuration, and of columns of a Jacobian.
     #[must_use]
     #[doc(alias("nv"))]
     pub fn rates(&self) -> usize {
@@ -177,7 +173,8 @@ impl<R: Copy> Mechanism<'_, R> {
         self.rates
     }
 
-    /// Where the values of a joint are among all; of a joint that mimics, the value that it takes.
+    /// The numbers of the values of a joint; of a joint that mimics, the number of the value that it
+    /// takes.
     #[must_use]
     pub fn values_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
         let step = self.step(joint)?;
@@ -185,8 +182,8 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
     }
 
-    /// The place of a joint's rates among all, and of its columns in a Jacobian; of a joint that
-    /// mimics, the rate that moves it.
+    /// The numbers of the rates of a joint, and of its columns in a Jacobian; of a joint that mimics,
+    /// the number of the rate that moves it.
     #[must_use]
     pub fn rates_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
         let step = self.step(joint)?;
@@ -194,8 +191,8 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.rate == NONE { 0..0 } else { first..first + step.kind.rates() })
     }
 
-    /// The limits of a joint, if it has any that bind; [`value_limits`](Self::value_limits) has
-    /// those of its value, which joints that mimic it may narrow.
+    /// The limits of a joint, if it has any that bind. [`value_limits`](Self::value_limits) has the
+    /// limits of its value, which joints that mimic it may narrow.
     #[must_use]
     pub fn limits(&self, joint: usize) -> Option<[R; 2]> {
         self.step(joint)?.limits
@@ -209,7 +206,7 @@ impl<R: Copy> Mechanism<'_, R> {
     }
 }
 
-/// As many steps as there are joints.
+/// The first `joints` of the steps.
 pub(crate) fn step_memory<R>(
     steps: &mut [Step<R>],
     joints: usize,
@@ -219,8 +216,8 @@ pub(crate) fn step_memory<R>(
     steps.ok_or(MechanismError::Steps { steps: count, joints })
 }
 
-/// Writes the step of joint number `index`, but for what it mimics, with the next of the values and
-/// rates that have been counted. Steps are large: none is copied on the stack.
+/// Writes the step of joint number `index`, without what it mimics. Its values and rates are the next
+/// after those counted so far. Steps are large, so none is copied on the stack.
 pub(crate) fn write_step<R: Real>(
     joint: &Joint<R>,
     index: usize,
@@ -243,7 +240,8 @@ pub(crate) fn write_step<R: Real>(
     Ok(())
 }
 
-/// Writes the steps in the order of the joints. How many values and rates they have.
+/// Checks the joints, writes their steps in the same order, and returns the numbers of values and of
+/// rates.
 fn check<R: Real>(
     joints: &[Joint<R>],
     steps: &mut [Step<R>],
@@ -266,7 +264,7 @@ fn check<R: Real>(
         }
         if let Some(step) = steps.get_mut(index) {
             (step.value, step.rate) = leader;
-            // What leaves nothing of the leader's range is not meant.
+            // Limits that leave nothing of the leader's range cannot be meant.
             if step.narrowed(range).is_none() {
                 step.limits = None;
             }
@@ -275,7 +273,7 @@ fn check<R: Real>(
     Ok(counts)
 }
 
-/// The mechanism of steps in the order of the joints, which have so many values and rates.
+/// Plans the steps, puts them in order, and makes the mechanism.
 pub(crate) fn finish<R: Real>(
     steps: &mut [Step<R>],
     (values, rates): (usize, usize),
@@ -285,11 +283,13 @@ pub(crate) fn finish<R: Real>(
     Mechanism { steps, values, rates }
 }
 
-/// Depth first, the largest branch last. So a pose is kept for its children only while other
-/// branches are computed, all of them no larger than the last one: log₂(n) + 1 poses are kept at
-/// most (Strahler's number), in memory of a fixed size.
-// Steps are large: none is copied to the stack. A frame of its own, so that it does not lie under
-// that of `plan`.
+/// Puts the steps in depth-first order, the largest branch last.
+///
+/// A pose is kept for the other children of its link while a branch is computed. As each of these
+/// branches is no larger than the last one, at most log₂(n) + 1 poses are kept (the Strahler number of
+/// the tree), so memory of a fixed size is enough.
+// Steps are large, so none is copied to the stack. Not inlined, so that its stack frame does not lie
+// under that of `plan`.
 #[inline(never)]
 fn order<R>(steps: &mut [Step<R>]) {
     let count = steps.len();
@@ -304,7 +304,7 @@ fn order<R>(steps: &mut [Step<R>]) {
             }
         }
     }
-    // The largest branch goes to the end of what belongs to its parent, the others to the front.
+    // The largest branch goes to the end of its parent's range, the others to the front.
     let mut free = 0;
     for index in 0..count {
         let Some(&Step { size, parent, .. }) = steps.get(index) else { return };
@@ -324,7 +324,7 @@ fn order<R>(steps: &mut [Step<R>]) {
         (step.slot, step.parent_slot) = (slot, parent_slot);
     }
     for index in 0..count {
-        // Each swap puts one step where it belongs.
+        // Each swap puts one step in its place.
         while let Some(step) = steps.get(index)
             && let Ok([here, there]) = steps.get_disjoint_mut([index, step.position as usize])
         {
@@ -339,25 +339,28 @@ fn order<R>(steps: &mut [Step<R>]) {
     }
 }
 
-// A serial arm from the screws of its joints, for which no frames have to be laid into the links.
-
 impl<'a, R: Real> Mechanism<'a, R> {
     /// A serial arm as a product of exponentials, exp(½ξ₁q₁) … exp(½ξ_N q_N) tool
     /// (Brockett 1984; Lynch & Park, *Modern Robotics*, 2017, eq. 4.14): a joint for each of N
     /// screws, the one at the base first, each on the one before, and as link N the tool, fixed to
     /// the last. `steps` are N + 1.
     ///
-    /// A screw says how a joint moves what hangs on it, for a value of 1, in the frame of the base,
-    /// where all values are zero. With the angle 1 and no slide it is a hinge; with the angle 1, a
-    /// thread that slides so far for each radian; with the angle 0 and the slide 1, a slide along
-    /// the direction of its axis, wherever that is. (What of the moment lies along the axis is
-    /// rounding, and left out.) Beside it are the limits of the joint, infinite where there are
-    /// none. `tool` is the pose of the tool where all values are zero. Axes and tool are made
-    /// exactly unit, so that numbers with four decimals will do.
+    /// A screw is the motion of all links that hang on the joint, for a value of 1, in the frame of
+    /// the base, while all other values are zero. No frames have to be laid into the links.
     ///
-    /// The frames of links are parallel to the base where all values are zero, that of a hinge at
-    /// the point of its axis that is nearest to the frame before: so
-    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the ways from axis to axis.
+    /// | angle | slide | joint |
+    /// |---|---|---|
+    /// | 1 | 0 | a hinge |
+    /// | 1 | any | a thread, with `slide` as the length per radian |
+    /// | 0 | 1 | a slide along the axis; the place of the axis does not matter |
+    ///
+    /// With each screw come the limits of its joint, infinite if it has none. `tool` is the pose of
+    /// the tool while all values are zero. Axes and tool are made unit exactly, so numbers with four
+    /// decimals will do; a part of the moment along the axis is rounding, and is left out.
+    ///
+    /// While all values are zero, the frames of links are parallel to the base. That of a hinge is at
+    /// the point of its axis that is nearest to the frame before, so
+    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the distances from axis to axis.
     ///
     /// ```
     /// use dq8::geometry::Screw;
@@ -377,9 +380,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     ///
     /// # Errors
     /// If an axis or the tool, as that of joint N, is farther than 10⁻³ from unit or not finite,
-    /// a screw is none of the three, limits are not in order, or there are fewer steps than N + 1.
+    /// a screw is none of these three, limits are not in order, or there are fewer steps than N + 1.
     /// `steps` may have been written.
-    // A frame of its own, so that it does not lie under that of a search.
+    // Not inlined, so that its stack frame does not lie under that of a search.
     #[inline(never)]
     pub fn from_screws(
         screws: &[(Screw<R>, [R; 2])],
@@ -412,8 +415,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     }
 }
 
-/// Where the first joint is: on the axis that is the first of a hinge or a thread. Slides are
-/// anywhere, so those before it are there too, and the way to it is no part of what the arm spans.
+/// The place of the first joint: on the axis of the first hinge or thread. A slide may be anywhere, so
+/// slides before it are placed there too, and the distance to it does not add to the reach of the arm.
 fn first_frame<R: Real>(
     screws: &[(Screw<R>, [R; 2])],
     tool: DualQuat<R>,
@@ -427,7 +430,7 @@ fn first_frame<R: Real>(
     Ok(tool.translation())
 }
 
-/// What a screw is, with an axis that is exactly unit.
+/// The kind of joint that a screw is, and its axis, both with a direction that is exactly unit.
 fn checked<R: Real>(
     screw: &Screw<R>,
     joint: usize,
@@ -444,7 +447,7 @@ fn checked<R: Real>(
     } else {
         JointKind::Screw { axis, pitch: slide }
     };
-    // A slide is the same wherever its axis is.
+    // The moment of a slide does not matter.
     if angle == R::ONE {
         for number in moment {
             finite(number, "moment", joint)?;
@@ -453,27 +456,29 @@ fn checked<R: Real>(
     Ok((kind, Line { direction: axis, moment }))
 }
 
-// A serial arm from a table of Denavit and Hartenberg.
-
-/// A row of a table of Denavit and Hartenberg: θ and d along and about z, a and α along and about
-/// x.
+/// A row of a table of Denavit and Hartenberg: θ about and d along z, α about and a along x.
+///
+/// ```text
+/// standard: turn θ about z, move d along z, move a along x, turn α about x
+/// modified: turn α about x, move a along x, turn θ about z, move d along z
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dh<R> {
-    /// What is added to the value of a hinge, radians; the fixed angle of a slide.
+    /// The angle θ in radians: of a hinge, the part that is added to its value.
     pub theta: R,
-    /// What is added to the value of a slide; the fixed offset of a hinge.
+    /// The offset d: of a slide, the part that is added to its value.
     pub d: R,
-    /// The length of the link.
+    /// The length a of the link.
     pub a: R,
-    /// Its twist, radians.
+    /// The twist α of the link, radians.
     pub alpha: R,
-    /// Whether the value is d, and not θ.
+    /// `true` for a slide, whose value is d; `false` for a hinge, whose value is θ.
     pub slides: bool,
     /// The least and the largest value of the joint.
     pub limits: Option<[R; 2]>,
 }
 
-/// In which order a row acts.
+/// The order in which a row acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DhConvention {
     /// z, then x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit & Hartenberg 1955; Paul; Spong).
@@ -547,7 +552,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
             let parent = index.checked_sub(1);
             let mut joint = Joint::fixed(parent, before * tool);
             if let Some(row) = row {
-                // What is along z is the same before the motion of the joint as after it.
+                // The rotation and translation by z may stand before the motion of the joint, which is
+                // about or along z too.
                 let along_x = match convention {
                     DhConvention::Standard => core::mem::replace(&mut before, row.about_x()),
                     DhConvention::Modified => row.about_x(),

@@ -21,12 +21,12 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError>;
-    /// How many of them an element of poses has of each value: one block, or a number for each
-    /// configuration; none where they are not in the order of the configurations.
+    /// The number of items, blocks or plain numbers, that belong to one element of poses for each
+    /// value. Zero for columns, in which configurations do not follow each other.
     #[doc(hidden)]
     const EACH: usize;
-    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as
-    /// there are; of columns, all.
+    /// The values of `elements` configurations, or blocks of them, from `first` on; fewer at the end.
+    /// Columns are not cut.
     #[doc(hidden)]
     fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> Part<'_, Self> {
         if Self::EACH == 0 {
@@ -35,7 +35,8 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         let rest = slice.get(first * Self::EACH * count..).unwrap_or_default();
         Part { slice: rest.get(..elements * Self::EACH * count).unwrap_or(rest), first: 0 }
     }
-    /// Four numbers from `first` on, or fewer where a configuration has no more than that.
+    /// Four values from number `first` on, one configuration per lane. Those beyond `count` are not
+    /// used.
     #[doc(hidden)]
     fn load<V: Level>(
         level: V,
@@ -78,8 +79,8 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
     }
 }
 
-/// Two numbers, each in any layout: an `impl` for every `Scalar` would overlap with that for
-/// blocks.
+/// Plain numbers, for poses in any layout. One `impl` for every `Scalar` would overlap with that for
+/// blocks, so each type of number has its own.
 macro_rules! plain_values {
     ($($real:ident)*) => {$(
         impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
@@ -109,8 +110,8 @@ macro_rules! plain_values {
             ) -> [Y::Register<V>; 4] {
                 let start = group.configuration::<Y, V>() * count + first;
                 let rows = slice.get(start..).unwrap_or_default();
-                // Where a configuration has fewer than four, those of the next one are read, and
-                // not used.
+                // If a configuration has fewer than four, the rest is read from the next one and not
+                // used.
                 if let Some(quad) = Y::Register::<V>::load_rows(level, rows, count) {
                     return quad;
                 }
@@ -157,7 +158,7 @@ impl<Y: Layout> JointValues<Y> for &[Y::Real] {
         let (at, lanes) = (group.configuration::<Y, V>(), Y::Register::<V>::LANES);
         let columns = slice.get(first..).unwrap_or_default();
         let mut quad = [Y::Register::<V>::splat(level, Y::Real::default()); 4];
-        // Nearly always: four loads, one after the other.
+        // The usual case is four loads, one after the other.
         if let Some(four) = columns.first_chunk::<4>()
             && four.iter().all(|column| column.len() >= at + lanes)
         {
@@ -183,15 +184,15 @@ impl<Y: Layout> JointValues<Y> for &[Y::Real] {
 #[doc(hidden)]
 pub struct Part<'s, T> {
     slice: &'s [T],
-    /// Which of them is the first, where there are those of others too.
+    /// The first configuration, for columns, which hold those of others too.
     first: usize,
 }
 
 /// The values of one configuration in each lane.
 pub(crate) trait LaneValues<L: Lanes> {
-    /// Number `index` of each.
+    /// Value number `index`.
     fn get(&mut self, level: L::Level, index: usize) -> L;
-    /// Cosine and sine of half of it.
+    /// Cosine and sine of half of value number `index`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn half_angle(&mut self, level: L::Level, index: usize) -> [L; 2] {
         let value = self.get(level, index);
@@ -199,21 +200,21 @@ pub(crate) trait LaneValues<L: Lanes> {
     }
 }
 
-/// No four are at hand: farther from any number than four.
+/// The first of no values: its distance to any number is more than four.
 const NOWHERE: usize = usize::MAX / 2;
 
-/// Those of a group, four at a time, kept until others are asked for: plain ones are transposed,
-/// and four cosines do not wait for each other.
+/// The values of a group, loaded four at a time and kept until others are asked for. Plain values
+/// are transposed four at a time, and four cosines do not wait for each other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CachedValues<'s, Y: Layout, T, V: Level> {
     part: Part<'s, T>,
-    /// How many a configuration has.
+    /// The number of values of a configuration.
     count: usize,
     group: Group,
-    /// The first of the four at hand.
+    /// The first of the four that are loaded.
     first: usize,
     quad: [Y::Register<V>; 4],
-    /// Cosine and sine of half of each, if one has been asked for.
+    /// Cosine and sine of half of each of the four, if `has_cos_sin`.
     cos_sin: [[Y::Register<V>; 2]; 4],
     has_cos_sin: bool,
 }
@@ -227,7 +228,7 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> CachedValues<'s, Y, T, V> {
         Self { part, count, group, first: NOWHERE, quad, cos_sin, has_cos_sin: false }
     }
 
-    /// From here on those of another group.
+    /// Goes on to another group.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn seek(&mut self, group: Group) {
         (self.group, self.first) = (group, NOWHERE);
@@ -236,7 +237,7 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> CachedValues<'s, Y, T, V> {
         }
     }
 
-    /// Which of the four at hand it is.
+    /// Loads value number `index` if need be, and gives its place among the four.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn find(&mut self, level: V, index: usize) -> usize {
         if index.wrapping_sub(self.first) >= 4 {
@@ -270,7 +271,7 @@ impl<Y: Layout, T: JointValues<Y>, V: Level> LaneValues<Y::Register<V>>
     }
 }
 
-/// Cosine and sine; NaN beyond what the lanes can tell.
+/// Cosine and sine, or NaN for an angle that is out of the range of the lanes.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn checked_cos_sin<L: Lanes>(half: L) -> [L; 2] {
     let near = half.abs().le(half.constant(farthest::<L>()));
@@ -286,10 +287,10 @@ mod sealed {
     impl<A> Sealed for dq8_simd::Block<A, 1> {}
 }
 
-/// Bytes of a line of the caches.
+/// Bytes of a cache line.
 const LINE: usize = 64;
 
-/// The configurations that the lanes of a kernel hold.
+/// The configurations that the lanes of a kernel hold at a time.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
 pub struct Group {
@@ -302,15 +303,15 @@ impl Group {
     /// Number `index` of the `count` things that each configuration has.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
-        // Plain: the same thing of the next configuration lies `count` records on. Blocks hold one
-        // of each per lane.
+        // In plain slices the same thing of the next configuration lies `count` records on. A block
+        // holds it in the next lane.
         let tile = Tile::at(self.first * count + index, self.register);
         if Y::transposes::<V>() { tile.strided(count) } else { tile }
     }
 
-    /// Fetches the part of the next group's things that these of the `count` have among this one's.
-    /// They follow in memory, but a step writes to as many places as there are lanes, which the CPU
-    /// does not foresee: a third of the time where things do not fit the caches.
+    /// Fetches the memory in which the next group will write `these` of its `count` things. The CPU
+    /// does not foresee that by itself, as a step writes to as many places as there are lanes: it saves
+    /// a third of the time if things do not fit the caches.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn prefetch_next<Y: Layout, V: Level, E>(
         self,
@@ -330,7 +331,7 @@ impl Group {
         }
     }
 
-    /// The configuration in the first lane.
+    /// The number of the configuration in the first lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn configuration<Y: Layout, V: Level>(self) -> usize {
         self.first * Y::THINGS + self.register * Y::Register::<V>::LANES

@@ -1,12 +1,12 @@
 //! Velocities and accelerations of links for many configurations.
 
-use super::job::{Job, things};
+use super::job::{Job, Run};
 use super::joint::JointKind;
 use super::step::{JointScrews, Step};
 #[cfg(doc)]
 use super::tree::Mechanism;
 use super::values::{CachedValues, Group, JointValues, LaneValues, Part};
-use super::walk::{LinkFrames, Task};
+use super::walk::{Task, Visit};
 use dq8::batch::{lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::internal::Rows;
@@ -47,20 +47,20 @@ impl<R: Scalar> Job<'_, R> {
         T: JointValues<E::Layout>,
         C: Element<6, Layout = E::Layout>,
     {
-        let (links, count) = (self.mechanism.links(), self.mechanism.rates);
-        let elements = self.moving(values, &[rates], poses.len())?;
+        let run = self.check_rates(values, &[rates], poses)?;
+        let links = run.width;
         same_length("twists", twists.len(), poses.len())?;
         let outputs = ((poses, links), (twists, links));
-        self.walk(values, outputs, |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
-            let elements = things(poses, links, elements);
+        run.walk(outputs, |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
+            let (elements, count) = (run.within(poses), run.mechanism.rates);
             let rates = [T::part(rates, count, first, elements)];
             (elements, Twists { poses, moved: [twists], rates, links, count })
         });
         Ok(())
     }
 
-    /// The same, and spatial accelerations, the derivatives of the spatial twists, as
-    /// [`Mechanism::link_accelerations`] gives them for one: the formula is there, and the
+    /// Poses, spatial twists, and spatial accelerations, which are the derivatives of the twists: what
+    /// [`Mechanism::link_accelerations`] gives for one. That page has the formula, and the
     /// acceleration of a point of a link.
     ///
     /// # Errors
@@ -81,7 +81,8 @@ impl<R: Scalar> Job<'_, R> {
     /// arm.job().accelerations(
     ///     &values, &rates, &second, &mut poses, &mut twists, &mut accelerations,
     /// )?;
-    /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v, half of what Coriolis asks of a point on it.
+    /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v. The Coriolis acceleration
+    /// // of a point on it is twice that.
     /// assert_eq!(accelerations[1], [0.0, 0.0, 0.0, 0.0, 1.5, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
@@ -99,37 +100,42 @@ impl<R: Scalar> Job<'_, R> {
         T: JointValues<E::Layout>,
         C: Element<6, Layout = E::Layout>,
     {
-        let (links, count) = (self.mechanism.links(), self.mechanism.rates);
-        let elements = self.moving(values, &[rates, second_rates], poses.len())?;
+        let run = self.check_rates(values, &[rates, second_rates], poses)?;
+        let links = run.width;
         same_length("twists", twists.len(), poses.len())?;
         same_length("accelerations", accelerations.len(), poses.len())?;
         let outputs = ((poses, links), ((twists, links), (accelerations, links)));
         type All<'s, E, C> = (Rows<'s, E>, (Rows<'s, C>, Rows<'s, C>));
-        self.walk(values, outputs, |first, ((poses, _), ((twists, _), (of, _))): All<E, C>| {
-            let elements = things(poses, links, elements);
+        run.walk(outputs, |first, ((poses, _), ((twists, _), (of, _))): All<E, C>| {
+            let (elements, count) = (run.within(poses), run.mechanism.rates);
             let rates = [rates, second_rates].map(|rates| T::part(rates, count, first, elements));
             (elements, Twists { poses, moved: [twists, of], rates, links, count })
         });
         Ok(())
     }
 
-    /// How many configurations, or blocks of them, have poses, values and rates.
-    fn moving<Y: Layout, T: JointValues<Y>>(
-        &self,
-        values: &[T],
+    /// Checks the poses of all links, the values and the rates.
+    fn check_rates<'r, T, E>(
+        &'r self,
+        values: &'r [T],
         rates: &[&[T]],
-        poses: usize,
-    ) -> Result<usize, ShapeError> {
-        let mechanism = self.mechanism;
-        let elements = mechanism.configurations::<Y, T>(values, mechanism.links(), poses)?;
+        poses: &[E],
+    ) -> Result<Run<'r, R, T>, ShapeError>
+    where
+        E: Element<8>,
+        T: JointValues<E::Layout>,
+    {
+        let links = self.mechanism.links();
+        let run = self.check::<E::Layout, T>(values, ("poses", poses.len()), links)?;
         for (what, rates) in ["rates", "second_rates"].into_iter().zip(rates) {
-            T::check(what, rates, mechanism.rates, elements)?;
+            T::check(what, rates, run.mechanism.rates, run.elements)?;
         }
-        Ok(elements)
+        Ok(run)
     }
 }
 
-/// Poses and twists, and with `N` = 2 accelerations: each by rates of its own.
+/// Poses and twists (`N` = 1), and accelerations too (`N` = 2). Twists follow from the first rates,
+/// accelerations from the second.
 struct Twists<'s, T, E, C, const N: usize> {
     poses: &'s mut [E],
     moved: [&'s mut [C]; N],
@@ -174,21 +180,19 @@ where
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &LinkFrames<<E::Layout as Layout>::Register<V>>,
+        visit: &Visit<'_, E::Layout, V>,
         parent: &Self::Carried<V>,
         rates: &mut Self::State<V>,
     ) -> Self::Carried<V> {
+        let Visit { level, group, step, ref frames } = *visit;
         let mut all = *parent;
-        // The twist that carries the next screw along: the turn of a planar joint comes after its
-        // slides, while the twist of a floating one is given in its own frame at once.
+        // The twist of the frame in which the next screw lies. The turn of a planar joint comes after
+        // its slides. A floating joint has all six screws in one frame.
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;
-            let rate = joined.nan_if_nowhere(rates[0].get(level, which));
-            let screw = joined.screw(step, index);
+            let rate = frames.nan_if_nowhere(rates[0].get(level, which));
+            let screw = frames.screw(step, index);
             let own = screw.scale(rate);
             if N > 1 {
                 let second = screw.scale(rates[N - 1].get(level, which));
@@ -201,7 +205,7 @@ where
         }
         let (link, links) = (step.link as usize, self.links);
         let tile = group.tile::<E::Layout, V>(link, links);
-        E::store(joined.link.to_motion(), self.poses, tile);
+        E::store(frames.link.to_motion(), self.poses, tile);
         group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, links);
         for (moved, of_link) in self.moved.iter_mut().zip(&all) {
             C::store(of_link.to_array(), moved, tile);

@@ -1,23 +1,30 @@
-//! The one loop of all kernels over mechanisms.
+//! The loop of all kernels over mechanisms, on lanes.
 //!
 //! # The algorithm
 //!
-//! A register holds the same number of as many configurations as it has lanes. For each group of
-//! configurations: compute sine and cosine of the values, four joints at a time; then go down the
-//! tree, every link once, right after what carries it: frame of the joint = pose of the parent ·
-//! placement, pose of the link = frame · motion of the joint. A [`Task`] takes each link as it
-//! comes: it writes a pose, adds a column to a Jacobian, passes a velocity on to the children.
+//! A lane holds one configuration, and a register holds the same number of each.
+//!
+//! ```text
+//! for each group of configurations:
+//!     for each step of the mechanism, parents first:
+//!         joint ← pose of the parent · placement
+//!         link  ← joint · motion of the joint       cosines of four joints at a time
+//!         the task takes the link
+//! ```
+//!
+//! A [`Task`] writes the pose, adds a column to a Jacobian, or passes a velocity on to the children.
 //!
 //! # Why it is as it is
 //!
-//! - *A stack laid out beforehand.* Poses that wait for children are kept in numbered slots. Which
-//!   slot a link takes was found when the mechanism was made, the larger subtree last, which takes
-//!   over the slot of its parent: so 32 slots carry any tree, nothing is pushed or popped, and all
-//!   of it stays in the first cache.
-//! - *Subtrees follow each other*, so that links nobody asked for are one jump.
-//! - *Half translations.* ½t is what dual parts are made of: it saves a factor in every product.
-//! - *Axes of the frame's own* take half the operations of others, and placements without a turn
-//!   none ([`HalfPose`]).
+//! - *A stack laid out beforehand.* Poses that wait for children are kept in numbered slots, which
+//!   were chosen when the mechanism was made: a link's largest subtree comes last and takes over the
+//!   slot of the link. So 32 slots are enough for any tree, nothing is pushed or popped, and all
+//!   poses stay in the first cache.
+//! - *Subtrees follow each other*, so links that nobody asked for are skipped in one jump.
+//! - *Half translations.* The dual part of a motion is made of ½t, so keeping the half saves a
+//!   factor in every product.
+//! - *Axes of the frame* take half the operations of other axes, and a placement without a rotation
+//!   takes none ([`HalfPose`]).
 
 use super::step::{Alignment, JointFrame, JointScrews, NONE, Step};
 use super::tree::Mechanism;
@@ -28,27 +35,27 @@ use dq8::storage::Layout;
 use dq8::{Kernel, Scalar};
 use dq8_simd::{Float, Lanes, Level};
 
-/// As many poses wait for children at most: log₂ of the number of joints, and one
-/// ([`Mechanism::new`] puts them in such an order).
+/// The most poses that wait for children: log₂ of the number of joints, plus one. [`Mechanism::new`]
+/// puts the steps in such an order.
 pub(crate) const SLOTS: usize = 32;
 
-/// What is done with each link.
+/// The work that is done with each link.
 pub(crate) trait Task<Y: Layout> {
-    /// Whether sixteen lanes of plain `f32` gain, where the CPU shuffles them as quickly as eight.
-    /// Not where they are so much memory that the first cache does not hold it.
+    /// `true` if sixteen lanes of plain `f32` are faster than eight on a CPU that shuffles both in the
+    /// same time. `false` for tasks whose memory would then not fit the first cache.
     const WIDE: bool = true;
-    /// What it keeps in registers' form.
+    /// The registers that it keeps from link to link.
     type State<V: Level>;
-    /// What children need of a link in addition to its pose.
+    /// Facts that children need of a link in addition to its pose.
     type Carried<V: Level>: Copy;
-    /// Before everything.
+    /// The state before the first group.
     fn start<V: Level>(&self, level: V) -> Self::State<V>;
-    /// What the base carries.
+    /// The facts of the base.
     fn base<V: Level>(level: V) -> Self::Carried<V>;
-    /// Before the links of a group.
+    /// Begins a group, before its links.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn begin<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
-    /// Whether neither the link of this step nor what it carries is wanted.
+    /// `true` if neither the link of this step nor any link that it carries is wanted.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, _: &[Step<Y::Real>], _: usize) -> bool {
         false
@@ -56,40 +63,45 @@ pub(crate) trait Task<Y: Layout> {
     /// Takes a link.
     fn link<V: Level>(
         &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Y::Real>,
-        joined: &LinkFrames<Y::Register<V>>,
+        visit: &Visit<'_, Y, V>,
         parent: &Self::Carried<V>,
         state: &mut Self::State<V>,
     ) -> Self::Carried<V>;
-    /// After the links of a group.
+    /// Ends a group, after its links.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
 }
 
-/// A link and its joint, one configuration per lane.
+/// A link as the loop comes to it.
+pub(crate) struct Visit<'s, Y: Layout, V: Level> {
+    pub(crate) level: V,
+    pub(crate) group: Group,
+    pub(crate) step: &'s Step<Y::Real>,
+    pub(crate) frames: LinkFrames<Y::Register<V>>,
+}
+
+/// The frames of a joint and of its link, one configuration per lane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinkFrames<L> {
-    /// The frame of the joint.
+    /// The frame of the joint, before it moves.
     pub(crate) joint: HalfPose<L>,
-    /// The link.
+    /// The pose of the link.
     pub(crate) link: HalfPose<L>,
 }
 
 pub(crate) struct Walk<'r, Y: Layout, T, K> {
     pub(crate) mechanism: Mechanism<'r, Y::Real>,
     pub(crate) values: Part<'r, T>,
-    /// How many configurations, or blocks of them, there are.
+    /// The number of configurations, or of blocks of them.
     pub(crate) elements: usize,
     pub(crate) task: K,
 }
 
 impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     type Output = ();
-    // Plain poses are transposed, but a link of f64 is so much to compute that eight lanes still
-    // gain a third: 36 ns instead of 53 for the seven links of an arm. Of f32 they gain as much
-    // where shuffles are quick, else nothing.
+    // Plain poses are transposed. In f64 a link takes so long to compute that eight lanes still save
+    // a third of the time: 36 ns instead of 53 for the seven links of an arm. In f32 sixteen lanes
+    // save as much where shuffles are quick, and nothing elsewhere.
     const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE || K::WIDE;
     const SHUFFLES: bool = !Y::WIDE && <Y::Real as Float>::SINGLE;
 
@@ -112,14 +124,21 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                         continue;
                     }
                     position += 1;
-                    let (from, to) = slots(step);
+                    // The remainder changes no slot. It tells the compiler that the slots are within
+                    // the array, so no check is left.
+                    let from = step.parent_slot as usize % SLOTS;
+                    let to = step.slot as usize % SLOTS;
                     let is_root = step.parent == NONE;
-                    let before = frame(level, &poses, step);
-                    let pose = before.link_frame(step, &mut numbers);
-                    let joined = LinkFrames { joint: before, link: pose };
+                    let joint = if is_root {
+                        HalfPose::on_base(level, step)
+                    } else {
+                        poses[from].joint_frame(step)
+                    };
+                    let link = joint.link_frame(step, &mut numbers);
+                    let visit = Visit { level, group, step, frames: LinkFrames { joint, link } };
                     let parent = if is_root { K::base(level) } else { carried[from] };
-                    poses[to] = pose;
-                    carried[to] = task.link(level, group, step, &joined, &parent, &mut state);
+                    poses[to] = link;
+                    carried[to] = task.link(&visit, &parent, &mut state);
                 }
                 task.end(level, group, mechanism.steps, &mut state);
             }
@@ -127,35 +146,12 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     }
 }
 
-/// Where the poses of a parent and of the link of a step are. They are smaller than [`SLOTS`]; the
-/// remainder, a mask, tells the compiler, and no check is left.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn slots<R>(step: &Step<R>) -> (usize, usize) {
-    (step.parent_slot as usize % SLOTS, step.slot as usize % SLOTS)
-}
-
-/// The frame of the joint.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn frame<L: Lanes<Real: Scalar>>(
-    level: L::Level,
-    poses: &[HalfPose<L>; SLOTS],
-    step: &Step<L::Real>,
-) -> HalfPose<L> {
-    if step.parent == NONE {
-        return HalfPose::root(level, step);
-    }
-    let (from, _) = slots(step);
-    poses[from].place(step)
-}
-
-// Poses on lanes while they are computed: a rotation and half the translation, which is what
-// products with a rotation about an axis of the frame, or a translation along one, take least of.
-
-/// Poses, one per lane.
+/// Poses while they are computed, one per lane: a rotation, and half the translation. In this form
+/// rotations about an axis of the frame, and translations along one, take the fewest operations.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HalfPose<L> {
     pub(crate) rotation: [L; 4],
-    /// Half the translation: what the dual part of a motion is made of.
+    /// Half the translation, of which the dual part of a motion is made.
     pub(crate) half: [L; 3],
 }
 
@@ -166,9 +162,9 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         Self { rotation: [zero, zero, zero, zero.constant(1.0)], half: [zero; 3] }
     }
 
-    /// The placement of a joint on the base.
+    /// The frame of a joint that stands on the base.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn root(level: L::Level, step: &Step<L::Real>) -> Self {
+    pub(crate) fn on_base(level: L::Level, step: &Step<L::Real>) -> Self {
         let rotation = vector::splat(level, step.rotation);
         Self { rotation, half: vector::splat(level, step.half_offset) }
     }
@@ -189,9 +185,9 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         ]
     }
 
-    /// This pose times the placement of a joint.
+    /// The frame of a joint that stands on a link with this pose.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn place(self, step: &Step<L::Real>) -> Self {
+    pub(crate) fn joint_frame(self, step: &Step<L::Real>) -> Self {
         let level = self.half[0].level();
         let half = self.shifted(step.offset_alignment, step.half_offset);
         let [x, y, z, w] = step.rotation;
@@ -208,7 +204,7 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         Self { rotation, half }
     }
 
-    /// Half the translation after a constant one in the frame of this pose, of which half is given.
+    /// Half the translation, moved by a constant vector in this frame, of which half is given.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shifted(self, along: Alignment, half: [L::Real; 3]) -> [L; 3] {
         let level = self.half[0].level();
@@ -236,19 +232,19 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         half
     }
 
-    /// h + R v
+    /// Half the translation, moved by half a vector in this frame: h + R v.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn moved(self, vector: [L; 3]) -> [L; 3] {
         Quat::from_array(self.rotation).rotate_onto(vector, vector::add(vector, self.half))
     }
 
-    /// R v
+    /// A vector of this frame in the frame of the base: R v.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotated(self, vector: [L; 3]) -> [L; 3] {
         Quat::from_array(self.rotation).rotate(vector)
     }
 
-    /// R n for the axis of a joint: a column of the rotation, where it is an axis of the frame.
+    /// The axis of a joint in the frame of the base, R n: for an axis of the frame, a column of R.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn direction(self, step: &Step<L::Real>) -> [L; 3] {
         let level = self.half[0].level();
@@ -262,14 +258,14 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         }
     }
 
-    /// Turning about an axis through the origin of this frame.
+    /// The twist of turning about an axis through the origin of this frame.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn hinge(self, axis: [L; 3]) -> Twist<L> {
         let moment = vector::cross(self.half, axis);
         Twist { angular: axis, linear: vector::add(moment, moment) }
     }
 
-    /// The rotation, turned about the axis of a joint: r (c + n s).
+    /// The rotation r, turned about the axis n of a joint: r (cos + n sin).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotation_about_axis(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
         let level = cos.level();
@@ -305,7 +301,7 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
         numbers
     }
 
-    /// Half of it, counted where the axis is positive.
+    /// Half the value, times −1 if the axis points against that of the frame.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn value(self, step: &Step<L::Real>, index: usize, values: &mut N) -> L {
         let level = self.half[0].level();
@@ -318,7 +314,7 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
         checked_cos_sin(half)
     }
 
-    /// Cosines and sines of values as they are come four at a time.
+    /// Cosines and sines of values that are not mimicked are computed four at a time.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn own_half_angle(self, step: &Step<L::Real>, values: &mut N) -> [L; 2] {
         let level = self.half[0].level();
@@ -362,7 +358,7 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
     }
 }
 
-/// r (c + s e_K): two components instead of four, 8 multiplications.
+/// The product r (cos + sin e_K): 8 multiplications instead of 16.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
     let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);
@@ -373,8 +369,6 @@ fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
     turned[3] = r[own].neg_mul_add(sin, r[3] * cos);
     turned
 }
-
-// How joints move links, on lanes.
 
 impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
     type Number = L;
@@ -420,8 +414,8 @@ impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
 }
 
 impl<L: Lanes> LinkFrames<L> {
-    /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although
-    /// the screw of its joint may be known.
+    /// The rate, or NaN if the pose of the link is NaN. The screw of its joint may be known even then,
+    /// but the velocity of the link is not.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn nan_if_nowhere(&self, rate: L) -> L {
         let [.., w] = self.link.rotation;

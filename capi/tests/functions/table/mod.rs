@@ -11,7 +11,7 @@ mod skins;
 use crate::function::Function;
 use crate::shape::Shape;
 
-/// Of arrays of such lengths.
+/// All functions, with arrays of these lengths.
 pub(crate) fn table(shape: &Shape) -> Vec<Function> {
     let mut all = Vec::new();
     arrays::add(shape, &mut all);
