@@ -103,7 +103,7 @@ const FORMS: &[Row] = &[
     ),
     ("JointKind::Screw", &[], "not proved: the sums of a hinge and of a slide, and a sine"),
     ("JointKind::Planar", &[], "not proved: the sums of a hinge and of a point, and a sine"),
-    ("robot/src/ik/job.rs SearchKernel", &[], "not proved: a search"),
+    ("robot/src/ik/job.rs Batch", &[], "not proved: a search"),
     ("robot/src/ik/rates.rs Velocities", &[], "not proved: solves a system"),
     ("robot/src/ik/six_axis.rs SolutionsKernel", &[], "not proved: angles by arcs"),
 ];

@@ -227,7 +227,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         work: Work<'_, R>,
         scratch: &mut [R],
     ) {
-        backend.run(SearchKernel::<R, RESTARTS, TRACK> { reach: &self.reach, work, scratch });
+        backend.run(Batch::<R, RESTARTS, TRACK> { reach: &self.reach, work, scratch });
     }
 }
 
@@ -244,15 +244,13 @@ fn grain(configurations: usize) -> usize {
 }
 
 /// The kernel of searches for many configurations.
-struct SearchKernel<'s, R, const RESTARTS: bool, const TRACK: bool> {
+struct Batch<'s, R, const RESTARTS: bool, const TRACK: bool> {
     reach: &'s Reach<'s, R>,
     work: Work<'s, R>,
     scratch: &'s mut [R],
 }
 
-impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel
-    for SearchKernel<'_, R, RESTARTS, TRACK>
-{
+impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel for Batch<'_, R, RESTARTS, TRACK> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
