@@ -1,5 +1,5 @@
-//! One configuration of `f32` or `f64`, by the plan of [`step`](super::step): base frames in place of
-//! the general products of `single.rs`.
+//! One configuration of `f32` or `f64`, by the plan of [`step`](super::step): base frames in place
+//! of the general products of `single.rs`.
 //!
 //! ```text
 //! for each step:
@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Frames are not stored. Where the tree branches, the frame of the parent is recovered from its
-//! stored pose. Four lanes hold a quaternion, p or q of the motion p + εq. Nothing is fused, so the
-//! bits are the same on all targets.
+//! stored pose. Four lanes hold a quaternion, p or q of the motion p + εq. Nothing is fused, so
+//! the bits are the same on all targets.
 
 use super::jacobians::Frame;
 use super::job::{Point, PointsByLink};
@@ -41,7 +41,8 @@ fn path<'s, R: Copy>(
 }
 
 /// The calls of a [`Mechanism`] that floats answer by the plan, as structs of their arguments. Code
-/// for any `Real` cannot name a function that needs a [`Number`], but it can hand over such a struct.
+/// for any `Real` cannot name a function that needs a [`Number`], but it can hand over such a
+/// struct.
 macro_rules! quick {
     ($($name:ident { $($field:ident: $type:ty),+ } -> $output:ty;)*) => {$(
         pub(crate) struct $name<'s, R> {
@@ -230,8 +231,8 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
         Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
     }
 
-    /// The axis of a planar joint is known even if its angle is out of range and its link is NaN. Not
-    /// inlined, as few robots have such joints: a Jacobian takes 7 % fewer instructions.
+    /// The axis of a planar joint is known even if its angle is out of range and its link is NaN.
+    /// Not inlined, as few robots have such joints: a Jacobian takes 7 % fewer instructions.
     #[inline(never)]
     fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
         let JointKind::Planar { .. } = step.kind else {
@@ -545,7 +546,8 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
     }
 }
 
-/// Cosine and sine of half an angle.
+/// Cosine and sine of half an angle. Firmware holds it once.
+#[cfg_attr(target_os = "none", inline(never))]
 pub(crate) fn half_angle_of<R: Real + Number>(angle: R) -> [R; 2] {
     let angle = Native::<R>::splat(LEVEL, angle);
     checked_cos_sin(angle * angle.constant(0.5)).map(|of| of.to_array().as_ref()[0])

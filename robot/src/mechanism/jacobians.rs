@@ -126,8 +126,8 @@ struct Jacobians<'s, E: Element<8>, C> {
     rates: usize,
     /// `true` if some columns are the sum over a joint and those that mimic it.
     sums: bool,
-    /// Not a parameter of the type, so that the kernel is compiled once: the frame is asked for only
-    /// once per column that is loaded and stored.
+    /// Not a parameter of the type, so that the kernel is compiled once: the frame is asked for
+    /// only once per column that is loaded and stored.
     frame: Frame,
 }
 
@@ -144,9 +144,9 @@ impl<E: Element<8>, C> Jacobians<'_, E, C> {
     }
 }
 
-/// Columns are computed in the frame [`World`], in which they are the same for all links, and stored
-/// for the first link that the joint carries. At the end of a group the other links take them from
-/// there, and all are turned into the frame that was asked for.
+/// Columns are computed in the frame [`World`], in which they are the same for all links, and
+/// stored for the first link that the joint carries. At the end of a group the other links take
+/// them from there, and all are turned into the frame that was asked for.
 impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
     E: Element<8>,
@@ -271,12 +271,13 @@ where
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The manipulability of a link, w = √det(J Jᵀ): the volume of the twists that rates of length
-    /// one give it, up to a constant factor (Yoshikawa, *Manipulability of Robotic Mechanisms*, 1985,
-    /// eq. 9). J is the whole Jacobian of six rows, so the unit is radians and lengths cubed. It is the
-    /// same in every [frame](super::JacobianFrame). It is zero, up to rounding, at a singularity, where
-    /// the link cannot move in every direction, and always if there are fewer than six rates; it is NaN
-    /// if the pose is. The memory of `columns` is used, whatever it holds.
+    /// The manipulability of a link, w = √det(J Jᵀ): the volume of the twists that rates of
+    /// length one give it, up to a constant factor (Yoshikawa, *Manipulability of Robotic
+    /// Mechanisms*, 1985, eq. 9). J is the whole Jacobian of six rows, so the unit is radians and
+    /// lengths cubed. It is the same in every [frame](super::JacobianFrame). It is zero, up to
+    /// rounding, at a singularity, where the link cannot move in every direction, and always if
+    /// there are fewer than six rates; it is NaN if the pose is. The memory of `columns` is used,
+    /// whatever it holds.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -316,9 +317,9 @@ impl<R: Real> Mechanism<'_, R> {
     }
 }
 
-/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six rows,
-/// after each was made orthogonal to those before it (Gram–Schmidt). Near a singularity the product
-/// J Jᵀ would lose half of the digits.
+/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six
+/// rows, after each was made orthogonal to those before it (Gram–Schmidt). Near a singularity the
+/// product J Jᵀ would lose half of the digits.
 fn volume<R: Real>(columns: &mut [Twist<R>]) -> R {
     // Six rows with fewer than six columns are never independent.
     let mut volume = if columns.len() < 6 { R::ZERO } else { R::ONE };

@@ -57,8 +57,8 @@ impl<'a, R: Copy> Mechanism<'a, R> {
 }
 
 impl<'a, R: Copy> Job<'a, R> {
-    /// Only these links, in this order. Links that carry none of them are not computed, and poses of
-    /// other links are not stored.
+    /// Only these links, in this order. Links that carry none of them are not computed, and poses
+    /// of other links are not stored.
     pub fn links(self, links: &'a [usize]) -> Job<'a, R, &'a [usize]> {
         Job { mechanism: self.mechanism, links, choice: self.choice }
     }
@@ -123,9 +123,9 @@ pub(crate) struct Run<'r, R, T> {
 }
 
 impl<R: Scalar, T> Run<'_, R, T> {
-    /// Runs the loop over all configurations, on as many threads as the job allows. `task` takes the
-    /// number of the first configuration (or block) of a part of the outputs, and the part; it returns
-    /// how many the part holds, and the task for them.
+    /// Runs the loop over all configurations, on as many threads as the job allows. `task` takes
+    /// the number of the first configuration (or block) of a part of the outputs, and the part; it
+    /// returns how many the part holds, and the task for them.
     pub(crate) fn walk<Y, O, K>(self, outputs: O, task: impl Fn(usize, O) -> (usize, K) + Sync)
     where
         Y: Layout<Real = R>,
@@ -154,9 +154,9 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     /// The poses of the links of many configurations, in the frame of the base: what
     /// [`Mechanism::link_poses`] gives for one, on lanes.
     ///
-    /// `poses` is `[configuration][link]`, plain or in blocks: all links, or those that the job names,
-    /// in the order in which it names them. `values` is `[configuration][value]` in plain numbers, or a
-    /// slice of plain numbers for each value, or, if poses are in blocks,
+    /// `poses` is `[configuration][link]`, plain or in blocks: all links, or those that the job
+    /// names, in the order in which it names them. `values` is `[configuration][value]` in plain
+    /// numbers, or a slice of plain numbers for each value, or, if poses are in blocks,
     /// `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
     /// or 2⁴⁶ rad (`f64`) give NaN.
     ///
@@ -260,7 +260,8 @@ impl<E: Element<8>, S: Links> Task<E::Layout> for Poses<'_, E, S> {
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
             // A link that is asked for more than once is written to its first place only. A loop
-            // around the registers of a pose would keep them in memory, and take half as long again.
+            // around the registers of a pose would keep them in memory, and take half as long
+            // again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
             E::store(frames.link.to_motion(), self.poses, tile);
         }
@@ -374,9 +375,9 @@ struct Points<'s, E: Element<3>> {
     found: PointsByLink<'s, Number<E, 3>>,
 }
 
-/// Up to four places that wait to be written together. The three numbers of a point fill no register,
-/// but the twelve of four points fill three. That takes a quarter of the stores, which are most of the
-/// time in plain slices.
+/// Up to four places that wait to be written together. The three numbers of a point fill no
+/// register, but the twelve of four points fill three. That takes a quarter of the stores, which
+/// are most of the time in plain slices.
 struct PointQuad<L> {
     first: usize,
     count: usize,

@@ -14,8 +14,8 @@ pub struct Joint<R> {
     pub placement: DualQuat<R>,
     /// The kind of motion.
     pub kind: JointKind<R>,
-    /// The least and the largest value, for a joint with one value. Inverse kinematics keeps to them
-    /// ([`Reach`](crate::Reach)); poses are computed for any values.
+    /// The least and the largest value, for a joint with one value. Inverse kinematics keeps to
+    /// them ([`Reach`](crate::Reach)); poses are computed for any values.
     pub limits: Option<[R; 2]>,
     /// The joint whose value this one takes, if it has none of its own.
     pub mimic: Option<Mimic<R>>,
@@ -46,10 +46,10 @@ pub enum JointKind<R> {
         /// Length per radian: the lead of a thread over 2π.
         pitch: R,
     },
-    /// Slides in the plane perpendicular to `normal`, then turns about the normal. Three values: x and y,
-    /// lengths, and the angle, radians. The axes of x and y are those of the joint's frame after
-    /// the shortest rotation that takes z to the normal (for −z, half a turn about x). Three
-    /// rates, ẋ, ẏ, θ̇.
+    /// Slides in the plane perpendicular to `normal`, then turns about the normal. Three values: x
+    /// and y, lengths, and the angle, radians. The axes of x and y are those of the joint's frame
+    /// after the shortest rotation that takes z to the normal (for −z, half a turn about x).
+    /// Three rates, ẋ, ẏ, θ̇.
     Planar {
         /// The normal.
         normal: [R; 3],
@@ -60,7 +60,8 @@ pub enum JointKind<R> {
     Floating,
 }
 
-/// The rule of a joint that follows another: its value is `multiplier` · value(`joint`) + `offset`.
+/// The rule of a joint that follows another: its value is `multiplier` · value(`joint`) +
+/// `offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mimic<R> {
     /// The number of the other joint, which has one value and mimics none.
@@ -192,14 +193,15 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MechanismError {
-        /// The parent of a joint is the joint itself, a later one, or does not exist. Parents must come
-        /// first, which also rules out circles.
+        /// The parent of a joint is the joint itself, a later one, or does not exist. Parents must
+        /// come first, which also rules out circles.
         Parent { joint: usize = "The joint.", parent: usize = "Its parent." }
             => "joint {joint} has the parent {parent}, but a parent must have a lower number than its joint";
         /// The rotation of a placement is not unit.
         Placement { joint: usize = "The joint.", norm: f64 = "The norm of the real part." }
             => "the placement of joint {joint} is not a unit dual quaternion: the norm of its real part is {norm}, not 1";
-        /// The dual part of a placement is not perpendicular to its real part, as that of a motion is.
+        /// The dual part of a placement is not perpendicular to its real part, as that of a motion
+        /// is.
         DualPart {
             joint: usize = "The joint.",
             along: f64 = "The dot product of its real and dual parts."
@@ -213,8 +215,8 @@ errors! {
         /// An axis or a normal does not have length 1.
         Axis { joint: usize = "The joint.", length: f64 = "The length." }
             => "the axis of joint {joint} has length {length}, not 1";
-        /// A screw is not that of a joint, which has angle 1 and a finite slide, or angle 0 and slide
-        /// 1.
+        /// A screw is not that of a joint, which has angle 1 and a finite slide, or angle 0 and
+        /// slide 1.
         Screw { joint: usize = "The joint.", angle: f64 = "The angle of the screw.", slide: f64 = "Its slide." }
             => "the screw of joint {joint} turns by {angle} and slides by {slide} for a value of 1: a hinge or a thread \
                 must turn by 1, and a slide must turn by 0 and slide by 1";
@@ -222,8 +224,8 @@ errors! {
         Limits { joint: usize = "The joint.", low: f64 = "The lower limit.", high: f64 = "The upper limit." }
             => "joint {joint} has the limits {low} and {high}: the first must not exceed the second, and the joint must \
                 have exactly one value";
-        /// A joint cannot mimic another, because that one does not exist, is the joint itself, or mimics
-        /// too, or because one of the two does not have exactly one value.
+        /// A joint cannot mimic another, because that one does not exist, is the joint itself, or
+        /// mimics too, or because one of the two does not have exactly one value.
         Mimic { joint: usize = "The joint.", other: usize = "The joint that it should mimic." }
             => "joint {joint} cannot mimic joint {other}: each must have exactly one value, and joint {other} must not \
                 mimic another";

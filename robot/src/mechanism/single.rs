@@ -1,6 +1,6 @@
 //! One configuration at a time, for any number, by the formulas of textbooks. Tests compare the
-//! lanes with it. `f32` and `f64` take the faster `configuration.rs` instead, which is compared with
-//! it too.
+//! lanes with it. `f32` and `f64` take the faster `configuration.rs` instead, which is compared
+//! with it too.
 
 use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
 use super::jacobians::{Frame, JacobianFrame};
@@ -58,8 +58,8 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(pose)
     }
 
-    /// The places of points on links, in the frame of the base. Each point is a link and a place in its
-    /// frame. They may be in any order; points in the order of their links are found sooner.
+    /// The places of points on links, in the frame of the base. Each point is a link and a place in
+    /// its frame. They may be in any order; points in the order of their links are found sooner.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -153,7 +153,7 @@ impl<R: Real> Mechanism<'_, R> {
             let own = columns.get_mut(step.rate as usize..).unwrap_or_default();
             for (index, column) in own.iter_mut().take(step.kind.rates()).enumerate() {
                 // The columns of joints that mimic the same one are added up.
-                *column = *column + tail.conjugate().adjoint(BodyScrews(values).screw(step, index));
+                *column = *column + tail.conjugate().adjoint(step.body_twist(index, values));
             }
             tail = step.placement() * step.motion(values) * tail;
             joint = step.parent as usize;
@@ -201,12 +201,11 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(())
     }
 
-    /// The poses, the spatial twists and the spatial accelerations of all links. Accelerations are the
-    /// derivatives of twists:
-    /// acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist)
-    /// Ad(pose(j)) Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47).
-    /// The point of a link that is at x is accelerated by a + α × x + ω × (v + ω × x), for
-    /// the twist (ω, v) and the acceleration (α, a).
+    /// The poses, the spatial twists and the spatial accelerations of all links. Accelerations are
+    /// the derivatives of twists: acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ
+    /// second_rates(j) + ad(twist) Ad(pose(j)) Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics
+    /// Algorithms*, 2008, eq. 2.47). The point of a link that is at x is accelerated by a + α ×
+    /// x + ω × (v + ω × x), for the twist (ω, v) and the acceleration (α, a).
     ///
     /// # Errors
     /// If a slice has another length than the mechanism asks for; nothing is written.
@@ -234,7 +233,7 @@ impl<R: Real> Mechanism<'_, R> {
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
             let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
             for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
-                let moving = pose.adjoint(BodyScrews(values).screw(step, index)).scale(rate);
+                let moving = pose.adjoint(step.body_twist(index, values)).scale(rate);
                 acceleration = acceleration + lie_bracket(carrying, moving);
                 if let JointKind::Planar { .. } = step.kind {
                     carrying = carrying + moving;
@@ -254,15 +253,15 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Real> Step<R> {
-    /// `C` numbers of `all` from number `first` on. NaN stands for numbers that are missing, which the
-    /// check of lengths rules out.
+    /// `C` numbers of `all` from number `first` on. NaN stands for numbers that are missing, which
+    /// the check of lengths rules out.
     pub(crate) fn numbers<const C: usize>(first: u32, all: &[R]) -> [R; C] {
         let rest = all.get(first as usize..).unwrap_or_default();
         rest.first_chunk().copied().unwrap_or([R::NAN; C])
     }
 
-    /// Number `index` of a joint: an angle or a distance, with the multiplier and offset of one that
-    /// mimics.
+    /// Number `index` of a joint: an angle or a distance, with the multiplier and offset of one
+    /// that mimics.
     pub(crate) fn number(&self, index: usize, values: &[R]) -> R {
         let [number] = Self::numbers(self.value + index as u32, values);
         // Joints with more than one number mimic nothing.
@@ -292,12 +291,18 @@ impl<R: Real> Step<R> {
         }
     }
 
+    /// The body twist of the link for rate number `index` of the joint. Firmware holds it once.
+    #[cfg_attr(target_os = "none", inline(never))]
+    fn body_twist(&self, index: usize, values: &[R]) -> Twist<R> {
+        BodyScrews(values).screw(self, index)
+    }
+
     /// The body twists for the rates of this joint, in their order.
     fn own_twists(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
         // A joint without rates has none.
         let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
         let own = rates.take(self.kind.rates()).enumerate();
-        own.map(move |(index, &rate)| BodyScrews(values).screw(self, index).scale(rate))
+        own.map(move |(index, &rate)| self.body_twist(index, values).scale(rate))
     }
 }
 

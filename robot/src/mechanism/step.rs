@@ -1,6 +1,6 @@
 //! A joint as the kernels use it: [`Step`], made and checked from a [`Joint`]; what a joint does to
-//! frames ([`JointFrame`]) and to twists ([`JointScrews`]); the plan for one configuration at a time
-//! ([`plan`]); and the limits of joints that mimic others.
+//! frames ([`JointFrame`]) and to twists ([`JointScrews`]); the plan for one configuration at a
+//! time ([`plan`]); and the limits of joints that mimic others.
 //!
 //! # The plan for one configuration
 //!
@@ -19,9 +19,9 @@
 //!
 //! Between base frames no placement has a rotation: the frame of a joint is that of its parent,
 //! moved. And the axes of nearly all robots are axes of the base, so turning by a hinge is
-//! `r ← cos · r + sin · (r n)`, where the product `r n` with a unit vector n along an axis reorders
-//! the four numbers and changes some signs. The link's own rotation is multiplied on when its pose
-//! is written; no other link waits for that.
+//! `r ← cos · r + sin · (r n)`, where the product `r n` with a unit vector n along an axis
+//! reorders the four numbers and changes some signs. The link's own rotation is multiplied on when
+//! its pose is written; no other link waits for that.
 
 use super::joint::{Joint, JointKind, MechanismError};
 use core::ops::Mul;
@@ -73,8 +73,8 @@ pub struct Step<R> {
     pub(crate) position: u32,
     /// The number of steps from here on that belong to this link and to what it carries.
     pub(crate) size: u32,
-    /// While steps are put in order: the child with the largest subtree, and the next free place for
-    /// the subtree of another child.
+    /// While steps are put in order: the child with the largest subtree, and the next free place
+    /// for the subtree of another child.
     pub(crate) largest: u32,
     pub(crate) free: u32,
     /// The slot in which the pose is kept for the children, and the slot of the parent.
@@ -272,7 +272,7 @@ pub(crate) trait JointScrews<R: Real> {
     fn axis(&self, step: &Step<R>) -> [Self::Number; 3];
     /// Direction x or y of a planar joint.
     fn plane_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
-    /// Axis x, y or z of the link.
+    /// Axis x, y or z of the link, for index 0 and 3, 1 and 4, 2 and 5.
     fn link_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
     /// Turning about an axis through the origin of the joint.
     fn hinge(&self, axis: [Self::Number; 3]) -> Twist<Self::Number>;
@@ -293,8 +293,10 @@ pub(crate) trait JointScrews<R: Real> {
         let screw = match step.kind {
             // The slides of a planar joint come before its turn, those of a floating one after it.
             JointKind::Planar { .. } if index < 2 => self.slide(self.plane_axis(step, index)),
-            JointKind::Floating if index < 3 => self.link_hinge(step, self.link_axis(step, index)),
-            JointKind::Floating => self.slide(self.link_axis(step, index % 3)),
+            JointKind::Floating => {
+                let axis = self.link_axis(step, index);
+                if index < 3 { self.link_hinge(step, axis) } else { self.slide(axis) }
+            }
             kind => {
                 let axis = self.axis(step);
                 match kind {
@@ -502,12 +504,12 @@ fn snap<R: Real>(numbers: &mut [R], size: R) {
     }
 }
 
-// In many files a joint that mimics another has limits of its own, copied from its leader without the
-// sign or the factor between them. They bind the leader if they leave a part of its range. If they
-// leave nothing, or one value alone, the file cannot mean them, and the joint has no limits.
+// In many files a joint that mimics another has limits of its own, copied from its leader without
+// the sign or the factor between them. They bind the leader if they leave a part of its range. If
+// they leave nothing, or one value alone, the file cannot mean them, and the joint has no limits.
 
-/// The part of the leader's range in which a follower, at `multiplier` times its value plus `offset`,
-/// is within its own `limits`. `None` if no more than one value is left.
+/// The part of the leader's range in which a follower, at `multiplier` times its value plus
+/// `offset`, is within its own `limits`. `None` if no more than one value is left.
 pub(crate) fn common_range<R: Real>(
     [low, high]: [R; 2],
     limits: [R; 2],
@@ -523,8 +525,8 @@ pub(crate) fn common_range<R: Real>(
 }
 
 impl<R: Real> Step<R> {
-    /// The [`common_range`] of the leader and of this joint, which mimics it; the whole range if this
-    /// joint has no limits.
+    /// The [`common_range`] of the leader and of this joint, which mimics it; the whole range if
+    /// this joint has no limits.
     pub(crate) fn narrowed(&self, range: [R; 2]) -> Option<[R; 2]> {
         match self.limits {
             Some(limits) => common_range(range, limits, self.multiplier, self.offset),

@@ -18,9 +18,9 @@ use dq8::{Real, ShapeError};
 ///   on. Joints that are fixed or mimic have none, so value j is not the value of joint j;
 ///   [`values_of`](Self::values_of) gives the values of a joint. Limits and postures are indexed by
 ///   value.
-/// - Rates are numbered in the same way, but by themselves, because a floating joint has seven values
-///   and six rates; [`rates_of`](Self::rates_of) gives the rates of a joint. Columns of a Jacobian are
-///   indexed by rate.
+/// - Rates are numbered in the same way, but by themselves, because a floating joint has seven
+///   values and six rates; [`rates_of`](Self::rates_of) gives the rates of a joint. Columns of a
+///   Jacobian are indexed by rate.
 ///
 /// ```
 /// use dq8_robot::{Joint, Mechanism, Step};
@@ -52,13 +52,13 @@ brief!([R] Mechanism<'_, R>: Mechanism |it| {
 });
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// Checks the joints and prepares them. Axes that lie on those of a frame, and placements without
-    /// a rotation or a translation, are found here; kernels do less for them.
+    /// Checks the joints and prepares them. Axes that lie on those of a frame, and placements
+    /// without a rotation or a translation, are found here; kernels do less for them.
     ///
     /// # Errors
     /// If a parent does not come before its joint, a placement or axis is farther than 10⁻³ from
-    /// unit or not finite, limits are not in order, a joint mimics one that does not have exactly one
-    /// value of its own, or there are fewer steps than joints. `steps` may have been written.
+    /// unit or not finite, limits are not in order, a joint mimics one that does not have exactly
+    /// one value of its own, or there are fewer steps than joints. `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
         let steps = step_memory(steps, joints.len())?;
         let counts = check(joints, steps)?;
@@ -173,8 +173,8 @@ impl<R: Copy> Mechanism<'_, R> {
         self.rates
     }
 
-    /// The numbers of the values of a joint; of a joint that mimics, the number of the value that it
-    /// takes.
+    /// The numbers of the values of a joint; of a joint that mimics, the number of the value that
+    /// it takes.
     #[must_use]
     pub fn values_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
         let step = self.step(joint)?;
@@ -182,8 +182,8 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
     }
 
-    /// The numbers of the rates of a joint, and of its columns in a Jacobian; of a joint that mimics,
-    /// the number of the rate that moves it.
+    /// The numbers of the rates of a joint, and of its columns in a Jacobian; of a joint that
+    /// mimics, the number of the rate that moves it.
     #[must_use]
     pub fn rates_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
         let step = self.step(joint)?;
@@ -216,8 +216,8 @@ pub(crate) fn step_memory<R>(
     steps.ok_or(MechanismError::Steps { steps: count, joints })
 }
 
-/// Writes the step of joint number `index`, without what it mimics. Its values and rates are the next
-/// after those counted so far. Steps are large, so none is copied on the stack.
+/// Writes the step of joint number `index`, without what it mimics. Its values and rates are the
+/// next after those counted so far. Steps are large, so none is copied on the stack.
 pub(crate) fn write_step<R: Real>(
     joint: &Joint<R>,
     index: usize,
@@ -240,8 +240,8 @@ pub(crate) fn write_step<R: Real>(
     Ok(())
 }
 
-/// Checks the joints, writes their steps in the same order, and returns the numbers of values and of
-/// rates.
+/// Checks the joints, writes their steps in the same order, and returns the numbers of values and
+/// of rates.
 fn check<R: Real>(
     joints: &[Joint<R>],
     steps: &mut [Step<R>],
@@ -286,10 +286,10 @@ pub(crate) fn finish<R: Real>(
 /// Puts the steps in depth-first order, the largest branch last.
 ///
 /// A pose is kept for the other children of its link while a branch is computed. As each of these
-/// branches is no larger than the last one, at most log₂(n) + 1 poses are kept (the Strahler number of
-/// the tree), so memory of a fixed size is enough.
-// Steps are large, so none is copied to the stack. Not inlined, so that its stack frame does not lie
-// under that of `plan`.
+/// branches is no larger than the last one, at most log₂(n) + 1 poses are kept (the Strahler
+/// number of the tree), so memory of a fixed size is enough.
+// Steps are large, so none is copied to the stack. Not inlined, so that its stack frame does not
+// lie under that of `plan`.
 #[inline(never)]
 fn order<R>(steps: &mut [Step<R>]) {
     let count = steps.len();
@@ -355,12 +355,13 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// | 0 | 1 | a slide along the axis; the place of the axis does not matter |
     ///
     /// With each screw come the limits of its joint, infinite if it has none. `tool` is the pose of
-    /// the tool while all values are zero. Axes and tool are made unit exactly, so numbers with four
-    /// decimals will do; a part of the moment along the axis is rounding, and is left out.
+    /// the tool while all values are zero. Axes and tool are made unit exactly, so numbers with
+    /// four decimals will do; a part of the moment along the axis is rounding, and is left out.
     ///
-    /// While all values are zero, the frames of links are parallel to the base. That of a hinge is at
-    /// the point of its axis that is nearest to the frame before, so
-    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the distances from axis to axis.
+    /// While all values are zero, the frames of links are parallel to the base. That of a hinge is
+    /// at the point of its axis that is nearest to the frame before, so
+    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the distances from axis to
+    /// axis.
     ///
     /// ```
     /// use dq8::geometry::Screw;
@@ -380,8 +381,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     ///
     /// # Errors
     /// If an axis or the tool, as that of joint N, is farther than 10⁻³ from unit or not finite,
-    /// a screw is none of these three, limits are not in order, or there are fewer steps than N + 1.
-    /// `steps` may have been written.
+    /// a screw is none of these three, limits are not in order, or there are fewer steps than N
+    /// + 1. `steps` may have been written.
     // Not inlined, so that its stack frame does not lie under that of a search.
     #[inline(never)]
     pub fn from_screws(
@@ -415,8 +416,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     }
 }
 
-/// The place of the first joint: on the axis of the first hinge or thread. A slide may be anywhere, so
-/// slides before it are placed there too, and the distance to it does not add to the reach of the arm.
+/// The place of the first joint: on the axis of the first hinge or thread. A slide may be anywhere,
+/// so slides before it are placed there too, and the distance to it does not add to the reach of
+/// the arm.
 fn first_frame<R: Real>(
     screws: &[(Screw<R>, [R; 2])],
     tool: DualQuat<R>,
@@ -552,8 +554,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
             let parent = index.checked_sub(1);
             let mut joint = Joint::fixed(parent, before * tool);
             if let Some(row) = row {
-                // The rotation and translation by z may stand before the motion of the joint, which is
-                // about or along z too.
+                // The rotation and translation by z may stand before the motion of the joint, which
+                // is about or along z too.
                 let along_x = match convention {
                     DhConvention::Standard => core::mem::replace(&mut before, row.about_x()),
                     DhConvention::Modified => row.about_x(),

@@ -25,8 +25,8 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// value. Zero for columns, in which configurations do not follow each other.
     #[doc(hidden)]
     const EACH: usize;
-    /// The values of `elements` configurations, or blocks of them, from `first` on; fewer at the end.
-    /// Columns are not cut.
+    /// The values of `elements` configurations, or blocks of them, from `first` on; fewer at the
+    /// end. Columns are not cut.
     #[doc(hidden)]
     fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> Part<'_, Self> {
         if Self::EACH == 0 {
@@ -79,8 +79,8 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
     }
 }
 
-/// Plain numbers, for poses in any layout. One `impl` for every `Scalar` would overlap with that for
-/// blocks, so each type of number has its own.
+/// Plain numbers, for poses in any layout. One `impl` for every `Scalar` would overlap with that
+/// for blocks, so each type of number has its own.
 macro_rules! plain_values {
     ($($real:ident)*) => {$(
         impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
@@ -110,8 +110,8 @@ macro_rules! plain_values {
             ) -> [Y::Register<V>; 4] {
                 let start = group.configuration::<Y, V>() * count + first;
                 let rows = slice.get(start..).unwrap_or_default();
-                // If a configuration has fewer than four, the rest is read from the next one and not
-                // used.
+                // If a configuration has fewer than four, the rest is read from the next one and
+                // not used.
                 if let Some(quad) = Y::Register::<V>::load_rows(level, rows, count) {
                     return quad;
                 }
@@ -310,8 +310,8 @@ impl Group {
     }
 
     /// Fetches the memory in which the next group will write `these` of its `count` things. The CPU
-    /// does not foresee that by itself, as a step writes to as many places as there are lanes: it saves
-    /// a third of the time if things do not fit the caches.
+    /// does not foresee that by itself, as a step writes to as many places as there are lanes: it
+    /// saves a third of the time if things do not fit the caches.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn prefetch_next<Y: Layout, V: Level, E>(
         self,

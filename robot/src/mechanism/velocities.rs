@@ -59,8 +59,8 @@ impl<R: Scalar> Job<'_, R> {
         Ok(())
     }
 
-    /// Poses, spatial twists, and spatial accelerations, which are the derivatives of the twists: what
-    /// [`Mechanism::link_accelerations`] gives for one. That page has the formula, and the
+    /// Poses, spatial twists, and spatial accelerations, which are the derivatives of the twists:
+    /// what [`Mechanism::link_accelerations`] gives for one. That page has the formula, and the
     /// acceleration of a point of a link.
     ///
     /// # Errors
@@ -186,8 +186,8 @@ where
     ) -> Self::Carried<V> {
         let Visit { level, group, step, ref frames } = *visit;
         let mut all = *parent;
-        // The twist of the frame in which the next screw lies. The turn of a planar joint comes after
-        // its slides. A floating joint has all six screws in one frame.
+        // The twist of the frame in which the next screw lies. The turn of a planar joint comes
+        // after its slides. A floating joint has all six screws in one frame.
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;

@@ -12,14 +12,15 @@
 //!         the task takes the link
 //! ```
 //!
-//! A [`Task`] writes the pose, adds a column to a Jacobian, or passes a velocity on to the children.
+//! A [`Task`] writes the pose, adds a column to a Jacobian, or passes a velocity on to the
+//! children.
 //!
 //! # Why it is as it is
 //!
 //! - *A stack laid out beforehand.* Poses that wait for children are kept in numbered slots, which
-//!   were chosen when the mechanism was made: a link's largest subtree comes last and takes over the
-//!   slot of the link. So 32 slots are enough for any tree, nothing is pushed or popped, and all
-//!   poses stay in the first cache.
+//!   were chosen when the mechanism was made: a link's largest subtree comes last and takes over
+//!   the slot of the link. So 32 slots are enough for any tree, nothing is pushed or popped, and
+//!   all poses stay in the first cache.
 //! - *Subtrees follow each other*, so links that nobody asked for are skipped in one jump.
 //! - *Half translations.* The dual part of a motion is made of ½t, so keeping the half saves a
 //!   factor in every product.
@@ -35,14 +36,14 @@ use dq8::storage::Layout;
 use dq8::{Kernel, Scalar};
 use dq8_simd::{Float, Lanes, Level};
 
-/// The most poses that wait for children: log₂ of the number of joints, plus one. [`Mechanism::new`]
-/// puts the steps in such an order.
+/// The most poses that wait for children: log₂ of the number of joints, plus one.
+/// [`Mechanism::new`] puts the steps in such an order.
 pub(crate) const SLOTS: usize = 32;
 
 /// The work that is done with each link.
 pub(crate) trait Task<Y: Layout> {
-    /// `true` if sixteen lanes of plain `f32` are faster than eight on a CPU that shuffles both in the
-    /// same time. `false` for tasks whose memory would then not fit the first cache.
+    /// `true` if sixteen lanes of plain `f32` are faster than eight on a CPU that shuffles both in
+    /// the same time. `false` for tasks whose memory would then not fit the first cache.
     const WIDE: bool = true;
     /// The registers that it keeps from link to link.
     type State<V: Level>;
@@ -99,9 +100,9 @@ pub(crate) struct Walk<'r, Y: Layout, T, K> {
 
 impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     type Output = ();
-    // Plain poses are transposed. In f64 a link takes so long to compute that eight lanes still save
-    // a third of the time: 36 ns instead of 53 for the seven links of an arm. In f32 sixteen lanes
-    // save as much where shuffles are quick, and nothing elsewhere.
+    // Plain poses are transposed. In f64 a link takes so long to compute that eight lanes still
+    // save a third of the time: 36 ns instead of 53 for the seven links of an arm. In f32 sixteen
+    // lanes save as much where shuffles are quick, and nothing elsewhere.
     const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE || K::WIDE;
     const SHUFFLES: bool = !Y::WIDE && <Y::Real as Float>::SINGLE;
 
@@ -124,8 +125,8 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                         continue;
                     }
                     position += 1;
-                    // The remainder changes no slot. It tells the compiler that the slots are within
-                    // the array, so no check is left.
+                    // The remainder changes no slot. It tells the compiler that the slots are
+                    // within the array, so no check is left.
                     let from = step.parent_slot as usize % SLOTS;
                     let to = step.slot as usize % SLOTS;
                     let is_root = step.parent == NONE;
@@ -414,8 +415,8 @@ impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
 }
 
 impl<L: Lanes> LinkFrames<L> {
-    /// The rate, or NaN if the pose of the link is NaN. The screw of its joint may be known even then,
-    /// but the velocity of the link is not.
+    /// The rate, or NaN if the pose of the link is NaN. The screw of its joint may be known even
+    /// then, but the velocity of the link is not.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn nan_if_nowhere(&self, rate: L) -> L {
         let [.., w] = self.link.rotation;

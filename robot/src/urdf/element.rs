@@ -1,5 +1,5 @@
-//! An element of the file: what it holds is read by name. Everything else in it is an error if it
-//! matters or is meant to be something that does, and a warning if not.
+//! An element of a file. Its parts are read by name. Any other part is an error if it matters, or
+//! looks like a misspelling of a part that does, and a warning if not.
 
 use super::error::{UrdfError, UrdfWarning};
 use roxmltree::Node;
@@ -28,7 +28,7 @@ impl<'f> Element<'f> {
         self.node.tag_name().name()
     }
 
-    /// The line on which it begins, counted from one.
+    /// The line on which the element begins, counted from one.
     pub(crate) fn line(self) -> u32 {
         let start = self.node.range().start;
         self.lines.starts.partition_point(|&line| line <= start) as u32 + 1
@@ -42,7 +42,7 @@ impl<'f> Element<'f> {
         prefix
     }
 
-    /// As errors name it: by its own name, or by that of what it is in.
+    /// The name in errors: that of the element itself, or that of the element around it.
     pub(crate) fn title(self) -> String {
         let (prefix, name) = (self.prefix(), self.name());
         let colon = if prefix.is_empty() { "" } else { ":" };
@@ -72,7 +72,7 @@ impl<'f> Element<'f> {
         elements.map(move |node| Element { node, ..self })
     }
 
-    /// Looks at all that is in it and not read at such a place.
+    /// Checks all parts of the element that are not read at such a place.
     pub(crate) fn check(
         self,
         place: &Place,
@@ -83,7 +83,7 @@ impl<'f> Element<'f> {
             if place.has_attribute(name) {
                 continue;
             }
-            // A name with a prefix is another program's.
+            // A name with a prefix belongs to another program.
             let meant = if name.contains(':') { None } else { meant(name, place.names()) };
             if let Some(meant) = meant {
                 let what = format!("the attribute {name:?} is unknown{}", instead(name, meant));
@@ -95,7 +95,7 @@ impl<'f> Element<'f> {
         for text in texts.map(str::trim).filter(|text| !text.is_empty()) {
             let shown: String = text.chars().take(40).collect();
             if place.numbers && text.contains(|c: char| c.is_ascii_digit()) {
-                return Err(self.unexpected(format!("the text {shown:?} has no place here")));
+                return Err(self.unexpected(format!("the text {shown:?} is not expected here")));
             }
             warnings.push(self.warning(format!("the text {shown:?} is not read")));
         }
@@ -104,7 +104,7 @@ impl<'f> Element<'f> {
             child.check_in(self, place, warnings)?;
             if place.once && place.has_element(child.name()) {
                 if seen.contains(&child.name()) {
-                    warnings.push(child.warning("there is one before it, which is read instead"));
+                    warnings.push(child.warning("only the first element of this name is read"));
                 }
                 seen.push(child.name());
             }
@@ -112,7 +112,7 @@ impl<'f> Element<'f> {
         Ok(())
     }
 
-    /// Whether this element of `parent` is read, or need not be.
+    /// Checks that this element of `parent` is read, or need not be.
     fn check_in(
         self,
         parent: Element<'f>,
@@ -125,24 +125,26 @@ impl<'f> Element<'f> {
         }
         let namespace = self.node.tag_name().namespace().filter(|_| !own);
         if namespace.is_some_and(|namespace| namespace.contains("xacro")) {
-            // What is left of expanding a file; a file that was not expanded lacks links or has
-            // words for numbers.
-            warnings.push(self.warning("an element of xacro is not read: expand the file first"));
+            // Expanding a file leaves some such elements. A file that was not expanded lacks links,
+            // or has words in place of numbers, and is an error for that.
+            warnings.push(
+                self.warning("an element of xacro is not read; expand the file with xacro first"),
+            );
             return Ok(());
         }
         let parts = if place.numbers { JOINT.elements } else { "" };
         let mut names = place.names().chain(parts.split_terminator(' '));
-        // Nobody misspells another program's name of what matters here.
+        // A misspelling is looked for only in names without a prefix.
         let meant = if own {
             meant(name, names)
         } else {
             names.find(|known| known.eq_ignore_ascii_case(name))
         };
         if let Some(meant) = meant {
-            let what = format!("such an element is unknown here{}", instead(name, meant));
+            let what = format!("this element is not expected here{}", instead(name, meant));
             return Err(self.unexpected(what));
         }
-        warnings.push(self.warning("such an element is not read here"));
+        warnings.push(self.warning("this element is not read here"));
         Ok(())
     }
 
@@ -191,31 +193,26 @@ impl<'f> Element<'f> {
     }
 }
 
-/// What is said of a name that is probably meant to be another.
+/// The question in an error whether another name is meant.
 fn instead(name: &str, meant: &str) -> String {
-    if name == meant { String::new() } else { format!("; is {meant:?} meant?") }
+    if name == meant { String::new() } else { format!("; did you mean {meant:?}?") }
 }
 
-// What matters at each place of a file: what is read there, and what would say where links are if
-// it were read.
-
-/// A kind of element. A name that is not read there is an error if it is one of those that matter,
-/// or [close] to one; anything else says nothing about places.
-///
-/// [close]: super::spelling::meant
+/// A kind of element, with the names that matter in it. A name that is not read there is an error
+/// if it matters, or is close to one that does ([`meant`]). Any other name has nothing to do with
+/// places.
 pub(crate) struct Place {
-    /// Attributes that are read, words between spaces, as in all of these.
+    /// Attributes that are read. Names are separated by spaces, here and below.
     pub(crate) attributes: &'static str,
     /// Elements that are read.
     pub(crate) elements: &'static str,
-    /// Attributes and elements that are not read, and that say something about places.
+    /// Attributes and elements that say something about places and are not read.
     pub(crate) unread: &'static str,
-    /// Parts of the format that say nothing about places: nobody needs to be told that they are not
-    /// read.
+    /// Parts of the format that say nothing about places. No warning is given for them.
     pub(crate) known: &'static str,
-    /// Whether there is one element of each name, of which others count the first.
+    /// `true` if there should be one element of each name. If there are more, the first is read.
     pub(crate) once: bool,
-    /// Whether it has numbers, which text in it may be meant to be.
+    /// `true` if the element has numbers as attributes, which some write as text in it.
     pub(crate) numbers: bool,
 }
 
@@ -268,12 +265,12 @@ impl Place {
         all.flat_map(|all| all.split_terminator(' '))
     }
 
-    /// Whether an attribute is read here, or need not be.
+    /// `true` for an attribute that is read here, or need not be.
     pub(crate) fn has_attribute(&self, name: &str) -> bool {
         [self.attributes, self.known].into_iter().any(|all| has(all, name))
     }
 
-    /// The same of an element.
+    /// `true` for an element that is read here, or need not be.
     pub(crate) fn has_element(&self, name: &str) -> bool {
         [self.elements, self.known].into_iter().any(|all| has(all, name))
     }
@@ -283,14 +280,12 @@ fn has(all: &str, name: &str) -> bool {
     all.split_terminator(' ').any(|word| word == name)
 }
 
-// Names that are probably meant to be others.
-
-/// Words near those of the format that are words of their own.
+/// Words that are close to names of the format, but are other words.
 const OTHER_WORDS: [&str; 3] = ["line", "point", "power"];
 
-/// Which of these names is probably meant: one that differs in case, in the order of its letters,
-/// or in few of them (lost, added, changed, or exchanged with their neighbours): none of one or two
-/// letters, one of up to five, two of more.
+/// The name of these that is probably meant: one that differs in case, in the order of its letters,
+/// or in a few letters (lost, added, changed, or exchanged with a neighbour). One letter may differ
+/// in names of three to five letters, two in longer ones, none in shorter ones.
 pub(crate) fn meant(
     found: &str,
     names: impl IntoIterator<Item = &'static str>,
@@ -317,8 +312,8 @@ fn near(found: &[char], name: &str) -> bool {
         && (distance(found, &name) <= allowed || sorted(found) == sorted(&name))
 }
 
-/// How many letters must be added, removed, changed or exchanged with the next one (optimal string
-/// alignment).
+/// The number of letters that must be added, removed, changed, or exchanged with the next one
+/// (optimal string alignment).
 fn distance(a: &[char], b: &[char]) -> usize {
     // Row i: the distances of the first i letters of `a` from all beginnings of `b`.
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];

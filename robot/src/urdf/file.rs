@@ -1,4 +1,4 @@
-//! What a file says about where links are, with what it leaves out.
+//! The elements of a file that say where links are, with defaults for what it leaves out.
 
 use super::element::{AXIS, END, Element, JOINT, LIMIT, LINK, Lines, MIMIC, ORIGIN, ROBOT};
 use super::error::{UrdfError, UrdfWarning};
@@ -11,12 +11,12 @@ use roxmltree::Document;
 #[derive(Debug)]
 pub(crate) struct File {
     pub(crate) name: String,
-    /// The line on which it begins, counted from one.
+    /// The line on which the element begins, counted from one.
     pub(crate) line: u32,
     /// The names of the links.
     pub(crate) links: Vec<Name>,
     pub(crate) joints: Vec<JointElement>,
-    /// What is not read, in the order of lines.
+    /// Warnings about parts that are not read, in the order of lines.
     pub(crate) warnings: Vec<UrdfWarning>,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct JointElement {
     pub(crate) child: Name,
     pub(crate) xyz: [f64; 3],
     pub(crate) rpy: [f64; 3],
-    /// Of a revolute or prismatic joint, which must have some.
+    /// The limits of a revolute or prismatic joint, which must have some.
     pub(crate) limits: Option<[f64; 2]>,
     pub(crate) drive: Drive,
     pub(crate) mimic: Option<MimicElement>,
@@ -86,8 +86,7 @@ impl File {
     }
 }
 
-/// The limits of a `<limit>` that does not say them: nothing but zero, and since version 1.2
-/// everything.
+/// The limits of a `<limit>` that does not give them: zero, or since version 1.2 none.
 fn unsaid(robot: Element<'_>) -> Result<[f64; 2], UrdfError> {
     match robot.node.attribute("version").map(str::trim) {
         None | Some("1.0" | "1.1") => Ok([0.0; 2]),
@@ -118,7 +117,8 @@ impl JointElement {
             None => [[0.0; 3]; 2],
             Some(origin) => placement(origin, warnings)?,
         };
-        // Joints without an axis have one in many files, of zeros too.
+        // In many files fixed and floating joints have an axis too, even one of zeros. It is not
+        // read.
         if let JointKind::Revolute { axis: own }
         | JointKind::Prismatic { axis: own }
         | JointKind::Planar { normal: own } = &mut kind
@@ -126,13 +126,14 @@ impl JointElement {
             *own = axis(joint, warnings)?;
         }
         let limits = if has_limits { limits(joint, unsaid, warnings)? } else { None };
-        // What does not say where links are, is no error: of two there is none.
+        // Speed and effort do not say where links are, so they are never an error.
         let drive = joint.child("limit").map_or(Drive::FREE, Drive::of);
         let mut mimic = None;
         if let Some(element) = joint.child("mimic") {
-            // Who locks a joint leaves its other elements as they are.
+            // People who lock a joint by its type leave its other elements as they are.
             if kind == JointKind::Fixed {
-                warnings.push(element.warning("a fixed joint mimics nothing"));
+                warnings
+                    .push(element.warning("a fixed joint mimics nothing, so <mimic> is not read"));
             } else {
                 mimic = Some(MimicElement::read(element, warnings)?);
             }
@@ -140,7 +141,7 @@ impl JointElement {
         Ok(Self { name, kind, parent, child, xyz, rpy, limits, drive, mimic })
     }
 
-    /// The joint of a mechanism, but for what it mimics.
+    /// The joint of a mechanism, without what it mimics.
     pub(crate) fn joint(&self, parent: usize) -> Joint<f64> {
         let [roll, pitch, yaw] = self.rpy;
         let turn = Quat::from_rpy(roll, pitch, yaw);
@@ -149,7 +150,7 @@ impl JointElement {
     }
 }
 
-/// What a type of joint is, along x, and whether it must have limits.
+/// The kind of joint of a type, with x as its axis, and `true` if it must have limits.
 fn kind(joint: Element<'_>) -> Result<(JointKind<f64>, bool), UrdfError> {
     let axis = [1.0, 0.0, 0.0];
     Ok(match joint.text("type")? {
@@ -160,7 +161,7 @@ fn kind(joint: Element<'_>) -> Result<(JointKind<f64>, bool), UrdfError> {
         "planar" => (JointKind::Planar { normal: axis }, false),
         "floating" => (JointKind::Floating, false),
         "spherical" => {
-            let what = format!("{} of type \"spherical\"", joint.title());
+            let what = format!("{} has the type \"spherical\"", joint.title());
             return Err(UrdfError::NotExpressed { line: joint.line(), what });
         }
         other => return Err(joint.unexpected(format!("the type {other:?} is unknown"))),
@@ -172,7 +173,7 @@ fn placement(
     warnings: &mut Vec<UrdfWarning>,
 ) -> Result<[[f64; 3]; 2], UrdfError> {
     if origin.node.has_attribute("quat_xyzw") {
-        let what = format!("the attribute quat_xyzw in {}: write rpy", origin.title());
+        let what = format!("the attribute quat_xyzw of {}; write rpy instead", origin.title());
         return Err(UrdfError::NotExpressed { line: origin.line(), what });
     }
     origin.check(&ORIGIN, warnings)?;
@@ -180,7 +181,7 @@ fn placement(
     Ok([vector("xyz")?, vector("rpy")?])
 }
 
-/// The direction of an axis, of length 1: files have axes of any length.
+/// The direction of an axis, of length 1. Files have axes of any length.
 fn axis(joint: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<[f64; 3], UrdfError> {
     let Some(element) = joint.child("axis") else { return Ok([1.0, 0.0, 0.0]) };
     element.check(&AXIS, warnings)?;
@@ -194,8 +195,8 @@ fn axis(joint: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<[f64; 3],
     Err(UrdfError::Axis { line, joint, axis })
 }
 
-/// What the format says of `<limit>`: revolute and prismatic joints must have it, others have no
-/// use for `lower` and `upper`, and either is zero where it is not written.
+/// The limits in `<limit>`, which revolute and prismatic joints must have. `lower` and `upper` have
+/// a default.
 fn limits(
     joint: Element<'_>,
     [least, most]: [f64; 2],
@@ -217,7 +218,7 @@ fn limits(
     let upper = bound("upper", most, &["inf", "+inf", "infinity", "+infinity"])?;
     let [lower, upper] = if lower > upper {
         let text = format!(
-            "the lower limit {lower} is above the upper limit {upper}: they are read the other way round"
+            "the lower limit {lower} is above the upper limit {upper}; the two are exchanged"
         );
         warnings.push(limit.warning(text));
         [upper, lower]
@@ -239,9 +240,8 @@ impl MimicElement {
     }
 }
 
-/// How fast and how hard a joint may move, as `velocity` and `effort` of its `<limit>` say;
-/// infinite where they say nothing, or no number from zero on. Poses and inverse kinematics do not
-/// ask for it.
+/// The greatest speed and effort of a joint: `velocity` and `effort` of its `<limit>`, infinite if
+/// they are missing or not a number from zero on. Poses and inverse kinematics do not use them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
     /// The greatest speed: radians, or the unit of length, in a second.

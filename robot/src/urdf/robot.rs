@@ -112,7 +112,7 @@ impl Robot {
         })
     }
 
-    /// What the file holds and is not read, because it says nothing about where links are.
+    /// The parts of the file that are not read, because they say nothing about where links are.
     #[must_use]
     pub fn warnings(&self) -> &[UrdfWarning] {
         &self.warnings
@@ -199,7 +199,7 @@ impl Robot {
         self.drives_of(JointKind::rates).map(|drive| drive.velocity).collect()
     }
 
-    /// Each as many times as its joint has a number of its own.
+    /// The drive of each joint, repeated for each number that the joint has of its own.
     fn drives_of(&self, numbers: fn(&JointKind<f64>) -> usize) -> impl Iterator<Item = Drive> {
         let own = self.joints.iter().zip(&self.drives).filter(|(joint, _)| joint.mimic.is_none());
         own.flat_map(move |(joint, &drive)| repeat_n(drive, numbers(&joint.kind)))
@@ -268,7 +268,7 @@ impl fmt::Display for Robot {
         let labels = self.link_names.iter().zip(&self.joint_names).map(label);
         match Skeleton::new(&parents).and_then(|tree| tree.with_names(labels)) {
             Ok(tree) => write!(f, "{tree}"),
-            // Links of other names than a file can have.
+            // A file cannot have such names of links.
             Err(_) => f.write_str(&self.name),
         }
     }
@@ -316,18 +316,16 @@ pub(super) fn value_names(joints: &[Joint<f64>], names: &[Option<String>]) -> Ve
     all
 }
 
-// A robot on something else, or with something more: the names and limits follow.
-
 errors! {
-    /// What a robot cannot be changed to.
+    /// An error of a change to a robot.
     #[derive(Clone, Debug, PartialEq)]
     ChangeError {
-        /// A name that something of the robot has already.
-        Taken { name: String = "The name." } => "the robot has a {name:?} already";
-        /// A link that there is not.
+        /// A link or joint of the robot already has the name.
+        Taken { name: String = "The name." } => "the robot already has a link or joint with the name {name:?}";
+        /// The robot has no link of the name.
         Unknown { name: String = "The name.", links: Vec<String> = "The names that there are." }
-            => "the robot has no link {name:?}; it has {}", links.join(", ");
-        /// What a mechanism refuses.
+            => "the robot has no link {name:?}; its links are {}", links.join(", ");
+        /// The changed joints make no mechanism.
         Mechanism(error: MechanismError) => "{error}";
     }
 }

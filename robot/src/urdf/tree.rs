@@ -1,4 +1,4 @@
-//! Which link hangs on which.
+//! The tree of links, and the joints that mimic others.
 
 use super::error::{UrdfError, UrdfWarning};
 use super::file::{File, JointElement, Name};
@@ -22,7 +22,7 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
             return Err(UrdfError::Twice { line, element: "link", name, first });
         }
     }
-    // The joint that carries each link, and the link it hangs on.
+    // For each link, the joint that carries it and the parent link.
     let mut carried: Vec<Option<(usize, usize)>> = vec![None; robot.links.len()];
     for (number, joint) in robot.joints.iter().enumerate() {
         let link = |element, name: &Name| {
@@ -47,7 +47,7 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     let mut nodes = Vec::with_capacity(robot.links.len());
     let mut done = vec![false; robot.links.len()];
     for link in 0..robot.links.len() {
-        // Up to what is there already, then down again.
+        // Up to a link that is done already, then down again.
         let (mut way, mut next) = (Vec::new(), Some(link));
         while let Some(link) = next.filter(|&link| !done[link]) {
             if way.len() > robot.links.len() {
@@ -72,9 +72,7 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     Err(UrdfError::Roots { line, links: roots.into_iter().map(|root| root.text.clone()).collect() })
 }
 
-// What joints mimic in the end: files have joints that mimic joints that mimic.
-
-/// The joint that has the value, by its number among all joints.
+/// The joint whose value another one takes, by its number among all joints.
 #[derive(Clone, Copy)]
 pub(crate) struct Leader {
     pub(crate) joint: usize,
@@ -83,7 +81,7 @@ pub(crate) struct Leader {
 }
 
 impl Leader {
-    /// Limits of a joint that mimics this one, which bind the other, or cannot be meant.
+    /// The warning if limits of a joint that mimics this one narrow its range, or cannot be meant.
     pub(crate) fn warning(&self, from: &JointElement, other: &JointElement) -> Option<UrdfWarning> {
         let (limits, range) = (from.limits?, other.limits.unwrap_or(unlimited()));
         let text = match common_range(range, limits, self.multiplier, self.offset) {
@@ -95,7 +93,7 @@ impl Leader {
                 )
             }
             None => format!(
-                "its limits leave no range to {:?}, which it mimics: they are not read",
+                "its limits leave no range to {:?}, which it mimics, and are not read",
                 other.name.text
             ),
         };
@@ -104,14 +102,15 @@ impl Leader {
     }
 }
 
-/// For each joint what it mimics, if it does.
+/// For each joint the one that it mimics in the end. In some files a joint mimics one that mimics
+/// another.
 pub(crate) fn leaders(
     joints: &[JointElement],
     by_name: &HashMap<&str, usize>,
 ) -> Result<Vec<Option<Leader>>, UrdfError> {
     let mut leaders: Vec<Option<Leader>> = vec![None; joints.len()];
     for first in 0..joints.len() {
-        // To a joint with a value of its own, or one whose leader is known, then back again.
+        // Goes to a joint with a value of its own, or one whose leader is known, then back again.
         let (mut way, mut next) = (Vec::new(), first);
         while let Some(mimic) = joints[next].mimic.as_ref().filter(|_| leaders[next].is_none()) {
             let (from, other) = (&joints[next], &mimic.joint);
@@ -127,7 +126,7 @@ pub(crate) fn leaders(
                 name: other.text.clone(),
             })?;
             way.push((next, leader, mimic));
-            // Longer than there are joints is a circle.
+            // A path longer than the number of joints goes in a circle.
             let valued = |joint: &JointElement| joint.kind.values() == 1;
             if way.len() > joints.len() || !valued(from) || !valued(&joints[leader]) {
                 return Err(refused());

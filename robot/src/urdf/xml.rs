@@ -1,10 +1,10 @@
-//! The text in the bytes of a file.
+//! The text of a file: decoded from its bytes, and made strict XML.
 
 use super::error::{UrdfError, UrdfWarning};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-/// Bytes as text.
+/// The decoded text.
 struct Decoded<'b> {
     text: Cow<'b, str>,
     /// The name of the encoding.
@@ -15,9 +15,9 @@ struct Decoded<'b> {
     is_known: bool,
 }
 
-/// By the byte order mark, or else as the declaration says, or else UTF-8. What is not in that
-/// encoding becomes U+FFFD, with a warning: most readers of URDF do not look at the encoding at
-/// all.
+/// Decodes by the byte order mark, or by the declaration, or as UTF-8. Bytes that are not in that
+/// encoding become U+FFFD, with a warning and no error, as most readers of URDF do not look at the
+/// encoding at all.
 pub(crate) fn text(bytes: &[u8]) -> Result<(Cow<'_, str>, Option<UrdfWarning>), UrdfError> {
     let declared = declared(bytes).unwrap_or(b"UTF-8");
     let name = String::from_utf8_lossy(declared);
@@ -26,9 +26,9 @@ pub(crate) fn text(bytes: &[u8]) -> Result<(Cow<'_, str>, Option<UrdfWarning>), 
     };
     let what = match text.find('\u{fffd}').filter(|_| failed) {
         Some(at) => Some((at, format!("bytes that are not {encoding} are read as \u{fffd}"))),
-        None => {
-            (!is_known).then(|| (0, format!("the encoding {name:?} is unknown and read as UTF-8")))
-        }
+        None => (!is_known).then(|| {
+            (0, format!("the encoding {name:?} is unknown, so the file is read as UTF-8"))
+        }),
     };
     let warning = what.map(|(at, text_of)| UrdfWarning {
         line: 1 + text[..at].matches('\n').count() as u32,
@@ -103,27 +103,25 @@ fn declared(bytes: &[u8]) -> Option<&[u8]> {
     Some(&value[..end])
 }
 
-/// What comes after the first `end`.
+/// The bytes after the first `end`.
 fn after<'b>(bytes: &'b [u8], end: &[u8]) -> Option<&'b [u8]> {
     let at = bytes.windows(end.len()).position(|window| window == end)?;
     Some(&bytes[at + end.len()..])
 }
 
-// The text of a file as a strict reader of XML takes it, line for line. Readers of URDF are not
-// strict: they skip declarations and comments wherever and however they are written, and know
-// nothing of namespaces.
-
-/// How deep elements may be in each other. TinyXML, which most readers of URDF use, has the same
+/// The greatest depth of nested elements. TinyXML, which most readers of URDF use, has the same
 /// limit.
 const DEPTH: usize = 500;
-/// How many attributes an element may have. The strict reader compares each with all others, which
-/// takes seconds for as many as half a megabyte holds; no element of the format has more than
+/// The greatest number of attributes of an element. The strict reader compares each with all
+/// others, which takes seconds for half a megabyte of them. No element of the format has more than
 /// seven.
 const ATTRIBUTES: usize = 1000;
 
-/// Without declarations, comments and a document type, and with a declaration of every prefix.
+/// The text for a strict reader of XML, line for line: without declarations, comments and a
+/// document type, and with every prefix declared. Readers of URDF are not strict. They skip
+/// declarations and comments wherever these are, and know nothing of namespaces.
 pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
-    // Some editors leave such characters at the ends.
+    // Some editors leave these characters at the ends.
     let text = text.trim_start_matches('\u{feff}').trim_end_matches(['\0', '\u{1a}']);
     let mut out = String::with_capacity(text.len());
     let (mut used, mut declared) = (BTreeSet::new(), BTreeSet::new());
@@ -146,7 +144,7 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
         let found =
             if section { ends(rest, "]]>").map(|end| (end, Vec::new())) } else { tag(rest) };
         let Some((length, colons)) = found else {
-            // No XML from here on, as the strict reader will say.
+            // The rest is not XML, and the strict reader will say so.
             break;
         };
         let (tag, after) = rest.split_at(length);
@@ -167,8 +165,8 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
                 depth += 1;
             }
             let what = match tag.matches('=').count() {
-                _ if depth > DEPTH => format!("more than {DEPTH} elements are in each other"),
-                // Where that many are in values, they are counted once more.
+                _ if depth > DEPTH => format!("elements are nested more than {DEPTH} deep"),
+                // Some of them may be in values, so attributes are counted exactly.
                 many if many > ATTRIBUTES && attributes(tag) > ATTRIBUTES => {
                     format!("it has more than {ATTRIBUTES} attributes")
                 }
@@ -185,8 +183,8 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
     out.push_str(rest);
     let unknown: Vec<_> = used.difference(&declared).collect();
     let root = root.unwrap_or_default();
-    // They become attributes of the root, and the strict reader looks through all of them for each
-    // name.
+    // Declarations become attributes of the root, and the strict reader looks through all of them
+    // for each name.
     if unknown.len() > ATTRIBUTES {
         let (line, element) = (newlines(&out[..root]).count() as u32 + 1, "<robot>".into());
         let what = format!("its names have more than {ATTRIBUTES} prefixes");
@@ -202,7 +200,7 @@ fn newlines(text: &str) -> impl Iterator<Item = char> {
     text.chars().filter(|&c| c == '\n')
 }
 
-/// The length of what is at the beginning and says nothing, if such a thing is there.
+/// The length of a comment, a declaration or a document type at the beginning of the text.
 fn skipped(text: &str, before_root: bool) -> Option<usize> {
     if let Some(comment) = text.strip_prefix("<!--") {
         ends(comment, "-->").map(|length| 4 + length)

@@ -59,7 +59,7 @@ fn errors_at_the_end_come_as_soon() {
     let unconnected: String = (0..MANY).map(|i| format!("<link name=\"l{i}\"/>\n")).collect();
     let error =
         Robot::from_urdf(&format!("<robot name=\"r\">\n{unconnected}</robot>")).unwrap_err();
-    assert!(error.to_string().starts_with("line 3: more than one <link> is a root"));
+    assert!(error.to_string().starts_with("line 3: more than one <link> is the child of no joint"));
 }
 
 /// A strict reader of XML compares each attribute with all others, and each prefix with all that

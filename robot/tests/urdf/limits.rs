@@ -135,7 +135,7 @@ fn limits_of_what_mimics_are_those_of_the_value_where_they_leave_a_range_and_a_w
     assert_eq!(warning.line, 4);
     assert_eq!(
         warning.to_string(),
-        "line 4: <joint name=\"inner\">: its limits leave no range to \"leader\", which it mimics: they are not read"
+        "line 4: <joint name=\"inner\">: its limits leave no range to \"leader\", which it mimics, and are not read"
     );
     let narrower = hand(r#"multiplier="2""#, r#"lower="-1" upper="1""#);
     assert_eq!(narrower.value_limits(), [Some([0.0, 0.5])]);

@@ -140,7 +140,7 @@ fn text_is_in_the_encoding_that_is_declared() {
     assert_eq!(stands(&koi, "tip").name(), "\u{440}");
     assert_eq!(
         stands(declared("klingon").as_bytes(), "tip").warnings()[0].to_string(),
-        "line 1: <?xml?>: the encoding \"klingon\" is unknown and read as UTF-8"
+        "line 1: <?xml?>: the encoding \"klingon\" is unknown, so the file is read as UTF-8"
     );
 }
 

@@ -83,7 +83,7 @@ fn fixed_joints_that_mimic_stay_fixed() {
     ] {
         let fixed = FILE.replace(r#"<mimic joint="hinge" multiplier="2" offset="1"/>"#, mimic);
         let robot = stands(fixed.replace("prismatic", "fixed").as_bytes(), "end");
-        let wanted = r#"line 17: <mimic> of <joint name="slide">: a fixed joint mimics nothing"#;
+        let wanted = r#"line 17: <mimic> of <joint name="slide">: a fixed joint mimics nothing, so <mimic> is not read"#;
         assert_eq!(robot.warnings()[0].to_string(), wanted);
     }
 }
@@ -120,21 +120,21 @@ fn what_other_readers_pass_over_is_reported_and_the_links_stand_where_they_do() 
             r#"<axis xyz="0 0 1"/>"#,
             "<axis xyz=\"0 0 1\"/>\n<axis xyz=\"1 0 0\"/>",
             11,
-            "there is one before it",
+            "only the first element of this name is read",
         ),
         (
             "<limit lower=\"-2\"",
             "<limit lower=\"-2\" upper=\"2\"/>\n<limit lower=\"-9\"",
             12,
-            "there is one before it",
+            "only the first element of this name is read",
         ),
         (
             r#"<parent link="base"/>"#,
             "<parent link=\"base\"/>\n<parent link=\"end\"/>",
             8,
-            "there is one before it",
+            "only the first element of this name is read",
         ),
-        (r#"lower="-2" upper="2""#, r#"lower="2" upper="-2""#, 11, "the other way round"),
+        (r#"lower="-2" upper="2""#, r#"lower="2" upper="-2""#, 11, "the two are exchanged"),
     ] {
         let robot =
             Robot::from_urdf(&changed_to(from, to)).unwrap_or_else(|error| panic!("{to}: {error}"));

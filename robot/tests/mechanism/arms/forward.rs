@@ -196,7 +196,7 @@ fn screws_that_make_no_arm_are_named() {
     assert_eq!(error, MechanismError::Steps { steps: 2, joints: 3 });
     assert_eq!(
         MechanismError::Screw { joint: 1, angle: 0.5, slide: 0.0 }.to_string(),
-        "joint 1 cannot turn by 0.5 and slide by 0 for a value of 1: a hinge or a thread turns by 1, and what only \
-         slides, by 1"
+        "the screw of joint 1 turns by 0.5 and slides by 0 for a value of 1: a hinge or a thread must \
+         turn by 1, and a slide must turn by 0 and slide by 1"
     );
 }
