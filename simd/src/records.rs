@@ -89,7 +89,7 @@ pub trait Records: Lanes {
         Self::store_strided(components, to, None);
     }
     /// Loads every `stride`-th record, otherwise like [`load_records`](Self::load_records). `None`
-    /// stands for a stride of 1 that the compiler knows of.
+    /// is a stride of 1 that is a constant for the compiler.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_strided<const C: usize>(
         level: Self::Level,
