@@ -366,7 +366,8 @@ impl<R: Real> JointScrews<R> for BodyScrews<'_, R> {
     }
 
     fn plane_axis(&self, step: &Step<R>, index: usize) -> [R; 3] {
-        step.motion(self.0).rotation().conjugate().rotate(step.plane[index % 2])
+        let turn = Quat::from_axis_angle(step.axis, step.number(2, self.0));
+        turn.conjugate().rotate(step.plane[index % 2])
     }
 
     fn link_axis(&self, _: &Step<R>, index: usize) -> [R; 3] {

@@ -160,8 +160,7 @@ fn other_encodings_ask_for_their_feature() {
     for name in ["ISO-8859-1", "latin1", "windows-1252", "koi8-r", "klingon"] {
         let error = Robot::from_bytes(&latin(&declared(name))).unwrap_err();
         let wanted = format!(
-            "the file is in the encoding \"{name}\", which dq8-robot reads with its feature urdf-encodings; save it as UTF-8, or \
-             switch that on"
+            "the file declares the encoding \"{name}\", which dq8-robot reads only with its feature urdf-encodings: switch it on, or save the file as UTF-8"
         );
         assert_eq!(error.to_string(), wanted);
     }
