@@ -9,14 +9,13 @@
 //! |N(z + δ) − N(z)| ≤ |δp|/ℓ                                (1) real
 //!                   ≤ |δq|/ℓ + (2/√3) |δp||q|/ℓ²            (2) dual
 //! |M(v) − M′(v)|    ≤ 2 (|δp||v|/ℓ + |δq|/ℓ + |δp||q|/ℓ²)   (3)
-//!
-//! (1) by 2|δ|/(|a| + |b|) of Dunkl and Williams (1964), (3) by a⁻¹ − b⁻¹ = a⁻¹(b − a)b⁻¹
 //! ```
 //!
-//! where ℓ is the least length of p on the way, and 2/√3 is of the largest slope of (1 −
-//! eeᵀ)/|p|, e = p/|p|. What the last step itself rounds is added. ℓ ≥ |p|(1 − 2⁻¹⁰)
-//! if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real part, or half that of a
-//! point or normal with |v| = 1, is below [`FAR`].
+//! Dunkl and Williams (1964) have (1), with 2|δ|/(|a| + |b|), and (3) follows from a⁻¹ −
+//! b⁻¹ = a⁻¹(b − a)b⁻¹. Here ℓ is the least length of p on the way, and 2/√3 is of
+//! the largest slope of (1 − eeᵀ)/|p|, e = p/|p|. What the last step itself rounds is added.
+//! ℓ ≥ |p|(1 − 2⁻¹⁰) if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real
+//! part, or half that of a point or normal with |v| = 1, is below [`FAR`].
 
 use crate::bound::{Analysis, U};
 use crate::polynomial::{Lengths, Sum};

@@ -2,10 +2,10 @@
 
 use super::locals::{Locals, Pass};
 use super::plain::MANY;
+use super::run::JointSlot;
 use super::run::Run;
 #[cfg(feature = "rayon")]
 use super::run::grain;
-use super::slot::JointSlot;
 use crate::backend::Kernel;
 #[cfg(feature = "rayon")]
 use crate::backend::Rows;

@@ -4,7 +4,7 @@
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{BATCHES, Locals, Registers, Stored, each, part_of, resized};
-use super::slot::JointSlot;
+use super::run::JointSlot;
 use crate::batch::vector;
 use crate::law::Law;
 use crate::macros::brief;
@@ -373,7 +373,8 @@ pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
 /// let parents = [Hierarchy::ROOT, 0];
 /// let arm = Hierarchy::new(&parents)?;
 /// // Three frames of two joints.
-/// let keys = [1.0_f32, 1.0, 2.0, 2.0, 4.0, 4.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+/// let along_x = |x| DualQuat::from_translation([x, 0.0, 0.0]);
+/// let keys = [1.0_f32, 1.0, 2.0, 2.0, 4.0, 4.0].map(along_x);
 /// let clip = Clip::new(2, &keys)?;
 /// // Two instances: a quarter after frame 0, and half way between the last two frames.
 /// let locals = Sampled::new(Nlerp, clip, &[0, 1], &[0.25, 0.5])?;

@@ -6,7 +6,7 @@ use super::locals::{
     BATCH, BATCHES, Locals, Poses, Registers, RotationsTranslations, Stored, Tracks, each, load,
     part_of, resized, store,
 };
-use super::slot::JointSlot;
+use super::run::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::macros::brief;
 use crate::number::Scalar;

@@ -3,14 +3,14 @@
 //! | item | |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
-//! | [`Skeleton`] | one that owns its parents, of any order and type, and its plan (feature `alloc`) |
-//! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
+//! | [`Skeleton`] | a hierarchy that owns its parents, in any order, and its plan (`alloc`) |
+//! | [`Job`] | a run over it: with a root, on some joints, with a palette, or backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
-//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked in the pass that uses them |
+//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked as they are used |
 //! | [`Either`] | locals of one of two forms, which the running program chooses |
 //! | [`OwnedClip`] | a clip with memory of its own (feature `alloc`) |
-//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes for each track that moves, and frame: owned, borrowed |
-//! | [`Plan`], [`PlanScratch`] | the order in which one instance is computed fastest, for those without a heap |
+//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes per frame and moving track: owned, borrowed |
+//! | [`Plan`], [`PlanScratch`] | the order that computes one instance fastest, without a heap |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //!
@@ -44,7 +44,6 @@ mod plan;
 mod run;
 #[cfg(feature = "alloc")]
 mod skeleton;
-mod slot;
 
 pub use crate::storage::palette_entry::{MatrixOrder, PaletteEntry};
 #[cfg(feature = "alloc")]
@@ -71,8 +70,7 @@ pub use {
     clip::{Frames, Keys, KeysAt},
     packed_clips::Playback,
     plan::{NoPlan, Plans},
-    run::{NoRoot, Roots},
-    slot::JointSlot,
+    run::{JointSlot, NoRoot, Roots},
 };
 
 #[doc(inline)]

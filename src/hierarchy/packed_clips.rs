@@ -3,7 +3,7 @@
 
 use super::clip::{Keys, KeysAt, SINGLE, Single, Timing, first};
 use super::locals::sealed::Sealed;
-use super::slot::JointSlot;
+use super::run::JointSlot;
 use crate::batch::vector;
 use crate::law::{Law, NlerpLerp};
 use crate::macros::{brief, errors};
@@ -47,13 +47,18 @@ pub(super) type PackedTiming = [u8; 12];
 /// |---|---|
 /// | 8 | `dq8clips` |
 /// | 6 · `u32` | version 3, joints J, clips N, keys K, rows R, 0 |
-/// | K · 4 · `i16` | keys: a rotation x, y, z, w, 32767 for 1; a translation x, y, z, 0, in steps from the rest |
+/// | K · 4 · `i16` | keys: rotations x, y, z, w, 32767 for 1; translations x, y, z, 0 in steps |
 /// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
-/// | N · 4 · `u32` | the first key, how many frames, how many keys from one to the next, and the row |
-/// | N · (`f32`, `f32`, `u16`, `u16`) | the clip's frames a second, 1 if times are frames, as the sum of two `f32`: the rounded rate, and its rounding error; 1 if the clip loops, otherwise 0; how many frames here are a frame of the clip, 1 to 4 |
-/// | R · 2J · `u16` | twice how far the first key is from the clip's, and 1 more if there is one for each frame: J rotations, J translations |
+/// | N · 4 · `u32` | the first key, the number of frames, the keys per frame, and the row |
+/// | N · (`f32`, `f32`, `u16`, `u16`) | the rate and its rounding error; 1 if the clip loops; 1 to 4 |
+/// | R · 2J · `u16` | places of keys: J rotations, then J translations |
 ///
-/// Clips in which the same tracks move have one row.
+/// The rest of a joint is the place from which the steps of its translations count. The rate of a
+/// clip is the sum of two `f32`, the rounded rate in frames a second and its rounding error; it is
+/// 1 if times are frames. The two `u16` behind it are 1 for a clip that loops, otherwise 0; and the
+/// number of frames in the file for one frame of the clip it was made of, 1 to 4. A place of keys
+/// is twice the distance from the first key of the clip to the first key of the track, plus 1 if
+/// the track has a key for each frame. Clips in which the same tracks move have one row.
 #[derive(Clone, Copy)]
 pub struct PackedClips<'a> {
     pub(super) tracks: Tracks<'a>,

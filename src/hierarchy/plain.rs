@@ -22,8 +22,8 @@
 
 use super::chain::{product, product_in_lanes};
 use super::locals::{BATCH, LocalBatch, Locals, Pass, Registers, Stored, load, store};
+use super::run::JointSlot;
 use super::run::{Epilogue, Forward, PaletteOnly};
-use super::slot::JointSlot;
 use crate::backend::Kernel;
 use crate::batch;
 use crate::number::Scalar;

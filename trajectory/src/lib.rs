@@ -5,9 +5,9 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Trajectory`] | stamps and poses in the caller's memory; screw motion between neighbours |
-//! | [`OwnedTrajectory`] | the same with memory of its own, also of unsorted stamps or one velocity |
+//! | [`OwnedTrajectory`] | a trajectory with memory of its own, of any order of stamps |
 //! | [`Spline`] | a cubic B-spline by control poses, or Catmull and Rom's through them |
-//! | [`Job`] | a run over many times, with a clock, a frame, a rule outside the stamps, and threads |
+//! | [`Job`] | a run over many times, with a clock, a frame and threads |
 //! | [`Frame`] | the frame that poses and points come out in |
 //! | [`Outside`] | what happens before the first stamp and after the last |
 //! | [`Time`] | the numbers that times of points may be |
