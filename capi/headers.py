@@ -10,14 +10,15 @@ import sys
 from pathlib import Path
 
 NOUNS = [
-    ("motion", "One motion"), ("plan", "One instance of a hierarchy, in the best order"), ("clips", "Packed clips"),
+    ("motion", "One motion"), ("plan", "One instance of a hierarchy, in the fastest order"), ("clips", "Packed clips"),
+    ("trajectory", "Poses at stamps"), ("spline", "A smooth curve by control poses"),
     ("mechanism", "One configuration of a mechanism"), ("joint", "A joint of a mechanism, filled in"), ("skin", "A mesh"),
     ("blocks", "Arrays: dq8_NAME plain, dq8_blocks_NAME in blocks of lanes"), ("", "Arrays, plain, and the library itself"),
 ]
 FUNCTION = re.compile(
     r"/\*\*\n((?: \*[^\n]*\n)+?) \*/\n(?:static inline )?((?:const )?[\w ]+?[ *]+)(dq8_\w+)\(([^;{]*?)\)\s*[;{]")
 JOINTS = """
-/* A joint of this kind, and nothing that it mimics or that limits it. */
+/* A joint of this kind, which mimics no other and has no limits. */
 static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, const float *placement, const float *axis)
 {
   dq8_joint_f32 joint;
@@ -40,8 +41,8 @@ static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, 
 KINDS = [
     ("fixed", "that does not move", False), ("revolute", "that turns about `axis`", True),
     ("prismatic", "that slides along `axis`", True),
-    ("screw", "that turns about `axis` and slides along it, `pitch` for each radian", True),
-    ("planar", "that slides in the plane across `axis`, and turns about it", True),
+    ("screw", "that turns about `axis` and slides along it by `pitch` per radian", True),
+    ("planar", "that slides at right angles to `axis` and turns about it", True),
     ("floating", "that moves freely", False),
 ]
 
@@ -53,7 +54,7 @@ def joints():
         pitch = ", float pitch" if kind == "screw" else ""
         text += f"""
 /**
- * A joint {moves}. `placement` may be null: none.
+ * Returns a joint {moves}. `placement` may be null for the identity.
  */
 static inline dq8_joint_f32 dq8_joint_{kind}_f32(int32_t parent, const float *placement{', const float *axis' if axis else ''}{pitch})
 {{

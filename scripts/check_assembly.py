@@ -25,10 +25,10 @@ KERNELS = [
     ("points by one motion", r"sweep::Sweep<.*slices::transform::ByOne.*" + BLOCKS, 0),
     ("normalize", r"sweep::Sweep<.*of_each::normalize.*" + BLOCKS, 0),
     ("ScLERP", r"sweep::Sweep<.*of_each::sclerp\b.*" + BLOCKS, None),
-    ("crowd in place", r"blocks::Forward.*" + BLOCKS, 4),
-    ("one instance, planned", r"plan::Walk<f32>", 0),
-    ("plain clips", r"<dq8::hierarchy::clip::Sampled<[^{]*Frames[^{]*::poses", 100),
-    ("packed clips", r"<dq8::hierarchy::clip::Sampled<[^{]*Playback[^{]*::poses", 100),
+    ("crowd in place", r"blocks::Blocks.*" + BLOCKS, 4),
+    ("one instance, planned", r"plan::InOrder<f32>", 0),
+    ("plain clips", r"<dq8::hierarchy::clip::Sampled<[^{]*Frames[^{]*::load_batch", 100),
+    ("packed clips", r"<dq8::hierarchy::clip::Sampled<[^{]*Playback[^{]*::load_batch", 100),
 ]
 BACKENDS = [("AVX2", "with_avx2", (8, 16)), ("AVX-512", "with_avx512", (8, 16))]
 # What else a loop must hold, and must not, by kernel and backend; docs/measured.md has the reasons.

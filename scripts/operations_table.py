@@ -129,7 +129,7 @@ def functions(*folders):
                 elif text == "}":
                     owner = None
                 # Sums of what is two parts, or two vectors, are written by a macro.
-                if (parts := re.match(r"(?:    \[.*\] #\[.*\] |sums!\()(\w+)(?:<\w+>:| \{)", text)) and parts[1] in TYPES:
+                if (parts := re.match(r"(?:    \[.*\] #\[.*\] |sums_of_vectors!\()(\w+)(?:<\w+>:| \{)", text)) and parts[1] in TYPES:
                     for trait in ("Add", "Sub", "Neg"):
                         found.setdefault((parts[1], OPERATORS[trait]), file)
                 if owner in TYPES and (name := re.match(r"    pub (?:const )?fn (\w+)", text)):

@@ -326,31 +326,44 @@ errors! {
     FitError {
         /// Slices that go together have different lengths.
         Length {
-            what: &'static str = "`moved` or `weights`.",
-            found: usize = "Its length.",
-            expected: usize = "The number of points."
-        }
-            => "{what} has the length {found}, for {expected} points";
+            /// `moved` or `weights`.
+            what: &'static str,
+            /// Its length.
+            found: usize,
+            /// The number of points.
+            expected: usize,
+        } => "{what} has the length {found}, for {expected} points";
         /// A coordinate is not finite.
         NotFinite {
-            what: &'static str = "`points` or `moved`.",
-            index: usize = "The number of the point.",
-            value: f64 = "The coordinate."
-        }
-            => "point {index} of {what} is not finite: a coordinate is {value}";
+            /// `points` or `moved`.
+            what: &'static str,
+            /// The number of the point.
+            index: usize,
+            /// The coordinate.
+            value: f64,
+        } => "point {index} of {what} is not finite: a coordinate is {value}";
         /// A weight is negative or not finite.
-        Weight { index: usize = "The number of the pair.", value: f64 = "The weight." }
-            => "the weight of pair {index} is {value}: it must be finite and not negative";
+        Weight {
+            /// The number of the pair.
+            index: usize,
+            /// The weight.
+            value: f64,
+        } => "the weight of pair {index} is {value}: it must be finite and not negative";
         /// There is no pair, or all weights are zero.
         Empty => "no pair of points has a weight";
         /// An axis has no direction.
-        Axis { length: f64 = "Its length." } => "the axis has no direction: its length is {length}";
+        Axis {
+            /// Its length.
+            length: f64,
+        } => "the axis has no direction: its length is {length}";
         /// Many rotations fit equally well within rounding.
         Ambiguous {
-            pairs: usize = "The number of pairs whose weight is not zero.",
-            rank: usize = "The rank of Σ w y xᵀ: 0 where one of the sets is in a point, 1 where one is on a line."
-        }
-            => "{pairs} pairs do not say how the points turned: the rank is {rank}, and many rotations fit equally well";
+            /// The number of pairs whose weight is not zero.
+            pairs: usize,
+            /// The rank of Σ w y xᵀ: 0 where one of the sets is in a point, 1 where one is on a
+            /// line.
+            rank: usize,
+        } => "many rotations fit the {pairs} pairs equally well: their rank is {rank}";
         /// A square of a distance, or the map itself, overflows.
         Overflow => "the points are too far apart: a square of a distance overflows";
     }

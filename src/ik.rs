@@ -83,15 +83,24 @@ errors! {
         Shape(error: ShapeError) => "{error}";
         /// A limb cannot be bent.
         Limb {
-            limb: usize = "Which, the first one; in blocks, things are counted one after the other.",
-            error: LimbError = "The fault."
-        } from error
-            => "limb {limb}: {error}";
+            /// The number of the first such limb; in blocks, things count one after the other.
+            limb: usize,
+            /// The fault.
+            error: LimbError,
+        } from error => "limb {limb}: {error}";
         /// Joints of a skeleton that are no limb.
-        NotChild { joint: usize = "The joint.", parent: usize = "The joint that should be its parent." }
-            => "joint {joint} is no child of joint {parent}";
+        NotChild {
+            /// The joint.
+            joint: usize,
+            /// The joint that should be its parent.
+            parent: usize,
+        } => "joint {joint} is not a child of joint {parent}";
         /// A hinge that is no axis.
-        Hinge { index: usize = "The coordinate.", value: f64 = "Its value." }
-            => "the hinge is not finite: coordinate {index} is {value}";
+        Hinge {
+            /// The coordinate.
+            index: usize,
+            /// Its value.
+            value: f64,
+        } => "the hinge is not finite: coordinate {index} is {value}";
     }
 }

@@ -110,12 +110,12 @@ compile_error!("dq8 needs square roots and trigonometry: enable the feature `std
 mod backend;
 pub mod batch;
 mod contract;
-#[cfg(not(dq8_record))]
-mod everyday;
-#[cfg(dq8_record)]
-pub mod everyday;
 pub mod fit;
 pub mod geometry;
+#[cfg(not(dq8_record))]
+mod quick;
+#[cfg(dq8_record)]
+pub mod quick;
 // Pages, and no code: nothing that a build needs.
 #[cfg(any(doc, doctest))]
 pub mod guide;

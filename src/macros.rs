@@ -1,21 +1,21 @@
 //! Macros that write implementations from a list: errors, conversions, and a short `Debug`.
 
-/// An enum of errors. Each has documentation and a message, and fields, documented too, that the
-/// message names; one that has another error as its cause holds it, is made from it, and has it as
-/// its source; so has one that says `from` one of its fields.
+/// An enum of errors: for each variant its documentation, its fields with theirs, the message, and
+/// the source. The source is an error that the variant holds and is made from, or the field that
+/// `from` names.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __errors {
     ($(#[$of:meta])* $name:ident {$(
         $(#[$doc:meta])*
-        $variant:ident $({ $($field:ident: $type:ty = $says:literal),+ })? $(($cause:ident: $other:ty))? $(from $named:ident)?
+        $variant:ident $({ $($(#[$says:meta])* $field:ident: $type:ty $(= $told:literal)?),+ $(,)? })? $(($cause:ident: $other:ty))? $(from $named:ident)?
             => $message:literal $(, $part:expr)*;
     )*}) => {
         $(#[$of])*
         #[non_exhaustive]
         pub enum $name {$(
             $(#[$doc])*
-            $variant $({ $(#[doc = $says] $field: $type),+ })? $(($other))?,
+            $variant $({ $($(#[$says])* $(#[doc = $told])? $field: $type),+ })? $(($other))?,
         )*}
 
         impl core::fmt::Display for $name {

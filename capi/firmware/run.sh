@@ -38,7 +38,7 @@ echo "$said"
 
 # Functions of trajectories need a heap, and the library has none of them without that feature.
 # A function that can panic brings core::panicking into the image, one that allocates an allocator.
-mapfile -t roots < <(sed '/^static inline/,/^}/d' ../include/dq8.h | grep -o '\bdq8_[a-z0-9_]*(' | tr -d '(' | grep -v dq8_resample | sort -u | sed 's/^/-Wl,-u,/')
+mapfile -t roots < <(sed '/^static inline/,/^}/d' ../include/dq8.h | grep -o '\bdq8_[a-z0-9_]*(' | tr -d '(' | grep -vE 'dq8_(resample|trajectory|spline)_' | sort -u | sed 's/^/-Wl,-u,/')
 link "${roots[@]}"
 if arm-none-eabi-nm -C "$out/image" | grep -E 'core::(panicking|slice::index|option::|result::)|rust_begin_unwind|__rust_alloc'; then
   echo 'a function can panic or allocate' >&2

@@ -2,121 +2,134 @@
  * dq8: rigid motions as dual quaternions, many at a time. Generated from capi/src by capi/header.sh;
  * do not edit.
  *
- * A motion is eight numbers, px py pz pw qx qy qz qw: p + eq rotates by p, then translates by t,
- * where q = tp/2. In a product a * b it is b that acts first. Angles are radians, lengths your unit.
+ * A motion is eight numbers, px py pz pw qx qy qz qw. The dual quaternion p + eq rotates by p, then
+ * translates by t, where q = tp/2. In a product a * b, b acts first. Angles are in radians, lengths
+ * in your unit.
  *
- * Names.    dq8_motion_NAME: one motion. dq8_mechanism_NAME: one configuration of a mechanism.
- *           dq8_skin_NAME: a mesh. dq8_plan_NAME: one instance of a hierarchy, in the best order.
- *           dq8_clips_NAME: packed clips.
- *           dq8_NAME: arrays of `count` things in all, plain. dq8_blocks_NAME: the same on blocks, the fastest
- *           way. Each for float (_f32) and for double (_f64); dq8_generic.h has one name for both (C11).
- * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
+ * Names.    dq8_motion_NAME computes one motion, dq8_mechanism_NAME one configuration of a mechanism,
+ *           dq8_skin_NAME a mesh, dq8_plan_NAME one instance of a hierarchy in the fastest order,
+ *           dq8_clips_NAME packed clips, and dq8_trajectory_NAME and dq8_spline_NAME poses over
+ *           time. dq8_NAME computes plain arrays, and dq8_blocks_NAME the same
+ *           on blocks, which is fastest. All have a form for float (_f32) and one for double (_f64);
+ *           dq8_generic.h has one name for both (C11).
+ * Blocks.   A block holds `lanes` things, component after component: with 8 lanes, the eight px, then
  *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
- * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
- *           except an index such as `bad_joint`, and the steps that were to be a mechanism.
- * Memory.   All of it is yours: the library allocates nothing but what dq8_resample needs while it runs,
- *           which a library without the feature `trajectory`, as firmware has it, has not; it keeps no pointer
- *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
- *           weights, dq8_clips one to their bytes. What their functions do is undefined if that memory
- *           has changed or gone. A pointer may be null where the length of its array is 0.
- * Align.    That of the number type; blocks start at multiples of 64 bytes.
- * Aliasing. Inputs may overlap each other. An output overlaps nothing, be it an array or one thing such as
- *           a motion, a root or options, unless a function says that it may be one of the inputs: then
- *           exactly that array. Functions on one motion read all before
- *           they write, so there an output may lie anywhere.
- * Checked.  Null and misaligned pointers, overlaps and lengths give an error. Wrong numbers in arrays give
- *           wrong results, never a crash, but in memory that a mechanism, a skin or clips keep. That an array is
- *           as long as you say cannot be checked, nor that a motion is unit where one is asked for.
- * Threads.  The library has none: give each of yours its own part of the arrays, and every bit is the same. Calls
- *           do not know of each other; only dq8_backend_limit and dq8_set_reproducible are for all threads.
+ * Errors.   Every call returns a dq8_status. If it is not DQ8_STATUS_OK, the outputs are as they were,
+ *           except an index such as `bad_joint`, the steps of a mechanism, and scratch.
+ * Memory.   All memory is yours. The library allocates nothing and keeps no pointer after it returns.
+ *           (dq8_resample, dq8_trajectory_NAME and dq8_spline_NAME alone allocate while they run.
+ *           Without the feature `trajectory`, as for firmware, the library does not have them.) But a dq8_mechanism points to its steps, a
+ *           dq8_skin to its joints and weights, and dq8_clips to their bytes: do not change or free
+ *           these, or the behaviour is undefined. A pointer may be null if the length of its array
+ *           is 0.
+ * Align.    Arrays must have the alignment of their number type, and blocks that of 64 bytes.
+ * Aliasing. Inputs may overlap each other. An output (an array, or one thing such as a motion) must not
+ *           overlap an input or another output, unless a function says that it may be one of the
+ *           inputs; then it must be exactly that array. Functions of one motion read all inputs before
+ *           they write, so there an output may overlap inputs.
+ * Checked.  Null and misaligned pointers, overlaps and lengths are errors. Wrong numbers in arrays give
+ *           wrong results, but no crash, except in the memory of a mechanism, a skin or clips. The
+ *           library cannot check that an array is as long as you say, and does not check that a
+ *           motion is unit where it must be.
+ * Threads.  The library has no threads. Give each of yours its own part of the arrays: the results have
+ *           the same bits. Calls do not affect each other, except that dq8_backend_limit and
+ *           dq8_set_reproducible hold for all threads.
  */
 
 /*
  * Contents, without _f32 and _f64.
  *
  * One motion
- *   dq8_motion_line                            A line moved by a unit motion
- *   dq8_motion_plane                           A plane moved by a unit motion
- *   dq8_motion_twist                           A twist, six numbers, angular part first, by the adjoint of a unit ...
- *   dq8_motion_to_twist                        The twist, six numbers, angular part first, that leads to a unit ...
- *   dq8_motion_integrate_body                  Where a unit motion is after `dt` seconds of a body twist, six ...
- *   dq8_motion_angle_to                        The angle between two unit motions, one number, radians in 0 to pi
- *   dq8_motion_distance_to                     The distance between the translations of two unit motions, one number
- *   dq8_motion_mean                            The intrinsic mean of `count` unit motions
- *   dq8_motion_identity                        The motion that moves nothing
- *   dq8_motion_from_rotation_translation       Rotate by the unit quaternion `rotation` (x, y, z, w), then move by ...
- *   dq8_motion_to_rotation_translation         The parts of a unit motion
- *   dq8_motion_from_matrix_3x4                 The motion of a matrix, twelve numbers, row after row
- *   dq8_motion_from_matrix_4x4                 As dq8_motion_from_matrix_3x4, of sixteen numbers; ...
- *   dq8_motion_to_matrix_3x4                   The matrix `[R | t]` of a unit motion
- *   dq8_motion_to_matrix_4x4                   The matrix of a unit motion with the row 0 0 0 1: sixteen numbers, ...
- *   dq8_motion_mul                             a * b
- *   dq8_motion_conjugate                       The inverse of a unit motion, which costs nothing but signs
- *   dq8_motion_inverse                         The inverse of a motion, unit or not; DQ8_STATUS_NO_INVERSE if ...
- *   dq8_motion_normalize                       The unit motion beside a dual quaternion, exactly; ...
- *   dq8_motion_check_unit                      DQ8_STATUS_NOT_UNIT if the norm of the motion is further from 1 ...
- *   dq8_motion_point                           A point, three numbers, moved by a unit motion
- *   dq8_motion_vector                          A direction, three numbers, turned by a unit motion
- *   dq8_motion_nlerp                           From `a` to `b` by the shorter way, `t` of it
- *   dq8_motion_sclerp                          From unit `a` to unit `b` by the shorter way, `t` of it, along one ...
- *   dq8_motion_blend                           The blend of `count` unit motions by `weights`, which need not sum ...
- *   dq8_motion_log                             The logarithm of a unit motion, six numbers
- *   dq8_motion_exp                             The motion of a logarithm of six numbers
- *   dq8_motion_pow                             `t` of a unit motion
- *   dq8_motion_to_screw                        The screw of a unit motion, eight numbers
- *   dq8_motion_from_screw                      The motion of a screw, eight numbers
+ *   dq8_motion_line                            Moves a line by a unit motion
+ *   dq8_motion_plane                           Moves a plane by a unit motion
+ *   dq8_motion_twist                           Applies the adjoint of a unit motion to a twist, which turns a body ...
+ *   dq8_motion_to_twist                        Writes the twist that leads to a unit motion in one second
+ *   dq8_motion_integrate_body                  Moves a unit motion on by a constant body twist for `dt` seconds
+ *   dq8_motion_angle_to                        Writes the angle between two unit motions
+ *   dq8_motion_distance_to                     Writes the distance between the translations of two unit motions
+ *   dq8_motion_mean                            Computes the intrinsic mean of `count` unit motions
+ *   dq8_motion_identity                        Writes the identity
+ *   dq8_motion_from_rotation_translation       Makes the motion that rotates by the unit quaternion `rotation` (x, ...
+ *   dq8_motion_to_rotation_translation         Writes the parts of a unit motion
+ *   dq8_motion_from_matrix_3x4                 Makes the motion of a matrix of three rows and four columns
+ *   dq8_motion_from_matrix_4x4                 Makes the motion of a matrix of sixteen numbers, otherwise like ...
+ *   dq8_motion_to_matrix_3x4                   Writes the matrix `[R | t]` of a unit motion
+ *   dq8_motion_to_matrix_4x4                   Writes the matrix of a unit motion with the last row 0 0 0 1: ...
+ *   dq8_motion_mul                             Computes the product `a * b`, in which b acts first
+ *   dq8_motion_conjugate                       Computes the inverse of a unit motion, which only flips signs
+ *   dq8_motion_inverse                         Computes the inverse of a motion that need not be unit
+ *   dq8_motion_normalize                       Normalizes a dual quaternion to a unit motion
+ *   dq8_motion_check_unit                      Checks that a motion is unit
+ *   dq8_motion_point                           Moves a point, three numbers, by a unit motion
+ *   dq8_motion_vector                          Turns a direction, three numbers, by a unit motion
+ *   dq8_motion_nlerp                           Interpolates from `a` (t = 0) to `b` (t = 1) by the shorter way
+ *   dq8_motion_sclerp                          Interpolates from unit `a` (t = 0) to unit `b` (t = 1) by the ...
+ *   dq8_motion_blend                           Blends `count` unit motions by `weights`, which need not sum to 1. ...
+ *   dq8_motion_log                             Writes the logarithm of a unit motion, six numbers
+ *   dq8_motion_exp                             Writes the unit motion whose logarithm is `log`, six numbers
+ *   dq8_motion_pow                             Raises a unit motion to the power `t`
+ *   dq8_motion_to_screw                        Writes the screw of a unit motion, eight numbers
+ *   dq8_motion_from_screw                      Writes the motion of a screw, eight numbers
  *
- * One instance of a hierarchy, in the best order
+ * One instance of a hierarchy, in the fastest order
  *   dq8_plan_make                              Finds the order in which dq8_plan_local_to_model computes the ...
- *   dq8_plan_local_to_model                    As dq8_local_to_model, joint by joint in the `order` that ...
+ *   dq8_plan_local_to_model                    Computes model poses like dq8_local_to_model, in the `order` that ...
  *
  * Packed clips
- *   dq8_clips_make                             Finds packed clips in bytes of dq8's form, which the Rust and the ...
- *   dq8_clips_duration                         The time from the first frame of a clip to the last
- *   dq8_clips_place                            The frame of a clip before the time `at`, and how far it is from ...
- *   dq8_clips_to_model                         As dq8_local_to_model, of what lies `t[i]` of the way from the ...
+ *   dq8_clips_make                             Makes `clips` of `length` bytes of a packed clip file, which the ...
+ *   dq8_clips_duration                         Writes the time from the first frame of a clip to its last frame, ...
+ *   dq8_clips_place                            Finds the time `at` in a clip
+ *   dq8_clips_to_model                         Computes the model poses of many instances that play packed clips, ...
+ *
+ * Poses at stamps
+ *   dq8_trajectory_sample                      The unit poses of a trajectory at the `times`, `count` of them as ...
+ *   dq8_trajectory_deskew                      Points, x y z, that the body of a trajectory measured, each at its ...
+ *   dq8_trajectory_skew                        The inverse of dq8_trajectory_deskew
+ *
+ * A smooth curve by control poses
+ *   dq8_spline_poses                           A cubic spline at the `times`, `count` of them as of `out` and, ...
  *
  * One configuration of a mechanism
- *   dq8_mechanism_make                         Checks `count` joints and makes a mechanism of them, once; its ...
- *   dq8_mechanism_link_poses                   Forward kinematics of one configuration
- *   dq8_mechanism_link_pose                    The pose of one link
- *   dq8_mechanism_link_jacobian                The geometric Jacobian of a link
- *   dq8_mechanism_reach_options                Fills in the options that serve most
- *   dq8_mechanism_reach_scratch                How many numbers `scratch` of dq8_mechanism_reach must have for so ...
- *   dq8_mechanism_reach                        Inverse kinematics of one configuration
+ *   dq8_mechanism_make                         Makes a mechanism of `count` joints
+ *   dq8_mechanism_link_poses                   Computes the poses of all links in the frame of the base
+ *   dq8_mechanism_link_pose                    Computes the pose of one link in the frame of the base
+ *   dq8_mechanism_link_jacobian                Computes the geometric Jacobian of a link
+ *   dq8_mechanism_reach_options                Writes the default options
+ *   dq8_mechanism_reach_scratch                Writes the size in numbers that `scratch` of dq8_mechanism_reach ...
+ *   dq8_mechanism_reach                        Solves the inverse kinematics of one configuration
  *
  * A joint of a mechanism, filled in
- *   dq8_joint_fixed                            A joint that does not move
- *   dq8_joint_revolute                         A joint that turns about `axis`
- *   dq8_joint_prismatic                        A joint that slides along `axis`
- *   dq8_joint_screw                            A joint that turns about `axis` and slides along it, `pitch` for ...
- *   dq8_joint_planar                           A joint that slides in the plane across `axis`, and turns about it
- *   dq8_joint_floating                         A joint that moves freely
+ *   dq8_joint_fixed                            Returns a joint that does not move
+ *   dq8_joint_revolute                         Returns a joint that turns about `axis`
+ *   dq8_joint_prismatic                        Returns a joint that slides along `axis`
+ *   dq8_joint_screw                            Returns a joint that turns about `axis` and slides along it by ...
+ *   dq8_joint_planar                           Returns a joint that slides at right angles to `axis` and turns ...
+ *   dq8_joint_floating                         Returns a joint that moves freely
  *
  * A mesh
- *   dq8_skin_products                          A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`
- *   dq8_skin_split                             Takes the matrices of a palette apart into stretches and, after ...
- *   dq8_skin_make                              Checks which joints move each vertex and how much, once; the ...
- *   dq8_skin_make_interleaved                  As dq8_skin_make, of joints and weights that lie between other ...
- *   dq8_skin_linear_interleaved                As without _interleaved, of vertices that are records of several ...
+ *   dq8_skin_products                          Computes a palette of matrices, `matrices[j] = models[j] * ...
+ *   dq8_skin_split                             Splits the matrices of a palette into stretches, which act first, ...
+ *   dq8_skin_make                              Makes a skin of the joints that move each vertex and their weights
+ *   dq8_skin_make_interleaved                  Makes a skin of a vertex buffer, otherwise like dq8_skin_make
+ *   dq8_skin_linear_interleaved                Poses a vertex buffer, otherwise like the function without ...
  *   dq8_skin_linear                            Poses a mesh by linear blends
- *   dq8_skin_dual_interleaved                  As without _interleaved, of vertices that are records of several ...
- *   dq8_skin_dual                              As dq8_skin_linear by dual quaternion blends
- *   dq8_skin_stretched_interleaved             As without _interleaved, of vertices that are records of several ...
- *   dq8_skin_stretched                         As dq8_skin_dual where joints scale or shear
- *   dq8_skin_mixed_interleaved                 As without _interleaved, of vertices that are records of several ...
- *   dq8_skin_mixed                             As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex ...
+ *   dq8_skin_dual_interleaved                  Poses a vertex buffer, otherwise like the function without ...
+ *   dq8_skin_dual                              Poses a mesh by dual quaternion blends, otherwise like dq8_skin_linear
+ *   dq8_skin_stretched_interleaved             Poses a vertex buffer, otherwise like the function without ...
+ *   dq8_skin_stretched                         Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual
+ *   dq8_skin_mixed_interleaved                 Poses a vertex buffer, otherwise like the function without ...
+ *   dq8_skin_mixed                             Poses a mesh by dq8_skin_linear and dq8_skin_dual, and mixes the ...
  *
  * Arrays: dq8_NAME plain, dq8_blocks_NAME in blocks of lanes
- *   dq8_chain_products                         `out[i] = links[0] * links[1] * ... * links[i]`
- *   dq8_local_to_model                         Model poses of all joints from local ones
- *   dq8_model_to_local                         Local poses of all joints from unit model ones, as ...
- *   dq8_rotations_to_model                     As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in ...
- *   dq8_rotations_translations_to_model        As dq8_local_to_model of `locals` with seven numbers each
- *   dq8_palette                                As dq8_local_to_model, and in the same pass the skinning palette
- *   dq8_palette_matrices                       As dq8_palette with a palette of matrices `[R | t]`, twelve numbers ...
- *   dq8_link_poses                             Forward kinematics of many configurations
+ *   dq8_chain_products                         Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model ...
+ *   dq8_local_to_model                         Computes model poses from local poses
+ *   dq8_model_to_local                         Computes local poses from unit model poses
+ *   dq8_rotations_to_model                     Computes model poses from rotations and fixed offsets, as animation ...
+ *   dq8_rotations_translations_to_model        Computes model poses from rotations and translations, otherwise ...
+ *   dq8_palette                                Computes model poses like dq8_local_to_model, and in the same pass ...
+ *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, with the ...
+ *   dq8_link_poses                             Computes the poses of all links for many configurations
  *   dq8_mul                                    The products `a[i] b[i]`
  *   dq8_normalize                              The unit motions beside `motions`, exactly; NaN where there is none
  *   dq8_inverse                                The inverses of `motions`, unit or not; NaN or infinite where there ...
@@ -140,25 +153,25 @@
  *   dq8_lines_each                             `lines[i]` moved by the unit `motions[i]`
  *   dq8_planes_each                            `planes[i]` moved by the unit `motions[i]`
  *   dq8_twists_each                            `twists[i]`, six numbers, angular part first, by the adjoint of the ...
- *   dq8_points                                 `points`, three numbers each, moved by the one unit `motion`
- *   dq8_vectors                                `vectors`, three numbers each, turned by the one unit `motion`
- *   dq8_matrices_3x4                           The matrices `[R | t]` of unit `motions`, twelve numbers each; ...
- *   dq8_matrices_4x4                           The matrices of unit `motions` with the row 0 0 0 1, sixteen ...
+ *   dq8_points                                 Moves `points`, three numbers each, by one unit `motion`
+ *   dq8_vectors                                Turns `vectors`, three numbers each, by one unit `motion`
+ *   dq8_matrices_3x4                           Writes the matrices `[R | t]` of unit `motions`, twelve numbers ...
+ *   dq8_matrices_4x4                           Writes the matrices of unit `motions` with the last row 0 0 0 1, ...
  *
  * Arrays, plain, and the library itself
- *   dq8_backend_name                           The name of what computes now, for logs
- *   dq8_backend_limit                          From now on, in all threads, nothing better than `most` computes
- *   dq8_set_reproducible                       From now on, in all threads, whether results have the same bits on ...
- *   dq8_check_parents                          Whether `parents` is a hierarchy
- *   dq8_pack                                   Writes `poses`, `[instance][joint]`, into blocks of `lanes` ...
- *   dq8_unpack                                 Writes blocks into `poses`, the other way round; lanes beyond the ...
- *   dq8_pack_chain                             Writes a chain into blocks, a segment of `block_count` links in ...
- *   dq8_unpack_chain                           Writes blocks of a chain into `links`, the other way round
- *   dq8_block_size                             How many numbers one block takes that has `components` (8 in ...
- *   dq8_status_text                            What a status means, in English
- *   dq8_reach_scratch                          How many numbers `scratch` of dq8_reach must have for so many ...
- *   dq8_reach                                  dq8_mechanism_reach for `count` configurations, as many at a time ...
- *   dq8_resample                               A trajectory, the unit `poses` at the rising `times`, both ...
+ *   dq8_backend_name                           Returns the name of the instructions that compute now, for logs
+ *   dq8_backend_limit                          Limits the instructions that compute, in all threads and from now ...
+ *   dq8_set_reproducible                       Makes the results of functions of arrays and blocks the same on ...
+ *   dq8_check_parents                          Checks that `parents` is a hierarchy
+ *   dq8_pack                                   Packs plain poses into blocks
+ *   dq8_unpack                                 Unpacks blocks into plain poses
+ *   dq8_pack_chain                             Packs the links of a chain into blocks, with a segment of ...
+ *   dq8_unpack_chain                           Unpacks the blocks of a chain into plain links
+ *   dq8_block_size                             Returns the size of a block in numbers
+ *   dq8_status_text                            Returns the meaning of a status in English
+ *   dq8_reach_scratch                          Writes the size in numbers that `scratch` of dq8_reach must have
+ *   dq8_reach                                  Solves the inverse kinematics of `count` configurations, several at ...
+ *   dq8_resample                               Samples a trajectory at other times
  */
 
 #ifndef DQ8_H
@@ -173,8 +186,9 @@
 #define DQ8_VERSION_PATCH 0
 
 /**
- * What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index
- * such as `bad_joint` or `bad_vertex`, the steps that were to be a mechanism, and scratch.
+ * The result of a call. If it is not DQ8_STATUS_OK, the outputs are as they were, except an
+ * index such as `bad_joint` or `bad_vertex`, the steps of a mechanism that was to be made, and
+ * scratch.
  */
 enum dq8_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -182,20 +196,20 @@ enum dq8_status
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * It is done.
+   * The call has succeeded.
    */
   DQ8_STATUS_OK = 0,
   /**
-   * A pointer is null where there is something to read or to write.
+   * A pointer is null, but its array has elements.
    */
   DQ8_STATUS_NULL_POINTER = 1,
   /**
-   * A pointer is not aligned: to its number type, or to 64 bytes for blocks.
+   * A pointer is not aligned to its number type or, for blocks, to 64 bytes.
    */
   DQ8_STATUS_MISALIGNED = 2,
   /**
-   * An output overlaps an input, be it an array or one thing, or another output, and is not
-   * exactly the array that it may be.
+   * An output overlaps an input or another output. Where a function allows that an output is
+   * one of the inputs, it must be exactly the same array.
    */
   DQ8_STATUS_OVERLAP = 3,
   /**
@@ -203,12 +217,13 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_LARGE = 4,
   /**
-   * Lengths do not fit each other, such as a `count` that is no multiple of the joints: it
-   * counts all poses of all instances or configurations.
+   * Lengths do not fit each other. For example, `count` is no multiple of the number of
+   * joints; it is the number of all poses, of all instances or configurations.
    */
   DQ8_STATUS_LENGTH = 5,
   /**
-   * There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
+   * There are no blocks with that number of lanes. float has blocks of 8 and 16 lanes,
+   * double of 4 and 8.
    */
   DQ8_STATUS_LANES = 6,
   /**
@@ -216,19 +231,20 @@ enum dq8_status
    */
   DQ8_STATUS_NOT_UNIT = 7,
   /**
-   * There is no unit motion: the real part is zero, or a number is not finite.
+   * The dual quaternion cannot be normalized, because its real part is zero or a number is
+   * not finite.
    */
   DQ8_STATUS_NOT_NORMALIZABLE = 8,
   /**
-   * There is no inverse: the real part is zero, or a number is not finite.
+   * The motion has no inverse, because its real part is zero or a number is not finite.
    */
   DQ8_STATUS_NO_INVERSE = 9,
   /**
-   * The matrix scales or shears.
+   * The matrix is no rigid motion, because it scales or shears.
    */
   DQ8_STATUS_NOT_ORTHONORMAL = 10,
   /**
-   * The matrix mirrors.
+   * The matrix is no rigid motion, because it mirrors.
    */
   DQ8_STATUS_MIRRORS = 11,
   /**
@@ -240,15 +256,15 @@ enum dq8_status
    */
   DQ8_STATUS_NOT_AFFINE = 13,
   /**
-   * There is nothing to blend.
+   * There is nothing to blend, because the number of motions or influences is 0.
    */
   DQ8_STATUS_NO_INFLUENCES = 14,
   /**
-   * A parent does not come before its child: a forward reference, or a cycle.
+   * The parent of a joint does not come before it in the array.
    */
   DQ8_STATUS_PARENT_NOT_BEFORE = 15,
   /**
-   * A parent is no joint at all, nor -1.
+   * The parent of a joint is neither a joint nor -1.
    */
   DQ8_STATUS_PARENT_OUT_OF_RANGE = 16,
   /**
@@ -256,17 +272,17 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_MANY_JOINTS = 17,
   /**
-   * A number stands for nothing: no backend, no order of matrices, no kind of joint, no
-   * frame.
+   * A number is none of the allowed ones: no value of its enum (a backend, an order of
+   * matrices, a kind of joint, a frame), no 0 or 1 where only these are allowed, or no clip.
    */
   DQ8_STATUS_UNKNOWN_VALUE = 18,
   /**
-   * An axis or normal is not of length 1.
+   * The length of an axis or normal is not 1.
    */
   DQ8_STATUS_AXIS = 19,
   /**
-   * A joint cannot mimic that one: there is none, it mimics too, or one of the two has not
-   * one value.
+   * A joint cannot mimic its leader: there is no such joint, the leader mimics another one,
+   * or one of the two does not have exactly one value.
    */
   DQ8_STATUS_MIMIC = 20,
   /**
@@ -274,7 +290,7 @@ enum dq8_status
    */
   DQ8_STATUS_NO_LINK = 21,
   /**
-   * The mechanism has not been made.
+   * The mechanism is a zeroed struct that dq8_mechanism_make has not filled in.
    */
   DQ8_STATUS_NO_MECHANISM = 22,
   /**
@@ -282,29 +298,30 @@ enum dq8_status
    */
   DQ8_STATUS_JOINT_OUT_OF_RANGE = 23,
   /**
-   * A weight is negative or not finite; or a goal has none, or there is no goal.
+   * A weight is negative or not finite, or all weights of a goal are 0, or there is no goal.
    */
   DQ8_STATUS_WEIGHT = 24,
   /**
-   * The weights of a vertex, which should sum to one, sum to less than 1/1024 or more
+   * The weights of a vertex, which should sum to 1, sum to less than 1/1024 or more
    * than 1024.
    */
   DQ8_STATUS_WEIGHT_SUM = 25,
   /**
-   * The skin has not been made.
+   * The skin is a zeroed struct that dq8_skin_make has not filled in.
    */
   DQ8_STATUS_NO_SKIN = 26,
   /**
-   * Limits of a joint are not in order, or leave no value together with those of what mimics
-   * it, or are angles that a float does not tell apart.
+   * The limits of a joint are not in order, or they allow no value together with the limits
+   * of joints that mimic it, or they are angles so large that the number type cannot resolve
+   * them.
    */
   DQ8_STATUS_LIMITS = 27,
   /**
-   * A field lies beyond its vertex, or in another field.
+   * A field of a vertex is not inside of the vertex, or overlaps another field.
    */
   DQ8_STATUS_FIELD = 28,
   /**
-   * The order of a plan is not one of these parents: it has not been made for them.
+   * The order was made for other parents.
    */
   DQ8_STATUS_NO_PLAN = 29,
   /**
@@ -312,21 +329,26 @@ enum dq8_status
    */
   DQ8_STATUS_SHARE = 30,
   /**
-   * No joint moves the link of a goal: only fixed ones carry it.
+   * The link of a goal cannot move, because only fixed joints carry it.
    */
   DQ8_STATUS_UNMOVED = 31,
   /**
-   * The packed clips have not been made.
+   * The clips are a zeroed struct that dq8_clips_make has not filled in.
    */
   DQ8_STATUS_NO_CLIPS = 32,
   /**
-   * Bytes are no packed clips.
+   * The bytes are no packed clips.
    */
   DQ8_STATUS_NOT_CLIPS = 33,
   /**
-   * A time is not later than the one before, or not finite.
+   * A time of a trajectory is not later than the one before, or is not finite.
    */
   DQ8_STATUS_TIMES = 34,
+  /**
+   * A time is before the first stamp of a trajectory or after its last one and the options
+   * refuse that, or the time of the frame is not finite.
+   */
+  DQ8_STATUS_OUTSIDE = 35,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -337,7 +359,7 @@ typedef int32_t dq8_status;
 #endif // __cplusplus
 
 /**
- * The instructions that kernels over arrays and blocks may use, in rising order.
+ * The instructions that functions of arrays and blocks may use, from the least to the most.
  */
 enum dq8_backend
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -345,7 +367,8 @@ enum dq8_backend
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * What the library was built for: SSE2 on x86-64, NEON on aarch64, none on a Cortex-M.
+   * The instructions that the library was built for: SSE2 on x86-64, NEON on aarch64, no vectors
+   * on a Cortex-M.
    */
   DQ8_BACKEND_PORTABLE = 0,
   /**
@@ -357,7 +380,7 @@ enum dq8_backend
    */
   DQ8_BACKEND_AVX512 = 2,
   /**
-   * No limit. Newer versions may know more than the others above.
+   * No limit. Newer versions of the library may have more levels than the ones above.
    */
   DQ8_BACKEND_ANY = 255,
 };
@@ -370,7 +393,7 @@ typedef int32_t dq8_backend;
 #endif // __cplusplus
 
 /**
- * In which order the numbers of a matrix lie in memory.
+ * The order of the numbers of a matrix in memory.
  */
 enum dq8_matrix_order
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -378,11 +401,11 @@ enum dq8_matrix_order
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * Row after row: C arrays.
+   * Row by row, as in C arrays.
    */
   DQ8_MATRIX_ORDER_ROWS = 0,
   /**
-   * Column after column: OpenGL, GPU buffers.
+   * Column by column, as in OpenGL and in GPU buffers.
    */
   DQ8_MATRIX_ORDER_COLUMNS = 1,
 };
@@ -395,7 +418,7 @@ typedef int32_t dq8_matrix_order;
 #endif // __cplusplus
 
 /**
- * How a joint moves, in its own frame.
+ * The motion of a joint, in its own frame.
  */
 enum dq8_joint_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -403,30 +426,31 @@ enum dq8_joint_kind
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * Not at all. No value.
+   * The joint does not move. It has no value.
    */
   DQ8_JOINT_KIND_FIXED = 0,
   /**
-   * Turns about `axis`. One value, radians.
+   * The joint turns about `axis`. It has one value, in radians.
    */
   DQ8_JOINT_KIND_REVOLUTE = 1,
   /**
-   * Slides along `axis`. One value, a length.
+   * The joint slides along `axis`. It has one value, a length.
    */
   DQ8_JOINT_KIND_PRISMATIC = 2,
   /**
-   * Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
+   * The joint turns about `axis`, and slides along it by `pitch` for each radian. It has one
+   * value, in radians.
    */
   DQ8_JOINT_KIND_SCREW = 3,
   /**
-   * Slides in the plane across `axis`, then turns about it. Three values: x, y and the angle.
-   * The axes of x and y are those of the joint's frame after the shortest rotation that takes z
-   * to `axis`.
+   * The joint slides in the plane at right angles to `axis`, then turns about `axis`. It has
+   * three values: x, y and the angle in radians. The directions of x and y are those of the
+   * joint's frame after the shortest rotation that takes z to `axis`.
    */
   DQ8_JOINT_KIND_PLANAR = 4,
   /**
-   * Moves freely. Seven values: a quaternion x y z w of any length but zero, and a translation.
-   * Six rates: the body twist, angular first.
+   * The joint moves freely. It has seven values: a quaternion x y z w of any length but zero,
+   * and a translation x y z. It has six rates: the body twist, the angular part first.
    */
   DQ8_JOINT_KIND_FLOATING = 5,
 };
@@ -439,7 +463,7 @@ typedef int32_t dq8_joint_kind;
 #endif // __cplusplus
 
 /**
- * In which axes, and about which point, the columns of a Jacobian are.
+ * The frame of the columns of a Jacobian: their axes and the point that they are about.
  */
 enum dq8_frame
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -447,11 +471,11 @@ enum dq8_frame
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * The axes of the base, about its origin: spatial twists.
+   * The axes of the base, about the origin of the base: spatial twists.
    */
   DQ8_FRAME_WORLD = 0,
   /**
-   * The axes of the link, about its origin: body twists.
+   * The axes of the link, about the origin of the link: body twists.
    */
   DQ8_FRAME_BODY = 1,
   /**
@@ -468,7 +492,7 @@ typedef int32_t dq8_frame;
 #endif // __cplusplus
 
 /**
- * How a search ended.
+ * The outcome of a search.
  */
 enum dq8_outcome
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -476,28 +500,28 @@ enum dq8_outcome
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * Both errors are within the tolerances.
+   * All links are at their targets, within the tolerances.
    */
   DQ8_OUTCOME_CONVERGED = 0,
   /**
-   * A target is farther away than the mechanism is long.
+   * A target is farther away than the joints that carry its link are long.
    */
   DQ8_OUTCOME_OUT_OF_REACH = 1,
   /**
-   * No way led nearer, and a limit stands in the way.
+   * No step led nearer to the targets, and a joint is at its limit.
    */
   DQ8_OUTCOME_AT_LIMITS = 2,
   /**
-   * No way led nearer.
+   * No step led nearer to the targets.
    */
   DQ8_OUTCOME_STALLED = 3,
   /**
-   * The iterations ran out while the links still came nearer: more would help.
+   * The iterations ran out while the links still came nearer. More iterations would help.
    */
   DQ8_OUTCOME_UNFINISHED = 4,
   /**
-   * A target is not unit to 0.001, a number is not finite, or an option is negative or no
-   * number, or max_step is 0: the values are untouched.
+   * An input is invalid: a target is not unit to 0.001, a number is not finite, an option is
+   * negative or NaN, or max_step is 0. The values are as they were.
    */
   DQ8_OUTCOME_INVALID = 5,
 };
@@ -510,115 +534,120 @@ typedef int32_t dq8_outcome;
 #endif // __cplusplus
 
 /**
- * Clips of one skeleton, checked once. It may be copied and moved; the bytes that it was made of
- * must stay where they are, as they are.
+ * Packed clips of one skeleton, made by dq8_clips_make. This struct may be copied and moved. The
+ * bytes that it was made of must stay where they are and must not change.
  */
 typedef struct dq8_clips {
   /**
-   * How many joints the skeleton has. 0 in clips that have not been made, if they were zeroed.
+   * The number of joints of the skeleton. It is 0 in a zeroed struct that no clips have been
+   * made in.
    */
   size_t joints;
   /**
-   * How many clips there are.
+   * The number of clips.
    */
   size_t clips;
   /**
-   * Not for you.
+   * Private to the library.
    */
   const uint8_t *opaque[13];
 } dq8_clips;
 
 /**
- * A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same
- * clips.
+ * A frame of a clip, made by dq8_clips_place, for use with the same clips.
  */
 typedef struct dq8_place {
   /**
-   * Not for you.
+   * Private to the library.
    */
   uint32_t numbers[6];
 } dq8_place;
 
 /**
- * Memory for a joint of a mechanism; what is in it is the library's business.
+ * The memory of a mechanism for one of its joints. Its content is private to the library.
  */
 typedef struct dq8_step_f32 {
   /**
-   * Not for you.
+   * Private to the library.
    */
   float opaque[100];
 } dq8_step_f32;
 
 /**
- * A mechanism that has been made. It may be copied and moved; its steps must stay where they are.
+ * A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. Its steps must
+ * stay where they are.
  */
 typedef struct dq8_mechanism_f32 {
   /**
-   * How many links it has: one for each joint.
+   * The number of links, one for each joint.
    */
   size_t links;
   /**
-   * How many values a configuration has: those of joint 0, then those of joint 1, and so on.
+   * The number of values of a configuration: those of joint 0, then those of joint 1, and so on.
    */
   size_t values;
   /**
-   * How many rates, and columns of a Jacobian: as many as values, but six for a floating joint.
+   * The number of rates, and of columns of a Jacobian. It is the number of values, except that a
+   * floating joint has seven values and six rates.
    */
   size_t rates;
   /**
-   * Null in a mechanism that has not been made, if it was zeroed.
+   * The steps. This is null in a zeroed struct that no mechanism has been made in.
    */
   const struct dq8_step_f32 *steps;
   /**
-   * Not for you.
+   * Private to the library.
    */
   const struct dq8_step_f32 *opaque[4];
 } dq8_mechanism_f32;
 
 /**
- * Memory for a joint of a mechanism; what is in it is the library's business.
+ * The memory of a mechanism for one of its joints. Its content is private to the library.
  */
 typedef struct dq8_step_f64 {
   /**
-   * Not for you.
+   * Private to the library.
    */
   double opaque[100];
 } dq8_step_f64;
 
 /**
- * A mechanism that has been made. It may be copied and moved; its steps must stay where they are.
+ * A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. Its steps must
+ * stay where they are.
  */
 typedef struct dq8_mechanism_f64 {
   /**
-   * How many links it has: one for each joint.
+   * The number of links, one for each joint.
    */
   size_t links;
   /**
-   * How many values a configuration has: those of joint 0, then those of joint 1, and so on.
+   * The number of values of a configuration: those of joint 0, then those of joint 1, and so on.
    */
   size_t values;
   /**
-   * How many rates, and columns of a Jacobian: as many as values, but six for a floating joint.
+   * The number of rates, and of columns of a Jacobian. It is the number of values, except that a
+   * floating joint has seven values and six rates.
    */
   size_t rates;
   /**
-   * Null in a mechanism that has not been made, if it was zeroed.
+   * The steps. This is null in a zeroed struct that no mechanism has been made in.
    */
   const struct dq8_step_f64 *steps;
   /**
-   * Not for you.
+   * Private to the library.
    */
   const struct dq8_step_f64 *opaque[4];
 } dq8_mechanism_f64;
 
 /**
- * How a link is joined to the one that carries it. Link j is what joint j carries.
+ * The joint between a link and its parent link. Joint j carries link j.
  *
- * Fields that its kind does not name are not read; all may be 0.
+ * The fields `axis` and `pitch` are read only for the kinds that have them, and may be 0
+ * otherwise.
  */
 typedef struct dq8_joint_f32 {
   /**
-   * The joint of the link that carries this one, which comes before it, or -1 for the base.
+   * The number of the parent link, which must be less than that of this one, or -1 for the base.
    */
   int32_t parent;
   /**
@@ -626,54 +655,56 @@ typedef struct dq8_joint_f32 {
    */
   int32_t kind;
   /**
-   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to
-   * 0.001.
+   * The pose of the link in its parent when the values of the joint are zero: a motion that is
+   * unit to 0.001.
    */
   float placement[8];
   /**
-   * The axis or, of a planar joint, the normal; of length 1 to 0.001.
+   * The axis, or the normal of a planar joint. Its length must be 1 to 0.001.
    */
   float axis[3];
   /**
-   * Of a screw, length for each radian: the lead of a thread over 2 pi.
+   * The length that a screw slides per radian: the lead of its thread over 2 pi.
    */
   float pitch;
   /**
-   * 1 if the joint has no value of its own but `multiplier` times that of joint `leader`, plus
-   * `offset`; else 0. Both must be of one value, and the leader have its own.
+   * 1 if the joint has no value of its own, but `multiplier` times the value of joint `leader`
+   * plus `offset`; otherwise 0. Both joints must be of kinds with one value, and the leader must
+   * have its own.
    */
   int32_t mimics;
   /**
-   * The joint whose value it takes.
+   * The joint whose value this joint takes.
    */
   int32_t leader;
   /**
-   * What that value is multiplied by.
+   * The factor of that value.
    */
   float multiplier;
   /**
-   * What is added.
+   * The number that is added to the product.
    */
   float offset;
   /**
-   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to
-   * them, nothing else does.
+   * 1 if the joint has limits, otherwise 0. Only a joint of one value can have limits. Inverse
+   * kinematics keeps to them; all other functions ignore them.
    */
   int32_t limited;
   /**
-   * The least and the largest value; infinite where there is no end.
+   * The smallest and the largest value. Either may be infinite.
    */
   float limits[2];
 } dq8_joint_f32;
 
 /**
- * How a link is joined to the one that carries it. Link j is what joint j carries.
+ * The joint between a link and its parent link. Joint j carries link j.
  *
- * Fields that its kind does not name are not read; all may be 0.
+ * The fields `axis` and `pitch` are read only for the kinds that have them, and may be 0
+ * otherwise.
  */
 typedef struct dq8_joint_f64 {
   /**
-   * The joint of the link that carries this one, which comes before it, or -1 for the base.
+   * The number of the parent link, which must be less than that of this one, or -1 for the base.
    */
   int32_t parent;
   /**
@@ -681,107 +712,112 @@ typedef struct dq8_joint_f64 {
    */
   int32_t kind;
   /**
-   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to
-   * 0.001.
+   * The pose of the link in its parent when the values of the joint are zero: a motion that is
+   * unit to 0.001.
    */
   double placement[8];
   /**
-   * The axis or, of a planar joint, the normal; of length 1 to 0.001.
+   * The axis, or the normal of a planar joint. Its length must be 1 to 0.001.
    */
   double axis[3];
   /**
-   * Of a screw, length for each radian: the lead of a thread over 2 pi.
+   * The length that a screw slides per radian: the lead of its thread over 2 pi.
    */
   double pitch;
   /**
-   * 1 if the joint has no value of its own but `multiplier` times that of joint `leader`, plus
-   * `offset`; else 0. Both must be of one value, and the leader have its own.
+   * 1 if the joint has no value of its own, but `multiplier` times the value of joint `leader`
+   * plus `offset`; otherwise 0. Both joints must be of kinds with one value, and the leader must
+   * have its own.
    */
   int32_t mimics;
   /**
-   * The joint whose value it takes.
+   * The joint whose value this joint takes.
    */
   int32_t leader;
   /**
-   * What that value is multiplied by.
+   * The factor of that value.
    */
   double multiplier;
   /**
-   * What is added.
+   * The number that is added to the product.
    */
   double offset;
   /**
-   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to
-   * them, nothing else does.
+   * 1 if the joint has limits, otherwise 0. Only a joint of one value can have limits. Inverse
+   * kinematics keeps to them; all other functions ignore them.
    */
   int32_t limited;
   /**
-   * The least and the largest value; infinite where there is no end.
+   * The smallest and the largest value. Either may be infinite.
    */
   double limits[2];
 } dq8_joint_f64;
 
 /**
- * When a search ends, and how it weighs. dq8_reach_options fills in what serves most.
+ * The options of a search. dq8_mechanism_reach_options fills in the defaults.
  */
 typedef struct dq8_reach_options_f32 {
   /**
-   * The turn that may be left, radians.
+   * The largest angle in radians that a converged link may be turned from its target.
    */
   float angular_tolerance;
   /**
-   * The distance that may be left.
+   * The largest distance of a converged link from its target.
    */
   float linear_tolerance;
   /**
-   * Steps and restarts together.
+   * The largest number of iterations, which are steps and restarts together.
    */
   uint32_t max_iterations;
   /**
-   * 1 to begin again from another configuration where the search got stuck; 0 to converge from
-   * the given start only, to follow a target that moves.
+   * 1 to begin again from another configuration when a search gets stuck. 0 to converge from the
+   * given start only, which is for following a target that moves.
    */
   uint32_t restarts;
   /**
-   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length,
-   * or where something floats or slides without end, of the longer way that it has to go.
+   * The distance that weighs as much as a radian. 0 stands for an eighth of the mechanism's
+   * length. If a joint floats or slides without limits, it stands for an eighth of the distance
+   * from the base to the farthest target, or of the farthest slide, if one of these is longer.
    */
   float length_per_radian;
   /**
-   * The most that a hinge turns in one step, radians; more than a turn is as much as one.
+   * The largest angle in radians that a joint turns in one step. More than a full turn counts as
+   * one.
    */
   float max_step;
   /**
-   * Damping at the target itself, radians; 0 reaches it fastest.
+   * The damping at the target itself, in radians. With 0, the search converges fastest.
    */
   float damping;
 } dq8_reach_options_f32;
 
 /**
- * What is asked of a link: components of its error in the axes of its target, and how much each
- * weighs where not all can vanish. A weight of 0 leaves its component free.
+ * A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
+ * components of its error, in the axes of the target. A weight of 0 leaves its component free.
+ * Weights matter where not all components can vanish.
  */
 typedef struct dq8_goal_f32 {
   /**
-   * The link.
+   * The number of the link.
    */
   size_t link;
   /**
-   * Weights of the rotation about the target's x, y and z; not negative.
+   * The weights of the rotation about the target's x, y and z, none of them negative.
    */
   float angular[3];
   /**
-   * Weights of the way along the target's x, y and z; not negative.
+   * The weights of the distance along the target's x, y and z, none of them negative.
    */
   float linear[3];
   /**
-   * The point of the link, in its frame, that is to be at the target; zero is its origin.
+   * The point of the link that is to be at the target, in the frame of the link. Zero is its
+   * origin.
    */
   float point[3];
 } dq8_goal_f32;
 
 /**
- * The result of a search, judged by the values that are returned.
+ * The report of a search, about the values that it returns.
  */
 typedef struct dq8_reach_report_f32 {
   /**
@@ -789,84 +825,88 @@ typedef struct dq8_reach_report_f32 {
    */
   int32_t outcome;
   /**
-   * Steps and restarts together.
+   * The number of iterations, which are steps and restarts together.
    */
   uint32_t iterations;
   /**
-   * How many of them were restarts.
+   * The number of restarts.
    */
   uint32_t restarts;
   /**
-   * The largest turn that is left of what is asked for, radians.
+   * The largest angle in radians between a link and its target, in components with a weight.
    */
   float angular_error;
   /**
-   * The largest distance.
+   * The largest distance of a link from its target, in components with a weight.
    */
   float linear_error;
 } dq8_reach_report_f32;
 
 /**
- * When a search ends, and how it weighs. dq8_reach_options fills in what serves most.
+ * The options of a search. dq8_mechanism_reach_options fills in the defaults.
  */
 typedef struct dq8_reach_options_f64 {
   /**
-   * The turn that may be left, radians.
+   * The largest angle in radians that a converged link may be turned from its target.
    */
   double angular_tolerance;
   /**
-   * The distance that may be left.
+   * The largest distance of a converged link from its target.
    */
   double linear_tolerance;
   /**
-   * Steps and restarts together.
+   * The largest number of iterations, which are steps and restarts together.
    */
   uint32_t max_iterations;
   /**
-   * 1 to begin again from another configuration where the search got stuck; 0 to converge from
-   * the given start only, to follow a target that moves.
+   * 1 to begin again from another configuration when a search gets stuck. 0 to converge from the
+   * given start only, which is for following a target that moves.
    */
   uint32_t restarts;
   /**
-   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length,
-   * or where something floats or slides without end, of the longer way that it has to go.
+   * The distance that weighs as much as a radian. 0 stands for an eighth of the mechanism's
+   * length. If a joint floats or slides without limits, it stands for an eighth of the distance
+   * from the base to the farthest target, or of the farthest slide, if one of these is longer.
    */
   double length_per_radian;
   /**
-   * The most that a hinge turns in one step, radians; more than a turn is as much as one.
+   * The largest angle in radians that a joint turns in one step. More than a full turn counts as
+   * one.
    */
   double max_step;
   /**
-   * Damping at the target itself, radians; 0 reaches it fastest.
+   * The damping at the target itself, in radians. With 0, the search converges fastest.
    */
   double damping;
 } dq8_reach_options_f64;
 
 /**
- * What is asked of a link: components of its error in the axes of its target, and how much each
- * weighs where not all can vanish. A weight of 0 leaves its component free.
+ * A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
+ * components of its error, in the axes of the target. A weight of 0 leaves its component free.
+ * Weights matter where not all components can vanish.
  */
 typedef struct dq8_goal_f64 {
   /**
-   * The link.
+   * The number of the link.
    */
   size_t link;
   /**
-   * Weights of the rotation about the target's x, y and z; not negative.
+   * The weights of the rotation about the target's x, y and z, none of them negative.
    */
   double angular[3];
   /**
-   * Weights of the way along the target's x, y and z; not negative.
+   * The weights of the distance along the target's x, y and z, none of them negative.
    */
   double linear[3];
   /**
-   * The point of the link, in its frame, that is to be at the target; zero is its origin.
+   * The point of the link that is to be at the target, in the frame of the link. Zero is its
+   * origin.
    */
   double point[3];
 } dq8_goal_f64;
 
 /**
- * The result of a search, judged by the values that are returned.
+ * The report of a search, about the values that it returns.
  */
 typedef struct dq8_reach_report_f64 {
   /**
@@ -874,143 +914,182 @@ typedef struct dq8_reach_report_f64 {
    */
   int32_t outcome;
   /**
-   * Steps and restarts together.
+   * The number of iterations, which are steps and restarts together.
    */
   uint32_t iterations;
   /**
-   * How many of them were restarts.
+   * The number of restarts.
    */
   uint32_t restarts;
   /**
-   * The largest turn that is left of what is asked for, radians.
+   * The largest angle in radians between a link and its target, in components with a weight.
    */
   double angular_error;
   /**
-   * The largest distance.
+   * The largest distance of a link from its target, in components with a weight.
    */
   double linear_error;
 } dq8_reach_report_f64;
 
 /**
- * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints
- * and weights that it was made of must stay where they are, as they are.
+ * The joints and weights that move the vertices of a mesh, made by dq8_skin_make. This struct may
+ * be copied and moved. The arrays of joints and weights must stay where they are and must not
+ * change.
  */
 typedef struct dq8_skin_f32 {
   /**
-   * How many vertices it has.
+   * The number of vertices.
    */
   size_t vertices;
   /**
-   * How many influences every vertex has. 0 in a skin that has not been made, if it was zeroed.
+   * The number of influences that every vertex has. It is 0 in a zeroed struct that no skin has
+   * been made in.
    */
   size_t influences;
   /**
-   * How many joints its palettes have.
+   * The number of joints that its palettes have.
    */
   size_t joints;
   /**
-   * Not for you.
+   * Private to the library.
    */
   const float *opaque[8];
 } dq8_skin_f32;
 
 /**
- * Where the joints of a vertex lie in an array that holds one vertex after the other, or its
- * weights; counted in elements of their own type.
+ * The layout of the joints, or of the weights, in an array that holds one vertex after the other.
+ * Both fields of this struct count elements of the array.
  */
 typedef struct dq8_influence_field {
   /**
-   * From a vertex to the next.
+   * The distance from the beginning of a vertex to that of the next.
    */
   size_t stride;
   /**
-   * Where in a vertex the field begins.
+   * The offset of the field in a vertex.
    */
   size_t first;
 } dq8_influence_field;
 
 /**
- * Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted
- * in numbers. A field is three numbers.
+ * The layout of a vertex buffer, which holds one vertex after the other. All fields of this struct
+ * count numbers. A position, a normal or a tangent is three numbers.
  */
 typedef struct dq8_vertex_fields {
   /**
-   * From a vertex to the next.
+   * The distance from the beginning of a vertex to that of the next.
    */
   size_t stride;
   /**
-   * Where in a vertex its position begins.
+   * The offset of the position in a vertex.
    */
   int32_t position;
   /**
-   * Where its normal begins; -1 if none is posed.
+   * The offset of the normal in a vertex, or -1 to pose no normals.
    */
   int32_t normal;
   /**
-   * Where its tangent begins, without the sign of the bitangent; -1 if none is posed.
+   * The offset of the tangent in a vertex, or -1 to pose no tangents. A fourth number, the sign
+   * of the bitangent, is no part of it.
    */
   int32_t tangent;
 } dq8_vertex_fields;
 
 /**
- * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints
- * and weights that it was made of must stay where they are, as they are.
+ * The joints and weights that move the vertices of a mesh, made by dq8_skin_make. This struct may
+ * be copied and moved. The arrays of joints and weights must stay where they are and must not
+ * change.
  */
 typedef struct dq8_skin_f64 {
   /**
-   * How many vertices it has.
+   * The number of vertices.
    */
   size_t vertices;
   /**
-   * How many influences every vertex has. 0 in a skin that has not been made, if it was zeroed.
+   * The number of influences that every vertex has. It is 0 in a zeroed struct that no skin has
+   * been made in.
    */
   size_t influences;
   /**
-   * How many joints its palettes have.
+   * The number of joints that its palettes have.
    */
   size_t joints;
   /**
-   * Not for you.
+   * Private to the library.
    */
   const double *opaque[8];
 } dq8_skin_f64;
+
+/**
+ * The clock of the times, the frame that results come out in, and what is outside the stamps.
+ */
+typedef struct dq8_trajectory_options {
+  /**
+   * The time t is the stamp origin + unit * t, in seconds; 0 and 1 for times in seconds.
+   */
+  double origin;
+  /**
+   * The seconds of a unit of the times, such as 1e-9.
+   */
+  double unit;
+  /**
+   * Before the first stamp and after the last one: 0 if the body stands there, 1 if it goes on
+   * as it moved there, 2 if such a time is refused.
+   */
+  int32_t outside;
+  /**
+   * 0: the world. 1: the body at the first stamp, 2: at the last one, 3: at `time`. 4: a frame
+   * with the pose `pose`.
+   */
+  int32_t frame;
+  /**
+   * In seconds, on the clock of the stamps.
+   */
+  double time;
+  /**
+   * Unit, in the world.
+   */
+  double pose[8];
+} dq8_trajectory_options;
 
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
 
 /**
- * The name of what computes now, for logs: text that lives as long as the program.
+ * Returns the name of the instructions that compute now, for logs. The text lives as long as the
+ * program.
  */
 const char *dq8_backend_name(void);
 
 /**
- * From now on, in all threads, nothing better than `most` computes: one of enum dq8_backend. What
- * the CPU lacks is passed over, so a limit is always safe.
+ * Limits the instructions that compute, in all threads and from now on, to `most`, one of enum
+ * dq8_backend. Instructions that the CPU does not have are never used, so every limit is safe.
  *
- * DQ8_STATUS_UNKNOWN_VALUE if `most` is no backend; the limit stays as it was.
+ * Returns DQ8_STATUS_UNKNOWN_VALUE if `most` is none of them; the limit then stays as it was.
  */
 dq8_status dq8_backend_limit(int32_t most);
 
 /**
- * From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5
- * times the time: 1 if they have, 0 if not, as they begin. It goes with every limit. Functions of
- * one motion have the same bits always.
+ * Makes the results of functions of arrays and blocks the same on every machine, bit by bit, in
+ * all threads and from now on. 1 switches this on, and then functions take 1.0 to 1.5 times as
+ * long. 0, the state at the start, switches it off. It works together with every limit. Functions
+ * of one motion always have the same bits.
  *
- * DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature
- * `reproducible`; nothing changes.
+ * Returns DQ8_STATUS_UNKNOWN_VALUE if `reproducible` is neither 0 nor 1, or if it is 1 and the
+ * library was built without the feature `reproducible`; nothing changes then.
  */
 dq8_status dq8_set_reproducible(int32_t reproducible);
 
 /**
- * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast
- * where it has dozens of links. Blocks hold one chain, a segment in each lane, as
- * dq8_pack_chain writes them. `out` may be `links`.
+ * Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
+ * chain. This is fast if the chain has dozens of links. Blocks hold one chain, with a
+ * segment in each lane, as dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f32(const float *links, float *out, size_t count);
 
 /**
- * dq8_chain_products_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_chain_products_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_chain_products_f32(size_t lanes,
                                          const float *links,
@@ -1018,14 +1097,14 @@ dq8_status dq8_blocks_chain_products_f32(size_t lanes,
                                          size_t count);
 
 /**
- * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast
- * where it has dozens of links. Blocks hold one chain, a segment in each lane, as
- * dq8_pack_chain writes them. `out` may be `links`.
+ * Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
+ * chain. This is fast if the chain has dozens of links. Blocks hold one chain, with a
+ * segment in each lane, as dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f64(const double *links, double *out, size_t count);
 
 /**
- * dq8_chain_products_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_chain_products_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_chain_products_f64(size_t lanes,
                                          const double *links,
@@ -1033,11 +1112,11 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example
- * mocap write. Reads all of them once.
+ * Makes `clips` of `length` bytes of a packed clip file, which the Rust package, the Python
+ * package and the example mocap write. It reads and checks all bytes once, and copies none.
  *
- * DQ8_STATUS_NOT_CLIPS if they are none; `bad_offset` is set to the first byte that is wrong, and
- * may be null.
+ * Returns DQ8_STATUS_NOT_CLIPS if the bytes are no packed clips, and sets `bad_offset`, which may
+ * be null, to the offset of the first wrong byte.
  */
 dq8_status dq8_clips_make(const uint8_t *bytes,
                           size_t length,
@@ -1045,16 +1124,17 @@ dq8_status dq8_clips_make(const uint8_t *bytes,
                           size_t *bad_offset);
 
 /**
- * The time from the first frame of a clip to the last: in seconds if the clip has a rate,
- * otherwise in frames. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * Writes the time from the first frame of a clip to its last frame, in seconds if the clip has a
+ * rate, and in frames otherwise. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_duration(const struct dq8_clips *clips, size_t clip, double *duration);
 
 /**
- * The frame of a clip before the time `at`, and how far it is from that frame to the
- * next, from 0 to 1. Times are seconds if the clip has a rate, and frames if it has
- * none. Before its first frame and after its last one a clip stays there, or is in
- * another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * Finds the time `at` in a clip: writes the frame before it to `place`, and the
+ * fraction of the way from that frame to the next, from 0 to 1, to `t`. Times are
+ * seconds if the clip has a rate, and frames otherwise. A time before the first frame
+ * or after the last one is at that frame, unless the clip loops. Returns
+ * DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                size_t clip,
@@ -1063,10 +1143,12 @@ dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                float *t);
 
 /**
- * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]`
- * to the next one: t is cut to [0, 1], and NaN makes models of NaN. `models` are
- * `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH if
- * the clips have another number of joints, or a place is one of other clips.
+ * Computes the model poses of many instances that play packed clips, like
+ * dq8_local_to_model. The local poses of instance i are at the fraction `t[i]` of the
+ * way from the frame `places[i]` to the next one. `t` is clamped to [0, 1], and NaN
+ * gives model poses of NaN. `models` is `[instance][joint]`, with `joint_count` times
+ * `instances` motions. Returns DQ8_STATUS_LENGTH if the clips have another number of
+ * joints, or if a place belongs to other clips.
  */
 dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   size_t joint_count,
@@ -1078,10 +1160,11 @@ dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   float *models);
 
 /**
- * The frame of a clip before the time `at`, and how far it is from that frame to the
- * next, from 0 to 1. Times are seconds if the clip has a rate, and frames if it has
- * none. Before its first frame and after its last one a clip stays there, or is in
- * another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * Finds the time `at` in a clip: writes the frame before it to `place`, and the
+ * fraction of the way from that frame to the next, from 0 to 1, to `t`. Times are
+ * seconds if the clip has a rate, and frames otherwise. A time before the first frame
+ * or after the last one is at that frame, unless the clip loops. Returns
+ * DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                size_t clip,
@@ -1090,10 +1173,12 @@ dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                double *t);
 
 /**
- * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]`
- * to the next one: t is cut to [0, 1], and NaN makes models of NaN. `models` are
- * `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH if
- * the clips have another number of joints, or a place is one of other clips.
+ * Computes the model poses of many instances that play packed clips, like
+ * dq8_local_to_model. The local poses of instance i are at the fraction `t[i]` of the
+ * way from the frame `places[i]` to the next one. `t` is clamped to [0, 1], and NaN
+ * gives model poses of NaN. `models` is `[instance][joint]`, with `joint_count` times
+ * `instances` motions. Returns DQ8_STATUS_LENGTH if the clips have another number of
+ * joints, or if a place belongs to other clips.
  */
 dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   size_t joint_count,
@@ -1105,32 +1190,32 @@ dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   double *models);
 
 /**
- * A line moved by a unit motion. It is six numbers: its direction, and its moment p x
- * direction of any point p on it (Plücker coordinates).
+ * Moves a line by a unit motion. A line is six numbers, its Plücker coordinates: its
+ * direction, and its moment, which is p x direction for any point p on it.
  */
 dq8_status dq8_motion_line_f32(const float *motion, const float *line, float *out);
 
 /**
- * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of
- * any point p on it.
+ * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
+ * dot product of n and any point on it.
  */
 dq8_status dq8_motion_plane_f32(const float *motion, const float *plane, float *out);
 
 /**
- * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body
- * twist becomes the spatial one.
+ * Applies the adjoint of a unit motion to a twist, which turns a body twist into the
+ * spatial one. A twist is six numbers, the angular part first.
  */
 dq8_status dq8_motion_twist_f32(const float *motion, const float *twist, float *out);
 
 /**
- * The twist, six numbers, angular part first, that leads to a unit motion in one
- * second.
+ * Writes the twist that leads to a unit motion in one second: six numbers, the angular
+ * part first.
  */
 dq8_status dq8_motion_to_twist_f32(const float *motion, float *twist);
 
 /**
- * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
- * first.
+ * Moves a unit motion on by a constant body twist for `dt` seconds. A twist is six
+ * numbers, the angular part first.
  */
 dq8_status dq8_motion_integrate_body_f32(const float *motion,
                                          const float *twist,
@@ -1138,42 +1223,42 @@ dq8_status dq8_motion_integrate_body_f32(const float *motion,
                                          float *out);
 
 /**
- * The angle between two unit motions, one number, radians in 0 to pi.
+ * Writes the angle between two unit motions: one number in radians, from 0 to pi.
  */
 dq8_status dq8_motion_angle_to_f32(const float *a, const float *b, float *angle);
 
 /**
- * The distance between the translations of two unit motions, one number.
+ * Writes the distance between the translations of two unit motions: one number.
  */
 dq8_status dq8_motion_distance_to_f32(const float *a, const float *b, float *distance);
 
 /**
- * A line moved by a unit motion. It is six numbers: its direction, and its moment p x
- * direction of any point p on it (Plücker coordinates).
+ * Moves a line by a unit motion. A line is six numbers, its Plücker coordinates: its
+ * direction, and its moment, which is p x direction for any point p on it.
  */
 dq8_status dq8_motion_line_f64(const double *motion, const double *line, double *out);
 
 /**
- * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of
- * any point p on it.
+ * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
+ * dot product of n and any point on it.
  */
 dq8_status dq8_motion_plane_f64(const double *motion, const double *plane, double *out);
 
 /**
- * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body
- * twist becomes the spatial one.
+ * Applies the adjoint of a unit motion to a twist, which turns a body twist into the
+ * spatial one. A twist is six numbers, the angular part first.
  */
 dq8_status dq8_motion_twist_f64(const double *motion, const double *twist, double *out);
 
 /**
- * The twist, six numbers, angular part first, that leads to a unit motion in one
- * second.
+ * Writes the twist that leads to a unit motion in one second: six numbers, the angular
+ * part first.
  */
 dq8_status dq8_motion_to_twist_f64(const double *motion, double *twist);
 
 /**
- * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
- * first.
+ * Moves a unit motion on by a constant body twist for `dt` seconds. A twist is six
+ * numbers, the angular part first.
  */
 dq8_status dq8_motion_integrate_body_f64(const double *motion,
                                          const double *twist,
@@ -1181,34 +1266,34 @@ dq8_status dq8_motion_integrate_body_f64(const double *motion,
                                          double *out);
 
 /**
- * The angle between two unit motions, one number, radians in 0 to pi.
+ * Writes the angle between two unit motions: one number in radians, from 0 to pi.
  */
 dq8_status dq8_motion_angle_to_f64(const double *a, const double *b, double *angle);
 
 /**
- * The distance between the translations of two unit motions, one number.
+ * Writes the distance between the translations of two unit motions: one number.
  */
 dq8_status dq8_motion_distance_to_f64(const double *a, const double *b, double *distance);
 
 /**
- * Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or
- * is -1. Every function that takes parents checks them too, in a pass that costs little beside its
- * work; this one also says where the fault is.
+ * Checks that `parents` is a hierarchy: `parents[j]`, the parent of joint j, is less than j, or
+ * -1. Every function that takes parents makes the same check, which costs little beside its work;
+ * this one also tells which joint is wrong.
  *
- * If it is DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE, `bad_joint` is set to the first
- * such joint; it may be null, and must not lie in `parents`.
+ * Returns DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE for the first joint whose parent is
+ * wrong, and sets `bad_joint` to it. `bad_joint` may be null, and must not be in `parents`.
  */
 dq8_status dq8_check_parents(const int32_t *parents, size_t joints, size_t *bad_joint);
 
 /**
- * Model poses of all joints from local ones:
- * `models[j] = models[parents[j]] * locals[j]`.
+ * Computes model poses from local poses: `models[j] = models[parents[j]] * locals[j]`.
  *
- * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints`
- * times instances, which is `joints` for one instance; in blocks,
- * `[block of instances][joint]`, `joints` times the number of instances over `lanes`,
- * rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is what
- * joints without a parent stand on, or null. `models` may be `locals`.
+ * `parents` holds `joints` numbers, -1 for a joint without a parent. `root` is a
+ * motion that moves all joints without a parent, or null. `locals` and `models` are
+ * `[instance][joint]` and hold `count` motions in all, which is `joints` times the
+ * number of instances. In blocks they are `[block of instances][joint]`, and `count`
+ * is `joints` times the number of instances over `lanes`, rounded up. `models` may be
+ * `locals`. Returns DQ8_STATUS_LENGTH if `count` is no multiple of `joints`.
  */
 dq8_status dq8_local_to_model_f32(const int32_t *parents,
                                   size_t joints,
@@ -1218,7 +1303,7 @@ dq8_status dq8_local_to_model_f32(const int32_t *parents,
                                   size_t count);
 
 /**
- * dq8_local_to_model_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_local_to_model_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_local_to_model_f32(size_t lanes,
                                          const int32_t *parents,
@@ -1229,8 +1314,8 @@ dq8_status dq8_blocks_local_to_model_f32(size_t lanes,
                                          size_t count);
 
 /**
- * Local poses of all joints from unit model ones, as dq8_local_to_model the other way
- * round. `locals` may be `models`.
+ * Computes local poses from unit model poses: the inverse of dq8_local_to_model, with
+ * the same arrays. `locals` may be `models`.
  */
 dq8_status dq8_model_to_local_f32(const int32_t *parents,
                                   size_t joints,
@@ -1240,7 +1325,7 @@ dq8_status dq8_model_to_local_f32(const int32_t *parents,
                                   size_t count);
 
 /**
- * dq8_model_to_local_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_model_to_local_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
                                          const int32_t *parents,
@@ -1251,9 +1336,10 @@ dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
                                          size_t count);
 
 /**
- * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints`
- * offsets of joints from their parents (x, y, z), the same for all instances: what
- * animation clips hold.
+ * Computes model poses from rotations and fixed offsets, as animation clips hold them,
+ * otherwise like dq8_local_to_model. `rotations` holds `count` unit quaternions (x, y,
+ * z, w). `offsets` holds the translation of each joint in its parent (x, y, z), which
+ * is the same in all instances: three numbers for each of `joints`.
  */
 dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
                                       size_t joints,
@@ -1264,7 +1350,7 @@ dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
                                       size_t count);
 
 /**
- * dq8_rotations_to_model_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_rotations_to_model_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_rotations_to_model_f32(size_t lanes,
                                              const int32_t *parents,
@@ -1276,8 +1362,9 @@ dq8_status dq8_blocks_rotations_to_model_f32(size_t lanes,
                                              size_t count);
 
 /**
- * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y,
- * z, w) and a translation (x, y, z).
+ * Computes model poses from rotations and translations, otherwise like
+ * dq8_local_to_model. `locals` holds seven numbers each: a unit quaternion (x, y, z,
+ * w) and a translation (x, y, z).
  */
 dq8_status dq8_rotations_translations_to_model_f32(const int32_t *parents,
                                                    size_t joints,
@@ -1287,7 +1374,7 @@ dq8_status dq8_rotations_translations_to_model_f32(const int32_t *parents,
                                                    size_t count);
 
 /**
- * dq8_rotations_translations_to_model_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_rotations_translations_to_model_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_rotations_translations_to_model_f32(size_t lanes,
                                                           const int32_t *parents,
@@ -1298,12 +1385,12 @@ dq8_status dq8_blocks_rotations_translations_to_model_f32(size_t lanes,
                                                           size_t count);
 
 /**
- * As dq8_local_to_model, and in the same pass the skinning palette:
- * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at
- * rest to where joint j has moved it.
+ * Computes model poses like dq8_local_to_model, and in the same pass the skinning
+ * palette: `palette[j] = models[j] * inverse_binds[j]`, the motion of joint j from the
+ * mesh at rest.
  *
  * `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
- * and `palette` hold `count` motions in all, as there, and must overlap nothing.
+ * and `palette` hold `count` motions, like `locals`, and must overlap nothing.
  */
 dq8_status dq8_palette_f32(const int32_t *parents,
                            size_t joints,
@@ -1315,7 +1402,7 @@ dq8_status dq8_palette_f32(const int32_t *parents,
                            size_t count);
 
 /**
- * dq8_palette_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_palette_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_palette_f32(size_t lanes,
                                   const int32_t *parents,
@@ -1328,8 +1415,8 @@ dq8_status dq8_blocks_palette_f32(size_t lanes,
                                   size_t count);
 
 /**
- * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after
- * row.
+ * Computes model poses and the palette like dq8_palette, with the palette as matrices
+ * `[R | t]` of twelve numbers each, row by row.
  */
 dq8_status dq8_palette_matrices_f32(const int32_t *parents,
                                     size_t joints,
@@ -1341,7 +1428,7 @@ dq8_status dq8_palette_matrices_f32(const int32_t *parents,
                                     size_t count);
 
 /**
- * dq8_palette_matrices_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_palette_matrices_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
                                            const int32_t *parents,
@@ -1354,14 +1441,14 @@ dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
                                            size_t count);
 
 /**
- * Model poses of all joints from local ones:
- * `models[j] = models[parents[j]] * locals[j]`.
+ * Computes model poses from local poses: `models[j] = models[parents[j]] * locals[j]`.
  *
- * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints`
- * times instances, which is `joints` for one instance; in blocks,
- * `[block of instances][joint]`, `joints` times the number of instances over `lanes`,
- * rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is what
- * joints without a parent stand on, or null. `models` may be `locals`.
+ * `parents` holds `joints` numbers, -1 for a joint without a parent. `root` is a
+ * motion that moves all joints without a parent, or null. `locals` and `models` are
+ * `[instance][joint]` and hold `count` motions in all, which is `joints` times the
+ * number of instances. In blocks they are `[block of instances][joint]`, and `count`
+ * is `joints` times the number of instances over `lanes`, rounded up. `models` may be
+ * `locals`. Returns DQ8_STATUS_LENGTH if `count` is no multiple of `joints`.
  */
 dq8_status dq8_local_to_model_f64(const int32_t *parents,
                                   size_t joints,
@@ -1371,7 +1458,7 @@ dq8_status dq8_local_to_model_f64(const int32_t *parents,
                                   size_t count);
 
 /**
- * dq8_local_to_model_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_local_to_model_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_local_to_model_f64(size_t lanes,
                                          const int32_t *parents,
@@ -1382,8 +1469,8 @@ dq8_status dq8_blocks_local_to_model_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Local poses of all joints from unit model ones, as dq8_local_to_model the other way
- * round. `locals` may be `models`.
+ * Computes local poses from unit model poses: the inverse of dq8_local_to_model, with
+ * the same arrays. `locals` may be `models`.
  */
 dq8_status dq8_model_to_local_f64(const int32_t *parents,
                                   size_t joints,
@@ -1393,7 +1480,7 @@ dq8_status dq8_model_to_local_f64(const int32_t *parents,
                                   size_t count);
 
 /**
- * dq8_model_to_local_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_model_to_local_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
                                          const int32_t *parents,
@@ -1404,9 +1491,10 @@ dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
                                          size_t count);
 
 /**
- * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints`
- * offsets of joints from their parents (x, y, z), the same for all instances: what
- * animation clips hold.
+ * Computes model poses from rotations and fixed offsets, as animation clips hold them,
+ * otherwise like dq8_local_to_model. `rotations` holds `count` unit quaternions (x, y,
+ * z, w). `offsets` holds the translation of each joint in its parent (x, y, z), which
+ * is the same in all instances: three numbers for each of `joints`.
  */
 dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
                                       size_t joints,
@@ -1417,7 +1505,7 @@ dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
                                       size_t count);
 
 /**
- * dq8_rotations_to_model_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_rotations_to_model_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_rotations_to_model_f64(size_t lanes,
                                              const int32_t *parents,
@@ -1429,8 +1517,9 @@ dq8_status dq8_blocks_rotations_to_model_f64(size_t lanes,
                                              size_t count);
 
 /**
- * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y,
- * z, w) and a translation (x, y, z).
+ * Computes model poses from rotations and translations, otherwise like
+ * dq8_local_to_model. `locals` holds seven numbers each: a unit quaternion (x, y, z,
+ * w) and a translation (x, y, z).
  */
 dq8_status dq8_rotations_translations_to_model_f64(const int32_t *parents,
                                                    size_t joints,
@@ -1440,7 +1529,7 @@ dq8_status dq8_rotations_translations_to_model_f64(const int32_t *parents,
                                                    size_t count);
 
 /**
- * dq8_rotations_translations_to_model_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_rotations_translations_to_model_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_rotations_translations_to_model_f64(size_t lanes,
                                                           const int32_t *parents,
@@ -1451,12 +1540,12 @@ dq8_status dq8_blocks_rotations_translations_to_model_f64(size_t lanes,
                                                           size_t count);
 
 /**
- * As dq8_local_to_model, and in the same pass the skinning palette:
- * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at
- * rest to where joint j has moved it.
+ * Computes model poses like dq8_local_to_model, and in the same pass the skinning
+ * palette: `palette[j] = models[j] * inverse_binds[j]`, the motion of joint j from the
+ * mesh at rest.
  *
  * `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
- * and `palette` hold `count` motions in all, as there, and must overlap nothing.
+ * and `palette` hold `count` motions, like `locals`, and must overlap nothing.
  */
 dq8_status dq8_palette_f64(const int32_t *parents,
                            size_t joints,
@@ -1468,7 +1557,7 @@ dq8_status dq8_palette_f64(const int32_t *parents,
                            size_t count);
 
 /**
- * dq8_palette_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_palette_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_palette_f64(size_t lanes,
                                   const int32_t *parents,
@@ -1481,8 +1570,8 @@ dq8_status dq8_blocks_palette_f64(size_t lanes,
                                   size_t count);
 
 /**
- * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after
- * row.
+ * Computes model poses and the palette like dq8_palette, with the palette as matrices
+ * `[R | t]` of twelve numbers each, row by row.
  */
 dq8_status dq8_palette_matrices_f64(const int32_t *parents,
                                     size_t joints,
@@ -1494,7 +1583,7 @@ dq8_status dq8_palette_matrices_f64(const int32_t *parents,
                                     size_t count);
 
 /**
- * dq8_palette_matrices_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_palette_matrices_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
                                            const int32_t *parents,
@@ -1507,16 +1596,17 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
                                            size_t count);
 
 /**
- * Forward kinematics of many configurations: `values` is `[configuration][value]`,
- * `value_count` numbers in all: values of the mechanism times configurations. `poses`
- * is `[configuration][link]`, `count` motions in all: links of the mechanism times
- * configurations.
+ * Computes the poses of all links for many configurations: forward kinematics.
+ * `values` is `[configuration][value]` and holds `value_count` numbers in all, which
+ * is the number of the mechanism's values times that of configurations. `poses` is
+ * `[configuration][link]` and holds `count` motions in all, which is the number of
+ * links times that of configurations.
  *
- * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all:
- * links times the number of configurations over `lanes`, rounded up; `values` are
- * plain, as above. Lanes without a configuration get the poses of values that are all
- * zero. DQ8_STATUS_LENGTH if `value_count` and `count` are not those of the same
- * configurations.
+ * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
+ * of links times the number of configurations over `lanes`, rounded up. `values` stays
+ * plain. Lanes without a configuration get the poses for values that are all zero.
+ * Returns DQ8_STATUS_LENGTH if `value_count` and `count` belong to different numbers
+ * of configurations.
  */
 dq8_status dq8_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                               const float *values,
@@ -1525,7 +1615,7 @@ dq8_status dq8_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                               size_t count);
 
 /**
- * dq8_link_poses_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_link_poses_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_link_poses_f32(size_t lanes,
                                      const struct dq8_mechanism_f32 *mechanism,
@@ -1535,16 +1625,17 @@ dq8_status dq8_blocks_link_poses_f32(size_t lanes,
                                      size_t count);
 
 /**
- * Forward kinematics of many configurations: `values` is `[configuration][value]`,
- * `value_count` numbers in all: values of the mechanism times configurations. `poses`
- * is `[configuration][link]`, `count` motions in all: links of the mechanism times
- * configurations.
+ * Computes the poses of all links for many configurations: forward kinematics.
+ * `values` is `[configuration][value]` and holds `value_count` numbers in all, which
+ * is the number of the mechanism's values times that of configurations. `poses` is
+ * `[configuration][link]` and holds `count` motions in all, which is the number of
+ * links times that of configurations.
  *
- * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all:
- * links times the number of configurations over `lanes`, rounded up; `values` are
- * plain, as above. Lanes without a configuration get the poses of values that are all
- * zero. DQ8_STATUS_LENGTH if `value_count` and `count` are not those of the same
- * configurations.
+ * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
+ * of links times the number of configurations over `lanes`, rounded up. `values` stays
+ * plain. Lanes without a configuration get the poses for values that are all zero.
+ * Returns DQ8_STATUS_LENGTH if `value_count` and `count` belong to different numbers
+ * of configurations.
  */
 dq8_status dq8_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                               const double *values,
@@ -1553,7 +1644,7 @@ dq8_status dq8_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                               size_t count);
 
 /**
- * dq8_link_poses_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_link_poses_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_link_poses_f64(size_t lanes,
                                      const struct dq8_mechanism_f64 *mechanism,
@@ -1563,16 +1654,19 @@ dq8_status dq8_blocks_link_poses_f64(size_t lanes,
                                      size_t count);
 
 /**
- * The intrinsic mean of `count` unit motions: the one from which the `weights`, null
- * for equal ones, of the screws to all of them cancel; found by steps from
- * dq8_motion_blend, `max_iterations` at most (32 serve), until one turns by no more
- * than `tolerance`, radians, and moves by no more than that part of the longest dual
- * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is
- * set to 1 if it came to that, or else to 0.
+ * Computes the intrinsic mean of `count` unit motions: the motion from which the
+ * screws to all of them, times their weights, sum to zero. `weights` may be null for
+ * equal weights.
  *
- * The mean of moved motions is the moved mean. Where motions lie more than a quarter
- * of a turn from it, there may be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0,
- * DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ * The search begins at dq8_motion_blend and takes at most `max_iterations` steps, for
+ * which 32 are enough. It ends with a step that turns by at most `tolerance` radians
+ * and moves by at most `tolerance` times the longest dual part. 1e-6 is a good
+ * tolerance for float, and 1e-14 for double. `converged`, which may be null, is set to
+ * 1 if the search ended so, and otherwise to 0.
+ *
+ * If all motions are moved, so is their mean. There may be several means if motions
+ * are more than a quarter of a turn away from it. Returns DQ8_STATUS_NO_INFLUENCES if
+ * `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
  */
 dq8_status dq8_motion_mean_f32(const float *motions,
                                const float *weights,
@@ -1583,16 +1677,19 @@ dq8_status dq8_motion_mean_f32(const float *motions,
                                int32_t *converged);
 
 /**
- * The intrinsic mean of `count` unit motions: the one from which the `weights`, null
- * for equal ones, of the screws to all of them cancel; found by steps from
- * dq8_motion_blend, `max_iterations` at most (32 serve), until one turns by no more
- * than `tolerance`, radians, and moves by no more than that part of the longest dual
- * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is
- * set to 1 if it came to that, or else to 0.
+ * Computes the intrinsic mean of `count` unit motions: the motion from which the
+ * screws to all of them, times their weights, sum to zero. `weights` may be null for
+ * equal weights.
  *
- * The mean of moved motions is the moved mean. Where motions lie more than a quarter
- * of a turn from it, there may be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0,
- * DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ * The search begins at dq8_motion_blend and takes at most `max_iterations` steps, for
+ * which 32 are enough. It ends with a step that turns by at most `tolerance` radians
+ * and moves by at most `tolerance` times the longest dual part. 1e-6 is a good
+ * tolerance for float, and 1e-14 for double. `converged`, which may be null, is set to
+ * 1 if the search ended so, and otherwise to 0.
+ *
+ * If all motions are moved, so is their mean. There may be several means if motions
+ * are more than a quarter of a turn away from it. Returns DQ8_STATUS_NO_INFLUENCES if
+ * `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
  */
 dq8_status dq8_motion_mean_f64(const double *motions,
                                const double *weights,
@@ -1603,15 +1700,15 @@ dq8_status dq8_motion_mean_f64(const double *motions,
                                int32_t *converged);
 
 /**
- * Checks `count` joints and makes a mechanism of them, once; its functions then only
- * compute. `steps`, as many as joints, is memory that the mechanism keeps using: what
- * its functions do is undefined if anything else has written it. `joints` are not
- * needed any more.
+ * Makes a mechanism of `count` joints. It checks them once, so that the functions of
+ * the mechanism only compute. `steps` is memory for `count` steps, which the mechanism
+ * keeps using; its functions are undefined if anything else has written there. The
+ * `joints` are not needed later.
  *
- * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement),
- * _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or
- * `limited`); `bad_joint`, which may be null, is set to that joint. `steps` may have
- * been written, the mechanism not.
+ * Returns DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (of a
+ * placement), _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (of a kind,
+ * `mimics` or `limited`), and sets `bad_joint`, which may be null, to that joint.
+ * `steps` may then have been written, but not the mechanism.
  */
 dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
                                   size_t count,
@@ -1620,9 +1717,10 @@ dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
                                   size_t *bad_joint);
 
 /**
- * Forward kinematics of one configuration: the poses of all links in the frame of the
- * base, `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count`
- * and `link_count` are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+ * Computes the poses of all links in the frame of the base: forward kinematics of one
+ * configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
+ * Returns DQ8_STATUS_LENGTH if `value_count` or `link_count` is not that of the
+ * mechanism.
  */
 dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                                         const float *values,
@@ -1631,8 +1729,8 @@ dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanis
                                         size_t link_count);
 
 /**
- * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if
- * there is no such link.
+ * Computes the pose of one link in the frame of the base. Only the joints that carry
+ * the link are computed. Returns DQ8_STATUS_NO_LINK if there is no such link.
  */
 dq8_status dq8_mechanism_link_pose_f32(const struct dq8_mechanism_f32 *mechanism,
                                        const float *values,
@@ -1641,12 +1739,14 @@ dq8_status dq8_mechanism_link_pose_f32(const struct dq8_mechanism_f32 *mechanism
                                        float *pose);
 
 /**
- * The geometric Jacobian of a link: for each rate of the mechanism a column of six
- * numbers, angular velocity x y z, then linear velocity x y z, in `frame`, one of enum
- * dq8_frame. Columns of joints that do not carry the link are zero.
+ * Computes the geometric Jacobian of a link. It has a column for each rate of the
+ * mechanism, of six numbers: angular velocity x y z, then linear velocity x y z, in
+ * `frame`, one of enum dq8_frame. Columns of joints that do not carry the link are
+ * zero.
  *
- * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may
- * be null. DQ8_STATUS_NO_LINK if there is no such link.
+ * `column_count` must be the mechanism's number of rates. The pose of the link is
+ * written to `pose`, which may be null. Returns DQ8_STATUS_NO_LINK if there is no such
+ * link, and DQ8_STATUS_UNKNOWN_VALUE if there is no such frame.
  */
 dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mechanism,
                                            int32_t frame,
@@ -1658,15 +1758,15 @@ dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mecha
                                            float *pose);
 
 /**
- * Checks `count` joints and makes a mechanism of them, once; its functions then only
- * compute. `steps`, as many as joints, is memory that the mechanism keeps using: what
- * its functions do is undefined if anything else has written it. `joints` are not
- * needed any more.
+ * Makes a mechanism of `count` joints. It checks them once, so that the functions of
+ * the mechanism only compute. `steps` is memory for `count` steps, which the mechanism
+ * keeps using; its functions are undefined if anything else has written there. The
+ * `joints` are not needed later.
  *
- * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement),
- * _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or
- * `limited`); `bad_joint`, which may be null, is set to that joint. `steps` may have
- * been written, the mechanism not.
+ * Returns DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (of a
+ * placement), _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (of a kind,
+ * `mimics` or `limited`), and sets `bad_joint`, which may be null, to that joint.
+ * `steps` may then have been written, but not the mechanism.
  */
 dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
                                   size_t count,
@@ -1675,9 +1775,10 @@ dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
                                   size_t *bad_joint);
 
 /**
- * Forward kinematics of one configuration: the poses of all links in the frame of the
- * base, `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count`
- * and `link_count` are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+ * Computes the poses of all links in the frame of the base: forward kinematics of one
+ * configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
+ * Returns DQ8_STATUS_LENGTH if `value_count` or `link_count` is not that of the
+ * mechanism.
  */
 dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                                         const double *values,
@@ -1686,8 +1787,8 @@ dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanis
                                         size_t link_count);
 
 /**
- * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if
- * there is no such link.
+ * Computes the pose of one link in the frame of the base. Only the joints that carry
+ * the link are computed. Returns DQ8_STATUS_NO_LINK if there is no such link.
  */
 dq8_status dq8_mechanism_link_pose_f64(const struct dq8_mechanism_f64 *mechanism,
                                        const double *values,
@@ -1696,12 +1797,14 @@ dq8_status dq8_mechanism_link_pose_f64(const struct dq8_mechanism_f64 *mechanism
                                        double *pose);
 
 /**
- * The geometric Jacobian of a link: for each rate of the mechanism a column of six
- * numbers, angular velocity x y z, then linear velocity x y z, in `frame`, one of enum
- * dq8_frame. Columns of joints that do not carry the link are zero.
+ * Computes the geometric Jacobian of a link. It has a column for each rate of the
+ * mechanism, of six numbers: angular velocity x y z, then linear velocity x y z, in
+ * `frame`, one of enum dq8_frame. Columns of joints that do not carry the link are
+ * zero.
  *
- * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may
- * be null. DQ8_STATUS_NO_LINK if there is no such link.
+ * `column_count` must be the mechanism's number of rates. The pose of the link is
+ * written to `pose`, which may be null. Returns DQ8_STATUS_NO_LINK if there is no such
+ * link, and DQ8_STATUS_UNKNOWN_VALUE if there is no such frame.
  */
 dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mechanism,
                                            int32_t frame,
@@ -1713,172 +1816,184 @@ dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mecha
                                            double *pose);
 
 /**
- * The motion that moves nothing.
+ * Writes the identity: the motion that moves nothing.
  */
 dq8_status dq8_motion_identity_f32(float *out);
 
 /**
- * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation`
- * (x, y, z).
+ * Makes the motion that rotates by the unit quaternion `rotation` (x, y, z, w), and
+ * then moves by `translation` (x, y, z).
  */
 dq8_status dq8_motion_from_rotation_translation_f32(const float *rotation,
                                                     const float *translation,
                                                     float *out);
 
 /**
- * The parts of a unit motion: `rotation` four numbers, `translation` three, which must
- * not overlap each other.
+ * Writes the parts of a unit motion: the quaternion `rotation` (x, y, z, w) and
+ * `translation` (x, y, z), which must not overlap each other.
  */
 dq8_status dq8_motion_to_rotation_translation_f32(const float *motion,
                                                   float *rotation,
                                                   float *translation);
 
 /**
- * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far
- * products of rows of the rotation may be from 0 and 1.
+ * Makes the motion of a matrix of three rows and four columns: twelve numbers, row by
+ * row. Dot products of the rows of its rotation may differ from 0 and 1 by
+ * `tolerance`.
  *
- * DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
+ * Returns DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if the matrix is no
+ * rigid motion.
  */
 dq8_status dq8_motion_from_matrix_3x4_f32(const float *matrix, float tolerance, float *out);
 
 /**
- * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last
- * row is not 0 0 0 1.
+ * Makes the motion of a matrix of sixteen numbers, otherwise like
+ * dq8_motion_from_matrix_3x4. Returns DQ8_STATUS_NOT_AFFINE if the last row is not
+ * 0 0 0 1.
  */
 dq8_status dq8_motion_from_matrix_4x4_f32(const float *matrix, float tolerance, float *out);
 
 /**
- * The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
+ * Writes the matrix `[R | t]` of a unit motion: twelve numbers, row by row.
  */
 dq8_status dq8_motion_to_matrix_3x4_f32(const float *motion, float *matrix);
 
 /**
- * The matrix of a unit motion with the row 0 0 0 1: sixteen numbers, row after row.
+ * Writes the matrix of a unit motion with the last row 0 0 0 1: sixteen numbers, row
+ * by row.
  */
 dq8_status dq8_motion_to_matrix_4x4_f32(const float *motion, float *matrix);
 
 /**
- * a * b: b acts first.
+ * Computes the product `a * b`, in which b acts first.
  */
 dq8_status dq8_motion_mul_f32(const float *a, const float *b, float *out);
 
 /**
- * The inverse of a unit motion, which costs nothing but signs.
+ * Computes the inverse of a unit motion, which only flips signs.
  */
 dq8_status dq8_motion_conjugate_f32(const float *motion, float *out);
 
 /**
- * The inverse of a motion, unit or not; DQ8_STATUS_NO_INVERSE if there is none.
+ * Computes the inverse of a motion that need not be unit. Returns
+ * DQ8_STATUS_NO_INVERSE if there is none.
  */
 dq8_status dq8_motion_inverse_f32(const float *motion, float *out);
 
 /**
- * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if
- * there is none.
+ * Normalizes a dual quaternion to a unit motion. Returns DQ8_STATUS_NOT_NORMALIZABLE
+ * if there is none.
  */
 dq8_status dq8_motion_normalize_f32(const float *motion, float *out);
 
 /**
- * DQ8_STATUS_NOT_UNIT if the norm of the motion is further from 1 than `tolerance`.
+ * Checks that a motion is unit. Returns DQ8_STATUS_NOT_UNIT if its norm differs from 1
+ * by more than `tolerance`.
  */
 dq8_status dq8_motion_check_unit_f32(const float *motion, float tolerance);
 
 /**
- * A point, three numbers, moved by a unit motion.
+ * Moves a point, three numbers, by a unit motion.
  */
 dq8_status dq8_motion_point_f32(const float *motion, const float *point, float *out);
 
 /**
- * A direction, three numbers, turned by a unit motion.
+ * Turns a direction, three numbers, by a unit motion.
  */
 dq8_status dq8_motion_vector_f32(const float *motion, const float *vector, float *out);
 
 /**
- * The motion that moves nothing.
+ * Writes the identity: the motion that moves nothing.
  */
 dq8_status dq8_motion_identity_f64(double *out);
 
 /**
- * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation`
- * (x, y, z).
+ * Makes the motion that rotates by the unit quaternion `rotation` (x, y, z, w), and
+ * then moves by `translation` (x, y, z).
  */
 dq8_status dq8_motion_from_rotation_translation_f64(const double *rotation,
                                                     const double *translation,
                                                     double *out);
 
 /**
- * The parts of a unit motion: `rotation` four numbers, `translation` three, which must
- * not overlap each other.
+ * Writes the parts of a unit motion: the quaternion `rotation` (x, y, z, w) and
+ * `translation` (x, y, z), which must not overlap each other.
  */
 dq8_status dq8_motion_to_rotation_translation_f64(const double *motion,
                                                   double *rotation,
                                                   double *translation);
 
 /**
- * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far
- * products of rows of the rotation may be from 0 and 1.
+ * Makes the motion of a matrix of three rows and four columns: twelve numbers, row by
+ * row. Dot products of the rows of its rotation may differ from 0 and 1 by
+ * `tolerance`.
  *
- * DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
+ * Returns DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if the matrix is no
+ * rigid motion.
  */
 dq8_status dq8_motion_from_matrix_3x4_f64(const double *matrix, double tolerance, double *out);
 
 /**
- * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last
- * row is not 0 0 0 1.
+ * Makes the motion of a matrix of sixteen numbers, otherwise like
+ * dq8_motion_from_matrix_3x4. Returns DQ8_STATUS_NOT_AFFINE if the last row is not
+ * 0 0 0 1.
  */
 dq8_status dq8_motion_from_matrix_4x4_f64(const double *matrix, double tolerance, double *out);
 
 /**
- * The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
+ * Writes the matrix `[R | t]` of a unit motion: twelve numbers, row by row.
  */
 dq8_status dq8_motion_to_matrix_3x4_f64(const double *motion, double *matrix);
 
 /**
- * The matrix of a unit motion with the row 0 0 0 1: sixteen numbers, row after row.
+ * Writes the matrix of a unit motion with the last row 0 0 0 1: sixteen numbers, row
+ * by row.
  */
 dq8_status dq8_motion_to_matrix_4x4_f64(const double *motion, double *matrix);
 
 /**
- * a * b: b acts first.
+ * Computes the product `a * b`, in which b acts first.
  */
 dq8_status dq8_motion_mul_f64(const double *a, const double *b, double *out);
 
 /**
- * The inverse of a unit motion, which costs nothing but signs.
+ * Computes the inverse of a unit motion, which only flips signs.
  */
 dq8_status dq8_motion_conjugate_f64(const double *motion, double *out);
 
 /**
- * The inverse of a motion, unit or not; DQ8_STATUS_NO_INVERSE if there is none.
+ * Computes the inverse of a motion that need not be unit. Returns
+ * DQ8_STATUS_NO_INVERSE if there is none.
  */
 dq8_status dq8_motion_inverse_f64(const double *motion, double *out);
 
 /**
- * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if
- * there is none.
+ * Normalizes a dual quaternion to a unit motion. Returns DQ8_STATUS_NOT_NORMALIZABLE
+ * if there is none.
  */
 dq8_status dq8_motion_normalize_f64(const double *motion, double *out);
 
 /**
- * DQ8_STATUS_NOT_UNIT if the norm of the motion is further from 1 than `tolerance`.
+ * Checks that a motion is unit. Returns DQ8_STATUS_NOT_UNIT if its norm differs from 1
+ * by more than `tolerance`.
  */
 dq8_status dq8_motion_check_unit_f64(const double *motion, double tolerance);
 
 /**
- * A point, three numbers, moved by a unit motion.
+ * Moves a point, three numbers, by a unit motion.
  */
 dq8_status dq8_motion_point_f64(const double *motion, const double *point, double *out);
 
 /**
- * A direction, three numbers, turned by a unit motion.
+ * Turns a direction, three numbers, by a unit motion.
  */
 dq8_status dq8_motion_vector_f64(const double *motion, const double *vector, double *out);
 
 /**
- * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances,
- * `[instance block][joint]`; lanes without an instance get the identity. `block_count`
- * is `joints` times the number of instances over `lanes`, rounded up;
- * DQ8_STATUS_LENGTH if it is not.
+ * Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
+ * `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
+ * instance get the identity. `block_count` must be `joints` times the number of
+ * instances over `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
  */
 dq8_status dq8_pack_f32(size_t lanes,
                         size_t joints,
@@ -1888,8 +2003,8 @@ dq8_status dq8_pack_f32(size_t lanes,
                         size_t block_count);
 
 /**
- * Writes blocks into `poses`, the other way round; lanes beyond the last instance are
- * dropped.
+ * Unpacks blocks into plain poses: the inverse of dq8_pack, with the same arrays.
+ * Lanes after the last instance are ignored.
  */
 dq8_status dq8_unpack_f32(size_t lanes,
                           size_t joints,
@@ -1899,10 +2014,10 @@ dq8_status dq8_unpack_f32(size_t lanes,
                           size_t pose_count);
 
 /**
- * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is
- * in lane `i / block_count` of block `i % block_count`. Lanes beyond the last link get
- * the identity. `block_count` is `link_count` over `lanes`, rounded up;
- * DQ8_STATUS_LENGTH if it is not.
+ * Packs the links of a chain into blocks, with a segment of `block_count` links in
+ * each lane: link i goes to lane `i / block_count` of block `i % block_count`. Lanes
+ * after the last link get the identity. `block_count` must be `link_count` over
+ * `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
  */
 dq8_status dq8_pack_chain_f32(size_t lanes,
                               const float *links,
@@ -1911,7 +2026,7 @@ dq8_status dq8_pack_chain_f32(size_t lanes,
                               size_t block_count);
 
 /**
- * Writes blocks of a chain into `links`, the other way round.
+ * Unpacks the blocks of a chain into plain links: the inverse of dq8_pack_chain.
  */
 dq8_status dq8_unpack_chain_f32(size_t lanes,
                                 const float *blocks,
@@ -1920,17 +2035,17 @@ dq8_status dq8_unpack_chain_f32(size_t lanes,
                                 size_t link_count);
 
 /**
- * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in
- * rotations, 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes`
- * things: their product, rounded up to whole 64 bytes.
+ * Returns the size of a block in numbers: `lanes` times `components`, rounded up to whole
+ * 64 bytes. A motion has 8 components, a point 3, a rotation 4, a rotation with a
+ * translation 7, and a matrix 12 or 16.
  */
 size_t dq8_block_size_f32(size_t lanes, size_t components);
 
 /**
- * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances,
- * `[instance block][joint]`; lanes without an instance get the identity. `block_count`
- * is `joints` times the number of instances over `lanes`, rounded up;
- * DQ8_STATUS_LENGTH if it is not.
+ * Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
+ * `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
+ * instance get the identity. `block_count` must be `joints` times the number of
+ * instances over `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
  */
 dq8_status dq8_pack_f64(size_t lanes,
                         size_t joints,
@@ -1940,8 +2055,8 @@ dq8_status dq8_pack_f64(size_t lanes,
                         size_t block_count);
 
 /**
- * Writes blocks into `poses`, the other way round; lanes beyond the last instance are
- * dropped.
+ * Unpacks blocks into plain poses: the inverse of dq8_pack, with the same arrays.
+ * Lanes after the last instance are ignored.
  */
 dq8_status dq8_unpack_f64(size_t lanes,
                           size_t joints,
@@ -1951,10 +2066,10 @@ dq8_status dq8_unpack_f64(size_t lanes,
                           size_t pose_count);
 
 /**
- * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is
- * in lane `i / block_count` of block `i % block_count`. Lanes beyond the last link get
- * the identity. `block_count` is `link_count` over `lanes`, rounded up;
- * DQ8_STATUS_LENGTH if it is not.
+ * Packs the links of a chain into blocks, with a segment of `block_count` links in
+ * each lane: link i goes to lane `i / block_count` of block `i % block_count`. Lanes
+ * after the last link get the identity. `block_count` must be `link_count` over
+ * `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
  */
 dq8_status dq8_pack_chain_f64(size_t lanes,
                               const double *links,
@@ -1963,7 +2078,7 @@ dq8_status dq8_pack_chain_f64(size_t lanes,
                               size_t block_count);
 
 /**
- * Writes blocks of a chain into `links`, the other way round.
+ * Unpacks the blocks of a chain into plain links: the inverse of dq8_pack_chain.
  */
 dq8_status dq8_unpack_chain_f64(size_t lanes,
                                 const double *blocks,
@@ -1972,18 +2087,18 @@ dq8_status dq8_unpack_chain_f64(size_t lanes,
                                 size_t link_count);
 
 /**
- * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in
- * rotations, 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes`
- * things: their product, rounded up to whole 64 bytes.
+ * Returns the size of a block in numbers: `lanes` times `components`, rounded up to whole
+ * 64 bytes. A motion has 8 components, a point 3, a rotation 4, a rotation with a
+ * translation 7, and a matrix 12 or 16.
  */
 size_t dq8_block_size_f64(size_t lanes, size_t components);
 
 /**
- * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4
- * matrices in `order`, one of enum dq8_matrix_order, to twelve numbers per joint, row
- * after row.
+ * Computes a palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`. Inputs
+ * are 4x4 matrices whose numbers are in `order`, one of enum dq8_matrix_order. The
+ * palette has twelve numbers per joint, row by row.
  *
- * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+ * Returns DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if an input is so.
  */
 dq8_status dq8_skin_products_f32(const float *models,
                                  const float *inverse_binds,
@@ -1992,8 +2107,9 @@ dq8_status dq8_skin_products_f32(const float *models,
                                  size_t joint_count);
 
 /**
- * Takes the matrices of a palette apart into stretches and, after them, unit motions:
- * what dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ * Splits the matrices of a palette into stretches, which act first, and unit motions,
+ * as dq8_skin_stretched takes them. Returns DQ8_STATUS_NOT_FINITE if a number is not
+ * finite.
  */
 dq8_status dq8_skin_split_f32(const float *matrices,
                               float *motions,
@@ -2001,11 +2117,11 @@ dq8_status dq8_skin_split_f32(const float *matrices,
                               size_t joint_count);
 
 /**
- * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4
- * matrices in `order`, one of enum dq8_matrix_order, to twelve numbers per joint, row
- * after row.
+ * Computes a palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`. Inputs
+ * are 4x4 matrices whose numbers are in `order`, one of enum dq8_matrix_order. The
+ * palette has twelve numbers per joint, row by row.
  *
- * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+ * Returns DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if an input is so.
  */
 dq8_status dq8_skin_products_f64(const double *models,
                                  const double *inverse_binds,
@@ -2014,8 +2130,9 @@ dq8_status dq8_skin_products_f64(const double *models,
                                  size_t joint_count);
 
 /**
- * Takes the matrices of a palette apart into stretches and, after them, unit motions:
- * what dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ * Splits the matrices of a palette into stretches, which act first, and unit motions,
+ * as dq8_skin_stretched takes them. Returns DQ8_STATUS_NOT_FINITE if a number is not
+ * finite.
  */
 dq8_status dq8_skin_split_f64(const double *matrices,
                               double *motions,
@@ -2023,12 +2140,12 @@ dq8_status dq8_skin_split_f64(const double *matrices,
                               size_t joint_count);
 
 /**
- * Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that
- * others wait for come early, and between a joint and its parent there are others.
+ * Finds the order in which dq8_plan_local_to_model computes the joints of one instance fastest:
+ * joints that others wait for come early, and between a joint and its parent there are others.
  *
- * `order` has two numbers per joint, and must stay as it is while it is used; `scratch` six, which
- * are not needed afterwards. A bad parent is told as by dq8_check_parents, and `bad_joint` set to
- * it, which may be null.
+ * `order` holds two numbers per joint, and must not change while it is used. `scratch` holds six
+ * numbers per joint, which are not needed afterwards. Errors of `parents` are those of
+ * dq8_check_parents, with the joint in `bad_joint`, which may be null.
  */
 dq8_status dq8_plan_make(const int32_t *parents,
                          size_t joints,
@@ -2037,13 +2154,13 @@ dq8_status dq8_plan_make(const int32_t *parents,
                          size_t *bad_joint);
 
 /**
- * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for
- * the same parents, with the eight numbers of a motion in one register: the fastest
- * way for one instance. Several are computed as by dq8_local_to_model: `count` motions
- * in all, `joints` times instances. `models` may be `locals`.
+ * Computes model poses like dq8_local_to_model, in the `order` that dq8_plan_make
+ * found for the same parents. This is the fastest way for one instance. Several
+ * instances are computed as by dq8_local_to_model: `count` is `joints` times the
+ * number of instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root
- * stands behind other joints. An order whose pairs have changed places is not noticed.
+ * Returns DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or if
+ * a root comes after other joints. It does not notice if pairs have been exchanged.
  */
 dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
                                        const uint32_t *order,
@@ -2053,13 +2170,13 @@ dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
                                        size_t count);
 
 /**
- * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for
- * the same parents, with the eight numbers of a motion in one register: the fastest
- * way for one instance. Several are computed as by dq8_local_to_model: `count` motions
- * in all, `joints` times instances. `models` may be `locals`.
+ * Computes model poses like dq8_local_to_model, in the `order` that dq8_plan_make
+ * found for the same parents. This is the fastest way for one instance. Several
+ * instances are computed as by dq8_local_to_model: `count` is `joints` times the
+ * number of instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root
- * stands behind other joints. An order whose pairs have changed places is not noticed.
+ * Returns DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or if
+ * a root comes after other joints. It does not notice if pairs have been exchanged.
  */
 dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
                                        const uint32_t *order,
@@ -2069,33 +2186,35 @@ dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
                                        size_t count);
 
 /**
- * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations,
- * restarts.
+ * Writes the default options: tolerances of 1e-5 rad and 1e-5 lengths, 100 iterations,
+ * with restarts.
  */
 dq8_status dq8_mechanism_reach_options_f32(struct dq8_reach_options_f32 *options);
 
 /**
- * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for
- * one mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ * Writes the size in numbers that `scratch` of dq8_mechanism_reach must have. It
+ * depends on the mechanism and the number of goals only. Returns DQ8_STATUS_TOO_LARGE
+ * if there are more than 1024 goals.
  */
 dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
                                            size_t goal_count,
                                            size_t *scratch_count);
 
 /**
- * Inverse kinematics of one configuration: moves `values` until the link of each goal
- * is at its target, a motion for each goal; within the limits of the joints. From a
- * start nearby it converges in a few steps.
+ * Solves the inverse kinematics of one configuration. Beginning at `values`, it moves
+ * them within the limits of the joints until the link of each goal is at its target.
+ * `targets` holds a unit motion for each goal. From a start nearby the search
+ * converges in a few steps.
  *
- * `posture`, as many values, or null: a configuration that is preferred where the
- * goals leave freedom. `options` null: those of dq8_mechanism_reach_options. `scratch`
- * may hold anything. DQ8_STATUS_OK says that there is a report, not that the targets
- * are reached: see `outcome`.
+ * `posture` holds as many numbers as `values`, a configuration that is preferred where
+ * the goals leave freedom, or is null. `options` may be null for those of
+ * dq8_mechanism_reach_options. The content of `scratch` does not matter. DQ8_STATUS_OK
+ * means that there is a report; its `outcome` tells if the targets are reached.
  *
- * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has
- * none, or there is no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or
- * _UNKNOWN_VALUE (`restarts`); then `scratch` may have been written, the values and
- * the report not.
+ * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or all
+ * of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the posture or a
+ * point), _LENGTH or _UNKNOWN_VALUE (of `restarts`). `scratch` may then have been
+ * written, but not the values and the report.
  */
 dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                                    const struct dq8_goal_f32 *goals,
@@ -2110,33 +2229,35 @@ dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                                    struct dq8_reach_report_f32 *report);
 
 /**
- * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations,
- * restarts.
+ * Writes the default options: tolerances of 1e-5 rad and 1e-5 lengths, 100 iterations,
+ * with restarts.
  */
 dq8_status dq8_mechanism_reach_options_f64(struct dq8_reach_options_f64 *options);
 
 /**
- * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for
- * one mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ * Writes the size in numbers that `scratch` of dq8_mechanism_reach must have. It
+ * depends on the mechanism and the number of goals only. Returns DQ8_STATUS_TOO_LARGE
+ * if there are more than 1024 goals.
  */
 dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
                                            size_t goal_count,
                                            size_t *scratch_count);
 
 /**
- * Inverse kinematics of one configuration: moves `values` until the link of each goal
- * is at its target, a motion for each goal; within the limits of the joints. From a
- * start nearby it converges in a few steps.
+ * Solves the inverse kinematics of one configuration. Beginning at `values`, it moves
+ * them within the limits of the joints until the link of each goal is at its target.
+ * `targets` holds a unit motion for each goal. From a start nearby the search
+ * converges in a few steps.
  *
- * `posture`, as many values, or null: a configuration that is preferred where the
- * goals leave freedom. `options` null: those of dq8_mechanism_reach_options. `scratch`
- * may hold anything. DQ8_STATUS_OK says that there is a report, not that the targets
- * are reached: see `outcome`.
+ * `posture` holds as many numbers as `values`, a configuration that is preferred where
+ * the goals leave freedom, or is null. `options` may be null for those of
+ * dq8_mechanism_reach_options. The content of `scratch` does not matter. DQ8_STATUS_OK
+ * means that there is a report; its `outcome` tells if the targets are reached.
  *
- * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has
- * none, or there is no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or
- * _UNKNOWN_VALUE (`restarts`); then `scratch` may have been written, the values and
- * the report not.
+ * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or all
+ * of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the posture or a
+ * point), _LENGTH or _UNKNOWN_VALUE (of `restarts`). `scratch` may then have been
+ * written, but not the values and the report.
  */
 dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                                    const struct dq8_goal_f64 *goals,
@@ -2151,23 +2272,24 @@ dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                                    struct dq8_reach_report_f64 *report);
 
 /**
- * From `a` to `b` by the shorter way, `t` of it: linear and normalized.
- * DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ * Interpolates from `a` (t = 0) to `b` (t = 1) by the shorter way: the normalized
+ * linear interpolation. Returns DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
  */
 dq8_status dq8_motion_nlerp_f32(const float *a, const float *b, float t, float *out);
 
 /**
- * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant
- * speed.
+ * Interpolates from unit `a` (t = 0) to unit `b` (t = 1) by the shorter way, along one
+ * screw at constant speed.
  */
 dq8_status dq8_motion_sclerp_f32(const float *a, const float *b, float t, float *out);
 
 /**
- * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum,
- * each turned toward the first, normalized (dual quaternion linear blending).
+ * Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
+ * quaternion linear blending: each motion gets the sign that turns it toward the
+ * first, and their weighted sum is normalized.
  *
- * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is
- * no motion.
+ * Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
+ * the sum is no motion.
  */
 dq8_status dq8_motion_blend_f32(const float *motions,
                                 const float *weights,
@@ -2175,51 +2297,53 @@ dq8_status dq8_motion_blend_f32(const float *motions,
                                 float *out);
 
 /**
- * The logarithm of a unit motion, six numbers: half the angle times the axis, and its
- * moment.
+ * Writes the logarithm of a unit motion, six numbers: half the angle times the axis,
+ * and the dual part of that.
  */
 dq8_status dq8_motion_log_f32(const float *motion, float *log);
 
 /**
- * The motion of a logarithm of six numbers.
+ * Writes the unit motion whose logarithm is `log`, six numbers.
  */
 dq8_status dq8_motion_exp_f32(const float *log, float *out);
 
 /**
- * `t` of a unit motion: the same screw axis, t times the angle and the slide.
+ * Raises a unit motion to the power `t`: the same screw axis, with t times the angle
+ * and the slide.
  */
 dq8_status dq8_motion_pow_f32(const float *motion, float t, float *out);
 
 /**
- * The screw of a unit motion, eight numbers: direction of the axis, moment of the
- * axis, angle in 0 to pi, slide along the axis. A translation has angle 0.
+ * Writes the screw of a unit motion, eight numbers: direction of the axis, moment of
+ * the axis, angle from 0 to pi, slide along the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f32(const float *motion, float *screw);
 
 /**
- * The motion of a screw, eight numbers: direction of length 1, moment at right angles
- * to it, angle, slide.
+ * Writes the motion of a screw, eight numbers: direction of the axis, of length 1;
+ * moment of the axis, at right angles to that; angle; slide.
  */
 dq8_status dq8_motion_from_screw_f32(const float *numbers, float *out);
 
 /**
- * From `a` to `b` by the shorter way, `t` of it: linear and normalized.
- * DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ * Interpolates from `a` (t = 0) to `b` (t = 1) by the shorter way: the normalized
+ * linear interpolation. Returns DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
  */
 dq8_status dq8_motion_nlerp_f64(const double *a, const double *b, double t, double *out);
 
 /**
- * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant
- * speed.
+ * Interpolates from unit `a` (t = 0) to unit `b` (t = 1) by the shorter way, along one
+ * screw at constant speed.
  */
 dq8_status dq8_motion_sclerp_f64(const double *a, const double *b, double t, double *out);
 
 /**
- * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum,
- * each turned toward the first, normalized (dual quaternion linear blending).
+ * Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
+ * quaternion linear blending: each motion gets the sign that turns it toward the
+ * first, and their weighted sum is normalized.
  *
- * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is
- * no motion.
+ * Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
+ * the sum is no motion.
  */
 dq8_status dq8_motion_blend_f64(const double *motions,
                                 const double *weights,
@@ -2227,43 +2351,44 @@ dq8_status dq8_motion_blend_f64(const double *motions,
                                 double *out);
 
 /**
- * The logarithm of a unit motion, six numbers: half the angle times the axis, and its
- * moment.
+ * Writes the logarithm of a unit motion, six numbers: half the angle times the axis,
+ * and the dual part of that.
  */
 dq8_status dq8_motion_log_f64(const double *motion, double *log);
 
 /**
- * The motion of a logarithm of six numbers.
+ * Writes the unit motion whose logarithm is `log`, six numbers.
  */
 dq8_status dq8_motion_exp_f64(const double *log, double *out);
 
 /**
- * `t` of a unit motion: the same screw axis, t times the angle and the slide.
+ * Raises a unit motion to the power `t`: the same screw axis, with t times the angle
+ * and the slide.
  */
 dq8_status dq8_motion_pow_f64(const double *motion, double t, double *out);
 
 /**
- * The screw of a unit motion, eight numbers: direction of the axis, moment of the
- * axis, angle in 0 to pi, slide along the axis. A translation has angle 0.
+ * Writes the screw of a unit motion, eight numbers: direction of the axis, moment of
+ * the axis, angle from 0 to pi, slide along the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f64(const double *motion, double *screw);
 
 /**
- * The motion of a screw, eight numbers: direction of length 1, moment at right angles
- * to it, angle, slide.
+ * Writes the motion of a screw, eight numbers: direction of the axis, of length 1;
+ * moment of the axis, at right angles to that; angle; slide.
  */
 dq8_status dq8_motion_from_screw_f64(const double *numbers, double *out);
 
 /**
- * Checks which joints move each vertex and how much, once; the functions that pose the
- * mesh then only compute. `joint_indices` and `weights` hold `influences` numbers of
- * the first vertex, then those of the next; fill unused influences with any joint and
- * weight 0. The skin keeps using both: they must stay where they are, as they are;
- * what its functions do is undefined if they change.
+ * Makes a skin of the joints that move each vertex and their weights. It checks them
+ * once, so that the functions that pose the mesh only compute. `joint_indices` and
+ * `weights` hold `influences` numbers for the first vertex, then those for the next,
+ * and so on. Fill unused influences with any joint and weight 0. The skin keeps using
+ * both arrays; its functions are undefined if these change.
  *
- * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be
- * null, is set to that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin
- * has then not been written.
+ * Returns DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM, and sets
+ * `bad_vertex`, which may be null, to that vertex. Returns DQ8_STATUS_NO_INFLUENCES if
+ * `influences` is 0. The skin is then not written.
  */
 dq8_status dq8_skin_make_f32(size_t joint_count,
                              size_t influences,
@@ -2274,11 +2399,11 @@ dq8_status dq8_skin_make_f32(size_t joint_count,
                              size_t *bad_vertex);
 
 /**
- * As dq8_skin_make, of joints and weights that lie between other fields, such as in a
- * vertex buffer: `joint_indices` and `weights` hold `stride` elements per vertex, of
- * which `influences` from `first` on are the field; they may be the same memory. A
- * stride or an offset in bytes, divided by the size of an element, is one in elements.
- * DQ8_STATUS_FIELD if the field lies beyond its vertex.
+ * Makes a skin of a vertex buffer, otherwise like dq8_skin_make. `joint_indices` and
+ * `weights` hold `stride` elements per vertex, of which `influences` elements from
+ * `first` on are read. Both may be the same memory. Divide strides and offsets in
+ * bytes by the size of an element. Returns DQ8_STATUS_FIELD if a field is not inside
+ * of its vertex.
  */
 dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
                                          size_t influences,
@@ -2291,12 +2416,13 @@ dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
                                          size_t *bad_vertex);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
                                            const float *matrices,
@@ -2308,13 +2434,13 @@ dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
                                            size_t vertices);
 
 /**
- * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the
- * palette, twelve numbers per joint, row after row. Weights must sum to 1.
+ * Poses a mesh by linear blends: each vertex moves by the weighted sum of `matrices`,
+ * the palette, with twelve numbers per joint, row by row. Weights must sum to 1.
  *
- * `positions`, and `normals` and `tangents` if not null, hold three numbers per
- * vertex; what becomes of them goes to `posed_positions`, `posed_normals` and
- * `posed_tangents`, which must overlap nothing. `joint_count` and `vertices` are those
- * of the skin, or it is DQ8_STATUS_LENGTH.
+ * `positions`, `normals` and `tangents` hold three numbers per vertex. The posed ones
+ * are written to `posed_positions`, `posed_normals` and `posed_tangents`, which must
+ * overlap nothing. Both pointers of normals or of tangents may be null. Returns
+ * DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
  */
 dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                const float *matrices,
@@ -2328,12 +2454,13 @@ dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_dual_interleaved_f32(const struct dq8_skin_f32 *skin,
                                          const float *motions,
@@ -2345,9 +2472,10 @@ dq8_status dq8_skin_dual_interleaved_f32(const struct dq8_skin_f32 *skin,
                                          size_t vertices);
 
 /**
- * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of
- * `motions`, the palette, normalized, each with the sign that turns it toward that of
- * the greatest weight. Twists keep their volume.
+ * Poses a mesh by dual quaternion blends, otherwise like dq8_skin_linear. Each vertex
+ * moves by the normalized weighted sum of `motions`, the palette, each with the sign
+ * that turns it toward the one with the greatest weight. Twisted joints keep their
+ * volume.
  */
 dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
                              const float *motions,
@@ -2361,12 +2489,13 @@ dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
                              size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_stretched_interleaved_f32(const struct dq8_skin_f32 *skin,
                                               const float *motions,
@@ -2379,9 +2508,9 @@ dq8_status dq8_skin_stretched_interleaved_f32(const struct dq8_skin_f32 *skin,
                                               size_t vertices);
 
 /**
- * As dq8_skin_dual where joints scale or shear: before the motions come the weighted
- * sums of `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes
- * both.
+ * Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual. Each vertex
+ * is stretched by the weighted sum of `stretches`, matrices of twelve numbers per
+ * joint, before it moves. dq8_skin_split makes both palettes.
  */
 dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   const float *motions,
@@ -2396,12 +2525,13 @@ dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_mixed_interleaved_f32(const struct dq8_skin_f32 *skin,
                                           const float *matrices,
@@ -2415,9 +2545,10 @@ dq8_status dq8_skin_mixed_interleaved_f32(const struct dq8_skin_f32 *skin,
                                           size_t vertices);
 
 /**
- * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge
- * of the second at bent joints: (1 − s) times the first and s times the second, s
- * from `shares`. DQ8_STATUS_SHARE if one is not in [0, 1].
+ * Poses a mesh by dq8_skin_linear and dq8_skin_dual, and mixes the two with a share s
+ * per vertex: (1 - s) times the first and s times the second. This is against the
+ * bulge of dual quaternion blends at bent joints. `shares` holds a number per vertex.
+ * Returns DQ8_STATUS_SHARE if one is not in [0, 1].
  */
 dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
                               const float *matrices,
@@ -2433,15 +2564,15 @@ dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
                               size_t vertices);
 
 /**
- * Checks which joints move each vertex and how much, once; the functions that pose the
- * mesh then only compute. `joint_indices` and `weights` hold `influences` numbers of
- * the first vertex, then those of the next; fill unused influences with any joint and
- * weight 0. The skin keeps using both: they must stay where they are, as they are;
- * what its functions do is undefined if they change.
+ * Makes a skin of the joints that move each vertex and their weights. It checks them
+ * once, so that the functions that pose the mesh only compute. `joint_indices` and
+ * `weights` hold `influences` numbers for the first vertex, then those for the next,
+ * and so on. Fill unused influences with any joint and weight 0. The skin keeps using
+ * both arrays; its functions are undefined if these change.
  *
- * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be
- * null, is set to that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin
- * has then not been written.
+ * Returns DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM, and sets
+ * `bad_vertex`, which may be null, to that vertex. Returns DQ8_STATUS_NO_INFLUENCES if
+ * `influences` is 0. The skin is then not written.
  */
 dq8_status dq8_skin_make_f64(size_t joint_count,
                              size_t influences,
@@ -2452,11 +2583,11 @@ dq8_status dq8_skin_make_f64(size_t joint_count,
                              size_t *bad_vertex);
 
 /**
- * As dq8_skin_make, of joints and weights that lie between other fields, such as in a
- * vertex buffer: `joint_indices` and `weights` hold `stride` elements per vertex, of
- * which `influences` from `first` on are the field; they may be the same memory. A
- * stride or an offset in bytes, divided by the size of an element, is one in elements.
- * DQ8_STATUS_FIELD if the field lies beyond its vertex.
+ * Makes a skin of a vertex buffer, otherwise like dq8_skin_make. `joint_indices` and
+ * `weights` hold `stride` elements per vertex, of which `influences` elements from
+ * `first` on are read. Both may be the same memory. Divide strides and offsets in
+ * bytes by the size of an element. Returns DQ8_STATUS_FIELD if a field is not inside
+ * of its vertex.
  */
 dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
                                          size_t influences,
@@ -2469,12 +2600,13 @@ dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
                                          size_t *bad_vertex);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
                                            const double *matrices,
@@ -2486,13 +2618,13 @@ dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
                                            size_t vertices);
 
 /**
- * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the
- * palette, twelve numbers per joint, row after row. Weights must sum to 1.
+ * Poses a mesh by linear blends: each vertex moves by the weighted sum of `matrices`,
+ * the palette, with twelve numbers per joint, row by row. Weights must sum to 1.
  *
- * `positions`, and `normals` and `tangents` if not null, hold three numbers per
- * vertex; what becomes of them goes to `posed_positions`, `posed_normals` and
- * `posed_tangents`, which must overlap nothing. `joint_count` and `vertices` are those
- * of the skin, or it is DQ8_STATUS_LENGTH.
+ * `positions`, `normals` and `tangents` hold three numbers per vertex. The posed ones
+ * are written to `posed_positions`, `posed_normals` and `posed_tangents`, which must
+ * overlap nothing. Both pointers of normals or of tangents may be null. Returns
+ * DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
  */
 dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                const double *matrices,
@@ -2506,12 +2638,13 @@ dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_dual_interleaved_f64(const struct dq8_skin_f64 *skin,
                                          const double *motions,
@@ -2523,9 +2656,10 @@ dq8_status dq8_skin_dual_interleaved_f64(const struct dq8_skin_f64 *skin,
                                          size_t vertices);
 
 /**
- * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of
- * `motions`, the palette, normalized, each with the sign that turns it toward that of
- * the greatest weight. Twists keep their volume.
+ * Poses a mesh by dual quaternion blends, otherwise like dq8_skin_linear. Each vertex
+ * moves by the normalized weighted sum of `motions`, the palette, each with the sign
+ * that turns it toward the one with the greatest weight. Twisted joints keep their
+ * volume.
  */
 dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
                              const double *motions,
@@ -2539,12 +2673,13 @@ dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
                              size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_stretched_interleaved_f64(const struct dq8_skin_f64 *skin,
                                               const double *motions,
@@ -2557,9 +2692,9 @@ dq8_status dq8_skin_stretched_interleaved_f64(const struct dq8_skin_f64 *skin,
                                               size_t vertices);
 
 /**
- * As dq8_skin_dual where joints scale or shear: before the motions come the weighted
- * sums of `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes
- * both.
+ * Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual. Each vertex
+ * is stretched by the weighted sum of `stretches`, matrices of twelve numbers per
+ * joint, before it moves. dq8_skin_split makes both palettes.
  */
 dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   const double *motions,
@@ -2574,12 +2709,13 @@ dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   size_t vertices);
 
 /**
- * As without _interleaved, of vertices that are records of several fields, such as the
- * vertex buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the
- * two `dq8_vertex_fields` say where its position is, and its normal and tangent. Both
- * buffers have the same fields, or it is DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a
- * field lies beyond its vertex or in another one. Everything else in `posed` is left
- * alone.
+ * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
+ * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
+ * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ *
+ * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
+ * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
+ * another.
  */
 dq8_status dq8_skin_mixed_interleaved_f64(const struct dq8_skin_f64 *skin,
                                           const double *matrices,
@@ -2593,9 +2729,10 @@ dq8_status dq8_skin_mixed_interleaved_f64(const struct dq8_skin_f64 *skin,
                                           size_t vertices);
 
 /**
- * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge
- * of the second at bent joints: (1 − s) times the first and s times the second, s
- * from `shares`. DQ8_STATUS_SHARE if one is not in [0, 1].
+ * Poses a mesh by dq8_skin_linear and dq8_skin_dual, and mixes the two with a share s
+ * per vertex: (1 - s) times the first and s times the second. This is against the
+ * bulge of dual quaternion blends at bent joints. `shares` holds a number per vertex.
+ * Returns DQ8_STATUS_SHARE if one is not in [0, 1].
  */
 dq8_status dq8_skin_mixed_f64(const struct dq8_skin_f64 *skin,
                               const double *matrices,
@@ -2760,12 +2897,12 @@ dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float 
 dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
 
 /**
- * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
+ * Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
  */
 dq8_status dq8_points_f32(const float *motion, const float *points, float *out, size_t count);
 
 /**
- * dq8_points_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_points_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_points_f32(size_t lanes,
                                  const float *motion,
@@ -2774,13 +2911,13 @@ dq8_status dq8_blocks_points_f32(size_t lanes,
                                  size_t count);
 
 /**
- * `vectors`, three numbers each, turned by the one unit `motion`: directions do not
+ * Turns `vectors`, three numbers each, by one unit `motion`: directions do not
  * translate. `out` may be `vectors`.
  */
 dq8_status dq8_vectors_f32(const float *motion, const float *vectors, float *out, size_t count);
 
 /**
- * dq8_vectors_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_vectors_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_vectors_f32(size_t lanes,
                                   const float *motion,
@@ -2789,13 +2926,13 @@ dq8_status dq8_blocks_vectors_f32(size_t lanes,
                                   size_t count);
 
 /**
- * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
- * enum dq8_matrix_order.
+ * Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
+ * one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
 /**
- * dq8_matrices_3x4_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_matrices_3x4_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_matrices_3x4_f32(size_t lanes,
                                        const float *motions,
@@ -2804,13 +2941,13 @@ dq8_status dq8_blocks_matrices_3x4_f32(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
- * is one of enum dq8_matrix_order.
+ * Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
+ * each, in `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
 /**
- * dq8_matrices_4x4_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_matrices_4x4_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_matrices_4x4_f32(size_t lanes,
                                        const float *motions,
@@ -2819,7 +2956,7 @@ dq8_status dq8_blocks_matrices_4x4_f32(size_t lanes,
                                        size_t count);
 
 /**
- * dq8_mul_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_mul_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_mul_f32(size_t lanes,
                               const float *a,
@@ -2828,22 +2965,22 @@ dq8_status dq8_blocks_mul_f32(size_t lanes,
                               size_t count);
 
 /**
- * dq8_normalize_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_normalize_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_normalize_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
- * dq8_inverse_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_inverse_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
- * dq8_conjugate_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_conjugate_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
- * dq8_nlerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_nlerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_nlerp_f32(size_t lanes,
                                 const float *a,
@@ -2853,7 +2990,7 @@ dq8_status dq8_blocks_nlerp_f32(size_t lanes,
                                 size_t count);
 
 /**
- * dq8_nlerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_nlerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
                                      const float *a,
@@ -2863,7 +3000,7 @@ dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
                                      size_t count);
 
 /**
- * dq8_sclerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_sclerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_sclerp_f32(size_t lanes,
                                  const float *a,
@@ -2873,7 +3010,7 @@ dq8_status dq8_blocks_sclerp_f32(size_t lanes,
                                  size_t count);
 
 /**
- * dq8_sclerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_sclerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_sclerp_each_f32(size_t lanes,
                                       const float *a,
@@ -2883,7 +3020,7 @@ dq8_status dq8_blocks_sclerp_each_f32(size_t lanes,
                                       size_t count);
 
 /**
- * dq8_slerp_lerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_slerp_lerp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_slerp_lerp_f32(size_t lanes,
                                      const float *a,
@@ -2893,7 +3030,7 @@ dq8_status dq8_blocks_slerp_lerp_f32(size_t lanes,
                                      size_t count);
 
 /**
- * dq8_slerp_lerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_slerp_lerp_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_slerp_lerp_each_f32(size_t lanes,
                                           const float *a,
@@ -2903,7 +3040,7 @@ dq8_status dq8_blocks_slerp_lerp_each_f32(size_t lanes,
                                           size_t count);
 
 /**
- * dq8_pow_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_pow_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_pow_each_f32(size_t lanes,
                                    const float *motions,
@@ -2912,17 +3049,17 @@ dq8_status dq8_blocks_pow_each_f32(size_t lanes,
                                    size_t count);
 
 /**
- * dq8_exp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_exp_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_exp_f32(size_t lanes, const float *logs, float *out, size_t count);
 
 /**
- * dq8_from_twist_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_from_twist_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_from_twist_f32(size_t lanes, const float *twists, float *out, size_t count);
 
 /**
- * dq8_integrate_body_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_integrate_body_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
                                          const float *motions,
@@ -2932,17 +3069,17 @@ dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
                                          size_t count);
 
 /**
- * dq8_log_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_log_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_log_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
- * dq8_to_twist_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_to_twist_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_to_twist_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
- * dq8_angles_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_angles_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_angles_f32(size_t lanes,
                                  const float *a,
@@ -2951,7 +3088,7 @@ dq8_status dq8_blocks_angles_f32(size_t lanes,
                                  size_t count);
 
 /**
- * dq8_distances_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_distances_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_distances_f32(size_t lanes,
                                     const float *a,
@@ -2960,7 +3097,7 @@ dq8_status dq8_blocks_distances_f32(size_t lanes,
                                     size_t count);
 
 /**
- * dq8_points_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_points_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_points_each_f32(size_t lanes,
                                       const float *motions,
@@ -2969,7 +3106,7 @@ dq8_status dq8_blocks_points_each_f32(size_t lanes,
                                       size_t count);
 
 /**
- * dq8_vectors_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_vectors_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
                                        const float *motions,
@@ -2978,7 +3115,7 @@ dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
                                        size_t count);
 
 /**
- * dq8_lines_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_lines_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_lines_each_f32(size_t lanes,
                                      const float *motions,
@@ -2987,7 +3124,7 @@ dq8_status dq8_blocks_lines_each_f32(size_t lanes,
                                      size_t count);
 
 /**
- * dq8_planes_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_planes_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_planes_each_f32(size_t lanes,
                                       const float *motions,
@@ -2996,7 +3133,7 @@ dq8_status dq8_blocks_planes_each_f32(size_t lanes,
                                       size_t count);
 
 /**
- * dq8_twists_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ * Does what dq8_twists_each_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_twists_each_f32(size_t lanes,
                                       const float *motions,
@@ -3170,12 +3307,12 @@ dq8_status dq8_twists_each_f64(const double *motions,
                                size_t count);
 
 /**
- * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
+ * Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
  */
 dq8_status dq8_points_f64(const double *motion, const double *points, double *out, size_t count);
 
 /**
- * dq8_points_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_points_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_points_f64(size_t lanes,
                                  const double *motion,
@@ -3184,13 +3321,13 @@ dq8_status dq8_blocks_points_f64(size_t lanes,
                                  size_t count);
 
 /**
- * `vectors`, three numbers each, turned by the one unit `motion`: directions do not
+ * Turns `vectors`, three numbers each, by one unit `motion`: directions do not
  * translate. `out` may be `vectors`.
  */
 dq8_status dq8_vectors_f64(const double *motion, const double *vectors, double *out, size_t count);
 
 /**
- * dq8_vectors_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_vectors_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_vectors_f64(size_t lanes,
                                   const double *motion,
@@ -3199,13 +3336,13 @@ dq8_status dq8_blocks_vectors_f64(size_t lanes,
                                   size_t count);
 
 /**
- * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
- * enum dq8_matrix_order.
+ * Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
+ * one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
 /**
- * dq8_matrices_3x4_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_matrices_3x4_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_matrices_3x4_f64(size_t lanes,
                                        const double *motions,
@@ -3214,13 +3351,13 @@ dq8_status dq8_blocks_matrices_3x4_f64(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
- * is one of enum dq8_matrix_order.
+ * Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
+ * each, in `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
 /**
- * dq8_matrices_4x4_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_matrices_4x4_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
                                        const double *motions,
@@ -3229,7 +3366,7 @@ dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
                                        size_t count);
 
 /**
- * dq8_mul_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_mul_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_mul_f64(size_t lanes,
                               const double *a,
@@ -3238,22 +3375,22 @@ dq8_status dq8_blocks_mul_f64(size_t lanes,
                               size_t count);
 
 /**
- * dq8_normalize_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_normalize_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_normalize_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
- * dq8_inverse_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_inverse_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
- * dq8_conjugate_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_conjugate_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
- * dq8_nlerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_nlerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_nlerp_f64(size_t lanes,
                                 const double *a,
@@ -3263,7 +3400,7 @@ dq8_status dq8_blocks_nlerp_f64(size_t lanes,
                                 size_t count);
 
 /**
- * dq8_nlerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_nlerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
                                      const double *a,
@@ -3273,7 +3410,7 @@ dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
                                      size_t count);
 
 /**
- * dq8_sclerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_sclerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_sclerp_f64(size_t lanes,
                                  const double *a,
@@ -3283,7 +3420,7 @@ dq8_status dq8_blocks_sclerp_f64(size_t lanes,
                                  size_t count);
 
 /**
- * dq8_sclerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_sclerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_sclerp_each_f64(size_t lanes,
                                       const double *a,
@@ -3293,7 +3430,7 @@ dq8_status dq8_blocks_sclerp_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * dq8_slerp_lerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_slerp_lerp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_slerp_lerp_f64(size_t lanes,
                                      const double *a,
@@ -3303,7 +3440,7 @@ dq8_status dq8_blocks_slerp_lerp_f64(size_t lanes,
                                      size_t count);
 
 /**
- * dq8_slerp_lerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_slerp_lerp_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_slerp_lerp_each_f64(size_t lanes,
                                           const double *a,
@@ -3313,7 +3450,7 @@ dq8_status dq8_blocks_slerp_lerp_each_f64(size_t lanes,
                                           size_t count);
 
 /**
- * dq8_pow_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_pow_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_pow_each_f64(size_t lanes,
                                    const double *motions,
@@ -3322,17 +3459,17 @@ dq8_status dq8_blocks_pow_each_f64(size_t lanes,
                                    size_t count);
 
 /**
- * dq8_exp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_exp_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_exp_f64(size_t lanes, const double *logs, double *out, size_t count);
 
 /**
- * dq8_from_twist_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_from_twist_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_from_twist_f64(size_t lanes, const double *twists, double *out, size_t count);
 
 /**
- * dq8_integrate_body_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_integrate_body_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
                                          const double *motions,
@@ -3342,17 +3479,17 @@ dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
                                          size_t count);
 
 /**
- * dq8_log_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_log_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_log_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
- * dq8_to_twist_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_to_twist_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_to_twist_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
- * dq8_angles_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_angles_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_angles_f64(size_t lanes,
                                  const double *a,
@@ -3361,7 +3498,7 @@ dq8_status dq8_blocks_angles_f64(size_t lanes,
                                  size_t count);
 
 /**
- * dq8_distances_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_distances_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_distances_f64(size_t lanes,
                                     const double *a,
@@ -3370,7 +3507,7 @@ dq8_status dq8_blocks_distances_f64(size_t lanes,
                                     size_t count);
 
 /**
- * dq8_points_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_points_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_points_each_f64(size_t lanes,
                                       const double *motions,
@@ -3379,7 +3516,7 @@ dq8_status dq8_blocks_points_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * dq8_vectors_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_vectors_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
                                        const double *motions,
@@ -3388,7 +3525,7 @@ dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
                                        size_t count);
 
 /**
- * dq8_lines_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_lines_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_lines_each_f64(size_t lanes,
                                      const double *motions,
@@ -3397,7 +3534,7 @@ dq8_status dq8_blocks_lines_each_f64(size_t lanes,
                                      size_t count);
 
 /**
- * dq8_planes_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_planes_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_planes_each_f64(size_t lanes,
                                       const double *motions,
@@ -3406,7 +3543,7 @@ dq8_status dq8_blocks_planes_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * dq8_twists_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ * Does what dq8_twists_each_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
  */
 dq8_status dq8_blocks_twists_each_f64(size_t lanes,
                                       const double *motions,
@@ -3415,29 +3552,29 @@ dq8_status dq8_blocks_twists_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * What a status means, in English: text that lives as long as the program. A number that is no
- * status has a text too, which says so.
+ * Returns the meaning of a status in English. The text lives as long as the program. A number that
+ * is no status has a text too, which says so.
  */
 const char *dq8_status_text(int32_t status);
 
 /**
- * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the
- * number of targets; for one mechanism always the same. DQ8_STATUS_TOO_LARGE for more
- * than 1024 goals.
+ * Writes the size in numbers that `scratch` of dq8_reach must have. It depends on the
+ * mechanism and the number of goals only, and not on the number of configurations.
+ * Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
  */
 dq8_status dq8_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
                                  size_t goal_count,
                                  size_t *scratch_count);
 
 /**
- * dq8_mechanism_reach for `count` configurations, as many at a time as there are
- * lanes: `targets` are `[configuration][goal]`, `values`, `value_count` in all,
- * `[configuration][value]`, and there is a report for each. Goals, posture and options
- * are the same for all.
+ * Solves the inverse kinematics of `count` configurations, several at a time on lanes,
+ * otherwise like dq8_mechanism_reach. `targets` is `[configuration][goal]`. `values`
+ * is `[configuration][value]` and holds `value_count` numbers in all. `reports` holds
+ * one report per configuration. Goals, posture and options are the same for all.
  *
- * The result of one does not depend on the others: threads may each have a part of the
- * configurations, with scratch of their own, as many numbers as dq8_reach_scratch
- * says. Errors are those of dq8_mechanism_reach.
+ * The result of a configuration does not depend on the others, so threads may each
+ * compute a part of them. Each thread needs scratch of its own, of the size that
+ * dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
  */
 dq8_status dq8_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                          const struct dq8_goal_f32 *goals,
@@ -3453,23 +3590,23 @@ dq8_status dq8_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                          size_t count);
 
 /**
- * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the
- * number of targets; for one mechanism always the same. DQ8_STATUS_TOO_LARGE for more
- * than 1024 goals.
+ * Writes the size in numbers that `scratch` of dq8_reach must have. It depends on the
+ * mechanism and the number of goals only, and not on the number of configurations.
+ * Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
  */
 dq8_status dq8_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
                                  size_t goal_count,
                                  size_t *scratch_count);
 
 /**
- * dq8_mechanism_reach for `count` configurations, as many at a time as there are
- * lanes: `targets` are `[configuration][goal]`, `values`, `value_count` in all,
- * `[configuration][value]`, and there is a report for each. Goals, posture and options
- * are the same for all.
+ * Solves the inverse kinematics of `count` configurations, several at a time on lanes,
+ * otherwise like dq8_mechanism_reach. `targets` is `[configuration][goal]`. `values`
+ * is `[configuration][value]` and holds `value_count` numbers in all. `reports` holds
+ * one report per configuration. Goals, posture and options are the same for all.
  *
- * The result of one does not depend on the others: threads may each have a part of the
- * configurations, with scratch of their own, as many numbers as dq8_reach_scratch
- * says. Errors are those of dq8_mechanism_reach.
+ * The result of a configuration does not depend on the others, so threads may each
+ * compute a part of them. Each thread needs scratch of its own, of the size that
+ * dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
  */
 dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                          const struct dq8_goal_f64 *goals,
@@ -3485,14 +3622,14 @@ dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                          size_t count);
 
 /**
- * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at
- * the times `at`, `count` of them as of `out`: along one screw from each pose to the
- * next, by the shorter way. Before the first pose it is that one, and behind the last
- * one that.
+ * Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
+ * times and the unit poses at these. `at` holds `count` times, and `out` gets the
+ * poses there: along one screw from each pose to the next, by the shorter way. Before
+ * the first time it is the first pose, and after the last time the last one.
  *
- * DQ8_STATUS_TIMES if a time is not later than the one before or not finite,
- * DQ8_STATUS_NOT_FINITE if one to sample at is NaN; `bad_time`, which may be null, is
- * set to it. DQ8_STATUS_LENGTH if there is no pose.
+ * Returns DQ8_STATUS_TIMES if one of `times` is not later than the one before or not
+ * finite, and DQ8_STATUS_NOT_FINITE if one of `at` is NaN, and sets `bad_time`, which
+ * may be null, to its index. Returns DQ8_STATUS_LENGTH if there is no pose.
  */
 dq8_status dq8_resample_f32(const float *times,
                             const float *poses,
@@ -3503,14 +3640,94 @@ dq8_status dq8_resample_f32(const float *times,
                             size_t *bad_time);
 
 /**
- * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at
- * the times `at`, `count` of them as of `out`: along one screw from each pose to the
- * next, by the shorter way. Before the first pose it is that one, and behind the last
- * one that.
+ * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
+ * `twists`, which may be null: the velocities there for one second, in the frame of
+ * the body, angular first. The trajectory has `pose_count` unit `poses` at rising
+ * `stamps` in seconds, and goes along one screw from each to the next, by the shorter
+ * way. `options` may be null: times are seconds, results are in the world, and the
+ * body stands before the first stamp and after the last one.
  *
- * DQ8_STATUS_TIMES if a time is not later than the one before or not finite,
- * DQ8_STATUS_NOT_FINITE if one to sample at is NaN; `bad_time`, which may be null, is
- * set to it. DQ8_STATUS_LENGTH if there is no pose.
+ * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
+ * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
+ * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
+ * where the body is to go on. NaN makes NaN of its pose.
+ */
+dq8_status dq8_trajectory_sample_f32(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     float *out,
+                                     float *twists,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * Points, x y z, that the body of a trajectory measured, each at its own time: moved
+ * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
+ * as if it had been measured at one moment. Trajectory, options and errors are those
+ * of dq8_trajectory_sample.
+ */
+dq8_status dq8_trajectory_deskew_f32(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     const float *points,
+                                     float *moved,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
+ * measured them, each at its own time.
+ */
+dq8_status dq8_trajectory_skew_f32(const double *stamps,
+                                   const double *poses,
+                                   size_t pose_count,
+                                   const struct dq8_trajectory_options *options,
+                                   const double *times,
+                                   const float *points,
+                                   float *moved,
+                                   size_t count,
+                                   size_t *bad_time);
+
+/**
+ * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
+ * null, of `twists` and `accelerations`: velocities for one second in the frame of the
+ * body, angular first, and how fast they change. The spline has `control_count` unit
+ * control poses, four or more: number k at the time start + every * (k - 1), in
+ * seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
+ * and Rom, which goes through all but the first and the last. Options are those of
+ * dq8_trajectory_sample.
+ *
+ * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
+ * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
+ * be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
+ * than four.
+ */
+dq8_status dq8_spline_poses_f32(const double *control,
+                                size_t control_count,
+                                double start,
+                                double every,
+                                int32_t basis,
+                                const struct dq8_trajectory_options *options,
+                                const double *times,
+                                float *out,
+                                float *twists,
+                                float *accelerations,
+                                size_t count,
+                                size_t *bad_index);
+
+/**
+ * Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
+ * times and the unit poses at these. `at` holds `count` times, and `out` gets the
+ * poses there: along one screw from each pose to the next, by the shorter way. Before
+ * the first time it is the first pose, and after the last time the last one.
+ *
+ * Returns DQ8_STATUS_TIMES if one of `times` is not later than the one before or not
+ * finite, and DQ8_STATUS_NOT_FINITE if one of `at` is NaN, and sets `bad_time`, which
+ * may be null, to its index. Returns DQ8_STATUS_LENGTH if there is no pose.
  */
 dq8_status dq8_resample_f64(const double *times,
                             const double *poses,
@@ -3520,7 +3737,87 @@ dq8_status dq8_resample_f64(const double *times,
                             size_t count,
                             size_t *bad_time);
 
-/* A joint of this kind, and nothing that it mimics or that limits it. */
+/**
+ * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
+ * `twists`, which may be null: the velocities there for one second, in the frame of
+ * the body, angular first. The trajectory has `pose_count` unit `poses` at rising
+ * `stamps` in seconds, and goes along one screw from each to the next, by the shorter
+ * way. `options` may be null: times are seconds, results are in the world, and the
+ * body stands before the first stamp and after the last one.
+ *
+ * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
+ * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
+ * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
+ * where the body is to go on. NaN makes NaN of its pose.
+ */
+dq8_status dq8_trajectory_sample_f64(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     double *out,
+                                     double *twists,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * Points, x y z, that the body of a trajectory measured, each at its own time: moved
+ * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
+ * as if it had been measured at one moment. Trajectory, options and errors are those
+ * of dq8_trajectory_sample.
+ */
+dq8_status dq8_trajectory_deskew_f64(const double *stamps,
+                                     const double *poses,
+                                     size_t pose_count,
+                                     const struct dq8_trajectory_options *options,
+                                     const double *times,
+                                     const double *points,
+                                     double *moved,
+                                     size_t count,
+                                     size_t *bad_time);
+
+/**
+ * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
+ * measured them, each at its own time.
+ */
+dq8_status dq8_trajectory_skew_f64(const double *stamps,
+                                   const double *poses,
+                                   size_t pose_count,
+                                   const struct dq8_trajectory_options *options,
+                                   const double *times,
+                                   const double *points,
+                                   double *moved,
+                                   size_t count,
+                                   size_t *bad_time);
+
+/**
+ * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
+ * null, of `twists` and `accelerations`: velocities for one second in the frame of the
+ * body, angular first, and how fast they change. The spline has `control_count` unit
+ * control poses, four or more: number k at the time start + every * (k - 1), in
+ * seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
+ * and Rom, which goes through all but the first and the last. Options are those of
+ * dq8_trajectory_sample.
+ *
+ * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
+ * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
+ * be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
+ * than four.
+ */
+dq8_status dq8_spline_poses_f64(const double *control,
+                                size_t control_count,
+                                double start,
+                                double every,
+                                int32_t basis,
+                                const struct dq8_trajectory_options *options,
+                                const double *times,
+                                double *out,
+                                double *twists,
+                                double *accelerations,
+                                size_t count,
+                                size_t *bad_index);
+
+/* A joint of this kind, which mimics no other and has no limits. */
 static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, const float *placement, const float *axis)
 {
   dq8_joint_f32 joint;
@@ -3541,7 +3838,7 @@ static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, 
 }
 
 /**
- * A joint that does not move. `placement` may be null: none.
+ * Returns a joint that does not move. `placement` may be null for the identity.
  */
 static inline dq8_joint_f32 dq8_joint_fixed_f32(int32_t parent, const float *placement)
 {
@@ -3550,7 +3847,7 @@ static inline dq8_joint_f32 dq8_joint_fixed_f32(int32_t parent, const float *pla
 }
 
 /**
- * A joint that turns about `axis`. `placement` may be null: none.
+ * Returns a joint that turns about `axis`. `placement` may be null for the identity.
  */
 static inline dq8_joint_f32 dq8_joint_revolute_f32(int32_t parent, const float *placement, const float *axis)
 {
@@ -3559,7 +3856,7 @@ static inline dq8_joint_f32 dq8_joint_revolute_f32(int32_t parent, const float *
 }
 
 /**
- * A joint that slides along `axis`. `placement` may be null: none.
+ * Returns a joint that slides along `axis`. `placement` may be null for the identity.
  */
 static inline dq8_joint_f32 dq8_joint_prismatic_f32(int32_t parent, const float *placement, const float *axis)
 {
@@ -3568,7 +3865,7 @@ static inline dq8_joint_f32 dq8_joint_prismatic_f32(int32_t parent, const float 
 }
 
 /**
- * A joint that turns about `axis` and slides along it, `pitch` for each radian. `placement` may be null: none.
+ * Returns a joint that turns about `axis` and slides along it by `pitch` per radian. `placement` may be null for the identity.
  */
 static inline dq8_joint_f32 dq8_joint_screw_f32(int32_t parent, const float *placement, const float *axis, float pitch)
 {
@@ -3578,7 +3875,7 @@ static inline dq8_joint_f32 dq8_joint_screw_f32(int32_t parent, const float *pla
 }
 
 /**
- * A joint that slides in the plane across `axis`, and turns about it. `placement` may be null: none.
+ * Returns a joint that slides at right angles to `axis` and turns about it. `placement` may be null for the identity.
  */
 static inline dq8_joint_f32 dq8_joint_planar_f32(int32_t parent, const float *placement, const float *axis)
 {
@@ -3587,7 +3884,7 @@ static inline dq8_joint_f32 dq8_joint_planar_f32(int32_t parent, const float *pl
 }
 
 /**
- * A joint that moves freely. `placement` may be null: none.
+ * Returns a joint that moves freely. `placement` may be null for the identity.
  */
 static inline dq8_joint_f32 dq8_joint_floating_f32(int32_t parent, const float *placement)
 {
@@ -3595,7 +3892,7 @@ static inline dq8_joint_f32 dq8_joint_floating_f32(int32_t parent, const float *
   return joint;
 }
 
-/* A joint of this kind, and nothing that it mimics or that limits it. */
+/* A joint of this kind, which mimics no other and has no limits. */
 static inline dq8_joint_f64 dq8_joint_of_kind_f64(int32_t kind, int32_t parent, const double *placement, const double *axis)
 {
   dq8_joint_f64 joint;
@@ -3616,7 +3913,7 @@ static inline dq8_joint_f64 dq8_joint_of_kind_f64(int32_t kind, int32_t parent, 
 }
 
 /**
- * A joint that does not move. `placement` may be null: none.
+ * Returns a joint that does not move. `placement` may be null for the identity.
  */
 static inline dq8_joint_f64 dq8_joint_fixed_f64(int32_t parent, const double *placement)
 {
@@ -3625,7 +3922,7 @@ static inline dq8_joint_f64 dq8_joint_fixed_f64(int32_t parent, const double *pl
 }
 
 /**
- * A joint that turns about `axis`. `placement` may be null: none.
+ * Returns a joint that turns about `axis`. `placement` may be null for the identity.
  */
 static inline dq8_joint_f64 dq8_joint_revolute_f64(int32_t parent, const double *placement, const double *axis)
 {
@@ -3634,7 +3931,7 @@ static inline dq8_joint_f64 dq8_joint_revolute_f64(int32_t parent, const double 
 }
 
 /**
- * A joint that slides along `axis`. `placement` may be null: none.
+ * Returns a joint that slides along `axis`. `placement` may be null for the identity.
  */
 static inline dq8_joint_f64 dq8_joint_prismatic_f64(int32_t parent, const double *placement, const double *axis)
 {
@@ -3643,7 +3940,7 @@ static inline dq8_joint_f64 dq8_joint_prismatic_f64(int32_t parent, const double
 }
 
 /**
- * A joint that turns about `axis` and slides along it, `pitch` for each radian. `placement` may be null: none.
+ * Returns a joint that turns about `axis` and slides along it by `pitch` per radian. `placement` may be null for the identity.
  */
 static inline dq8_joint_f64 dq8_joint_screw_f64(int32_t parent, const double *placement, const double *axis, double pitch)
 {
@@ -3653,7 +3950,7 @@ static inline dq8_joint_f64 dq8_joint_screw_f64(int32_t parent, const double *pl
 }
 
 /**
- * A joint that slides in the plane across `axis`, and turns about it. `placement` may be null: none.
+ * Returns a joint that slides at right angles to `axis` and turns about it. `placement` may be null for the identity.
  */
 static inline dq8_joint_f64 dq8_joint_planar_f64(int32_t parent, const double *placement, const double *axis)
 {
@@ -3662,7 +3959,7 @@ static inline dq8_joint_f64 dq8_joint_planar_f64(int32_t parent, const double *p
 }
 
 /**
- * A joint that moves freely. `placement` may be null: none.
+ * Returns a joint that moves freely. `placement` may be null for the identity.
  */
 static inline dq8_joint_f64 dq8_joint_floating_f64(int32_t parent, const double *placement)
 {

@@ -1,7 +1,7 @@
 /*
- * dq8 for C++17: arrays are anything with data() and size() (vectors, arrays, std::span, dq8::span), float or double by what is
- * written to; lengths are checked here, and whatever dq8.h refuses is thrown. Nouns own the memory that dq8.h leaves to you.
- * Formulas and conventions: dq8.h.
+ * dq8 for C++17. An array is anything with data() and size(): a vector, an array, std::span, dq8::span. The output decides
+ * between float and double. Lengths are checked here, and every error of dq8.h is thrown. Classes own the memory that dq8.h
+ * leaves to you. dq8.h has the formulas and conventions.
  */
 #ifndef DQ8_HPP
 #define DQ8_HPP
@@ -19,7 +19,7 @@
 
 namespace dq8 {
 
-/* A status that is not DQ8_STATUS_OK; `index` is the joint, vertex or time that is wrong, if the function names one. */
+/* A status that is not DQ8_STATUS_OK. `index` is the wrong joint, vertex or time, if the function tells. */
 struct error : std::runtime_error {
   dq8_status status;
   std::size_t index;
@@ -27,7 +27,7 @@ struct error : std::runtime_error {
       : std::runtime_error(dq8_status_text(status)), status(status), index(index) {}
 };
 
-/* Numbers that somebody else owns: std::span, where there is none. */
+/* A view of numbers that something else owns, for compilers without std::span. */
 template <class T>
 class span {
  public:
@@ -46,7 +46,7 @@ class span {
   std::size_t size_ = 0;
 };
 
-/* px py pz pw qx qy qz qw. */
+/* A motion: px py pz pw qx qy qz qw. */
 template <class T>
 using motion = std::array<T, 8>;
 
@@ -55,7 +55,7 @@ namespace detail {
 inline void check(dq8_status status, std::size_t index = SIZE_MAX) {
   if (status != DQ8_STATUS_OK) throw error(status, index);
 }
-/* How many things of `each` numbers there are, all of them whole. */
+/* The number of things of `each` numbers. Throws if the last one is incomplete. */
 inline std::size_t things(std::size_t size, std::size_t each) {
   if (size % each != 0) throw error(DQ8_STATUS_LENGTH);
   return size / each;
@@ -67,7 +67,7 @@ inline void same(std::size_t size, std::size_t as) {
 template <class Range>
 using number = std::remove_reference_t<decltype(*std::data(std::declval<Range &>()))>;
 
-/* The functions of dq8.h for a number. */
+/* The functions of dq8.h for a number type. */
 template <class T>
 struct abi;
 
@@ -107,7 +107,7 @@ DQ8_ABI(float, f32)
 DQ8_ABI(double, f64)
 #undef DQ8_ABI
 
-/* Motions from as many others. */
+/* Calls a function from an array of motions to as many. */
 template <class Function, class Motions, class Out>
 void from_one(Function function, const Motions &motions, Out &out) {
   using T = number<Out>;
@@ -116,7 +116,7 @@ void from_one(Function function, const Motions &motions, Out &out) {
   same(from.size(), to.size());
   check(function(from.data(), to.data(), things(to.size(), 8)));
 }
-/* From pairs of others, and one number more or none. */
+/* Calls a function from pairs of motions, and perhaps a number, to as many. */
 template <class Function, class A, class B, class Out, class... More>
 void from_two(Function function, const A &a, const B &b, Out &out, More... more) {
   using T = number<Out>;
@@ -134,31 +134,31 @@ void mul(const A &a, const B &b, Out &&out) {
   detail::from_two(detail::abi<detail::number<Out>>::mul, a, b, out);
 }
 
-/* out[i] = the unit motion beside motions[i]; `out` may be `motions`. */
+/* out[i] = motions[i], normalized. `out` may be `motions`. */
 template <class Motions, class Out>
 void normalize(const Motions &motions, Out &&out) {
   detail::from_one(detail::abi<detail::number<Out>>::normalize, motions, out);
 }
 
-/* out[i] = the inverse of motions[i]; `out` may be `motions`. */
+/* out[i] = the inverse of motions[i]. `out` may be `motions`. */
 template <class Motions, class Out>
 void inverse(const Motions &motions, Out &&out) {
   detail::from_one(detail::abi<detail::number<Out>>::inverse, motions, out);
 }
 
-/* From a[i] to b[i], t of the way: along one screw. */
+/* Interpolates from a[i] (t = 0) to b[i] (t = 1) along one screw. */
 template <class A, class B, class Out>
 void sclerp(const A &a, const B &b, detail::number<Out> t, Out &&out) {
   detail::from_two(detail::abi<detail::number<Out>>::sclerp, a, b, out, t);
 }
 
-/* The same by linear blends: quicker, and nearly at constant speed. */
+/* Interpolates by linear blends, which is quicker, and nearly at constant speed. */
 template <class A, class B, class Out>
 void nlerp(const A &a, const B &b, detail::number<Out> t, Out &&out) {
   detail::from_two(detail::abi<detail::number<Out>>::nlerp, a, b, out, t);
 }
 
-/* out[i] = points[i] moved by one motion, or each by its own if there are as many; `out` may be `points`. */
+/* Moves points by one motion, or each by its own if there are as many. `out` may be `points`. */
 template <class Motions, class Points, class Out>
 void points(const Motions &motions, const Points &points, Out &&out) {
   using T = detail::number<Out>;
@@ -174,7 +174,7 @@ void points(const Motions &motions, const Points &points, Out &&out) {
   }
 }
 
-/* The matrices [R | t], row after row, of unit motions. */
+/* Writes the matrices [R | t] of unit motions, row by row. */
 template <class Motions, class Out>
 void matrices_3x4(const Motions &motions, Out &&out) {
   using T = detail::number<Out>;
@@ -185,7 +185,7 @@ void matrices_3x4(const Motions &motions, Out &&out) {
   detail::check(detail::abi<T>::matrices_3x4(from.data(), DQ8_MATRIX_ORDER_ROWS, to.data(), count));
 }
 
-/* Poses at rising times, sampled at other times. */
+/* Samples poses at rising times at other times. */
 template <class Times, class Poses, class At, class Out>
 void resample(const Times &times, const Poses &poses, const At &at, Out &&out) {
   using T = detail::number<Out>;
@@ -198,7 +198,7 @@ void resample(const Times &times, const Poses &poses, const At &at, Out &&out) {
   detail::check(status, bad);
 }
 
-/* The intrinsic mean of motions, which weigh the same unless there are weights; whether it was found in `most` steps. */
+/* Computes the intrinsic mean of motions, with equal weights if none are given. Returns it, and true if `most` steps found it. */
 template <class Motions>
 auto mean(const Motions &motions, span<const std::remove_const_t<detail::number<Motions>>> weights = {},
           std::uint32_t most = 32) {
@@ -213,7 +213,7 @@ auto mean(const Motions &motions, span<const std::remove_const_t<detail::number<
   return std::pair(mean, converged == 1);
 }
 
-/* Poses of joints, of one or many skeletons, from the frames of their parents to that of the root; `models` may be `locals`. */
+/* Computes the model poses of one or many skeletons from local poses. `models` may be `locals`. */
 template <class Locals, class Models>
 void local_to_model(span<const std::int32_t> parents, const Locals &locals, Models &&models) {
   using T = detail::number<Models>;
@@ -224,7 +224,7 @@ void local_to_model(span<const std::int32_t> parents, const Locals &locals, Mode
                                                detail::things(to.size(), 8)));
 }
 
-/* The same, and palette[i] = models[i] * inverse_binds[joint]. */
+/* Computes model poses, and palette[i] = models[i] * inverse_binds[joint]. */
 template <class Locals, class Binds, class Models, class Palette>
 void palette(span<const std::int32_t> parents, const Locals &locals, const Binds &inverse_binds, Models &&models,
              Palette &&palette) {
@@ -236,7 +236,7 @@ void palette(span<const std::int32_t> parents, const Locals &locals, const Binds
                                         also.data(), detail::things(to.size(), 8)));
 }
 
-/* A robot: joints that have been checked once, in memory of its own. It may be moved, not copied. */
+/* A robot of joints that have been checked once. It owns its memory, and can be moved but not copied. */
 template <class T>
 class mechanism {
   using abi = detail::abi<T>;
@@ -244,7 +244,7 @@ class mechanism {
  public:
   using joint = typename abi::joint;
 
-  /* Throws an error whose index is the joint that is wrong. */
+  /* Throws an error whose index is the wrong joint. */
   explicit mechanism(span<const joint> joints) : steps_(joints.size()) {
     std::size_t bad = SIZE_MAX;
     const dq8_status status = abi::mechanism_make(joints.data(), joints.size(), steps_.data(), &made_, &bad);
@@ -257,7 +257,7 @@ class mechanism {
   std::size_t values() const { return made_.values; }
   std::size_t rates() const { return made_.rates; }
 
-  /* Poses of all links, of one or many configurations: [configuration][link] from [configuration][value]. */
+  /* Computes the poses of all links of one or many configurations: [configuration][link] from [configuration][value]. */
   void poses(span<const T> values, span<T> poses) const {
     detail::check(abi::link_poses(&made_, values.data(), values.size(), poses.data(), detail::things(poses.size(), 8)));
   }
@@ -266,7 +266,7 @@ class mechanism {
     detail::check(abi::link_pose(&made_, values.data(), values.size(), link, pose.data()));
     return pose;
   }
-  /* Columns of six numbers, a column a rate, and the pose of the link. */
+  /* Computes the Jacobian of a link, a column of six numbers for each rate, and the pose of the link. */
   motion<T> jacobian(span<const T> values, std::size_t link, span<T> columns,
                      std::int32_t frame = DQ8_FRAME_WORLD_ALIGNED) const {
     motion<T> pose;
@@ -277,8 +277,8 @@ class mechanism {
   using goal = typename abi::goal;
   using reach_options = typename abi::reach_options;
   using reach_report = typename abi::reach_report;
-  /* Inverse kinematics of one or many configurations: moves [configuration][value] until the links of the goals are at
-     [configuration][goal]. A report for each, which says whether they are. */
+  /* Solves the inverse kinematics of one or many configurations: moves `values`, [configuration][value], until the links of
+     the goals are at `targets`, [configuration][goal]. Returns a report for each configuration, with the outcome. */
   std::vector<reach_report> reach(span<const goal> goals, span<const T> targets, span<T> values,
                                   const reach_options *options = nullptr, span<const T> posture = {}) const {
     std::size_t room = 0;
@@ -297,13 +297,13 @@ class mechanism {
   typename abi::mechanism made_{};
 };
 
-/* Which joints move the vertices of a mesh, in memory of its own. It may be moved, not copied. */
+/* The joints and weights of the vertices of a mesh. It owns its memory, and can be moved but not copied. */
 template <class T>
 class skin {
   using abi = detail::abi<T>;
 
  public:
-  /* [vertex][influence], `influences` for each vertex. Throws an error whose index is the vertex that is wrong. */
+  /* Takes arrays [vertex][influence], `influences` for each vertex. Throws an error whose index is the wrong vertex. */
   skin(std::size_t joint_count, std::size_t influences, std::vector<std::uint16_t> joints, std::vector<T> weights)
       : joints_(std::move(joints)), weights_(std::move(weights)), joint_count_(joint_count) {
     std::size_t bad = SIZE_MAX;
@@ -316,9 +316,9 @@ class skin {
   skin(skin &&) = default;
   skin &operator=(skin &&) = default;
 
-  /* Positions of vertices by dual quaternion blends of the motions of a palette. */
+  /* Poses the positions of vertices by dual quaternion blends of the motions of a palette. */
   void dual(span<const T> palette, span<const T> rest, span<T> posed) const { pose(abi::skin_dual, 8, palette, rest, posed); }
-  /* Positions of vertices by linear blends of the 3x4 matrices of a palette. */
+  /* Poses the positions of vertices by linear blends of the 3x4 matrices of a palette. */
   void linear(span<const T> palette, span<const T> rest, span<T> posed) const {
     pose(abi::skin_linear, 12, palette, rest, posed);
   }

@@ -273,6 +273,14 @@
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_reach)(mechanism, goals, goal_count, targets, posture, options, values, value_count, scratch, scratch_count, reports, count)
 #define dq8_resample(times, poses, pose_count, at, out, count, bad_time) \
   DQ8_OF_NUMBERS(out, dq8_resample)(times, poses, pose_count, at, out, count, bad_time)
+#define dq8_trajectory_sample(stamps, poses, pose_count, options, times, out, twists, count, bad_time) \
+  DQ8_OF_NUMBERS(twists, dq8_trajectory_sample)(stamps, poses, pose_count, options, times, out, twists, count, bad_time)
+#define dq8_trajectory_deskew(stamps, poses, pose_count, options, times, points, moved, count, bad_time) \
+  DQ8_OF_NUMBERS(moved, dq8_trajectory_deskew)(stamps, poses, pose_count, options, times, points, moved, count, bad_time)
+#define dq8_trajectory_skew(stamps, poses, pose_count, options, times, points, moved, count, bad_time) \
+  DQ8_OF_NUMBERS(moved, dq8_trajectory_skew)(stamps, poses, pose_count, options, times, points, moved, count, bad_time)
+#define dq8_spline_poses(control, control_count, start, every, basis, options, times, out, twists, accelerations, count, bad_index) \
+  DQ8_OF_NUMBERS(accelerations, dq8_spline_poses)(control, control_count, start, every, basis, options, times, out, twists, accelerations, count, bad_index)
 #define dq8_joint_fixed(parent, placement) \
   DQ8_OF_NUMBERS(placement, dq8_joint_fixed)(parent, placement)
 #define dq8_joint_revolute(parent, placement, axis) \

@@ -1,24 +1,26 @@
-//! Which instructions compute.
+//! The choice of instructions that compute.
 
 use crate::status::Status;
 use core::ffi::{CStr, c_char};
 use dq8::Backend;
 
-/// The instructions that kernels over arrays and blocks may use, in rising order.
+/// The instructions that functions of arrays and blocks may use, from the least to the most.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InstructionSet {
-    /// What the library was built for: SSE2 on x86-64, NEON on aarch64, none on a Cortex-M.
+    /// The instructions that the library was built for: SSE2 on x86-64, NEON on aarch64, no vectors
+    /// on a Cortex-M.
     Portable = 0,
     /// x86-64 with AVX2 and FMA.
     Avx2 = 1,
     /// x86-64 with AVX-512 F, VL and DQ.
     Avx512 = 2,
-    /// No limit. Newer versions may know more than the others above.
+    /// No limit. Newer versions of the library may have more levels than the ones above.
     Any = 255,
 }
 
-/// The name of what computes now, for logs: text that lives as long as the program.
+/// Returns the name of the instructions that compute now, for logs. The text lives as long as the
+/// program.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_backend_name() -> *const c_char {
     let best = Some(Backend::best());
@@ -36,10 +38,10 @@ pub extern "C" fn dq8_backend_name() -> *const c_char {
     name.as_ptr()
 }
 
-/// From now on, in all threads, nothing better than `most` computes: one of enum dq8_backend. What
-/// the CPU lacks is passed over, so a limit is always safe.
+/// Limits the instructions that compute, in all threads and from now on, to `most`, one of enum
+/// dq8_backend. Instructions that the CPU does not have are never used, so every limit is safe.
 ///
-/// DQ8_STATUS_UNKNOWN_VALUE if `most` is no backend; the limit stays as it was.
+/// Returns DQ8_STATUS_UNKNOWN_VALUE if `most` is none of them; the limit then stays as it was.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
     let all = [
@@ -57,12 +59,13 @@ pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
     }
 }
 
-/// From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5
-/// times the time: 1 if they have, 0 if not, as they begin. It goes with every limit. Functions of
-/// one motion have the same bits always.
+/// Makes the results of functions of arrays and blocks the same on every machine, bit by bit, in
+/// all threads and from now on. 1 switches this on, and then functions take 1.0 to 1.5 times as
+/// long. 0, the state at the start, switches it off. It works together with every limit. Functions
+/// of one motion always have the same bits.
 ///
-/// DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature
-/// `reproducible`; nothing changes.
+/// Returns DQ8_STATUS_UNKNOWN_VALUE if `reproducible` is neither 0 nor 1, or if it is 1 and the
+/// library was built without the feature `reproducible`; nothing changes then.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_set_reproducible(reproducible: i32) -> Status {
     match reproducible {

@@ -1,5 +1,5 @@
-//! Long chains: the product of all links up to each, plain, or in blocks with a segment in each
-//! lane.
+//! Long chains: for each link, the product of all links up to it. Blocks hold a segment of the
+//! chain in each lane.
 
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
@@ -9,9 +9,9 @@ kernel_or_in_place! { chain_products(links: 8) by chain_products, chain_products
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
-            /// `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast
-            /// where it has dozens of links. Blocks hold one chain, a segment in each lane, as
-            /// dq8_pack_chain writes them. `out` may be `links`.
+            /// Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
+            /// chain. This is fast if the chain has dozens of links. Blocks hold one chain, with a
+            /// segment in each lane, as dq8_pack_chain writes them. `out` may be `links`.
             chain_products, blocks_chain_products(links: *const $R, out: *mut $R)
         }
     };

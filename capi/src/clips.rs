@@ -1,7 +1,7 @@
-//! Packed clips: where an instance is in them, and its models.
+//! Packed clips: places in them, and the model poses at these places.
 
 use crate::memory::{Input, Output};
-use crate::span::{Span, apart};
+use crate::span::{Span, disjoint};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr;
@@ -9,21 +9,22 @@ use dq8::hierarchy::{PackedClips, PackedError, Sampled, TrackPlace};
 use dq8::law::NlerpLerp;
 use dq8::{DualQuat, Hierarchy, Scalar, hierarchy::Root};
 
-/// Clips of one skeleton, checked once. It may be copied and moved; the bytes that it was made of
-/// must stay where they are, as they are.
+/// Packed clips of one skeleton, made by dq8_clips_make. This struct may be copied and moved. The
+/// bytes that it was made of must stay where they are and must not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Clips {
-    /// How many joints the skeleton has. 0 in clips that have not been made, if they were zeroed.
+    /// The number of joints of the skeleton. It is 0 in a zeroed struct that no clips have been
+    /// made in.
     pub joints: usize,
-    /// How many clips there are.
+    /// The number of clips.
     pub clips: usize,
-    /// Not for you.
+    /// Private to the library.
     // A `Known`.
     opaque: [MaybeUninit<*const u8>; 13],
 }
 
-/// What C keeps, and where its bytes lie.
+/// The content of [`Clips`]: the clips, and the memory of their bytes.
 #[derive(Clone, Copy)]
 struct Known {
     clips: PackedClips<'static>,
@@ -32,23 +33,22 @@ struct Known {
 const _: () = assert!(size_of::<Known>() <= 13 * size_of::<*const ()>());
 const _: () = assert!(align_of::<Known>() <= align_of::<*const ()>());
 
-/// A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same
-/// clips.
+/// A frame of a clip, made by dq8_clips_place, for use with the same clips.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Place {
-    /// Not for you.
+    /// Private to the library.
     pub numbers: [u32; 6],
 }
 
-/// Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example
-/// mocap write. Reads all of them once.
+/// Makes `clips` of `length` bytes of a packed clip file, which the Rust package, the Python
+/// package and the example mocap write. It reads and checks all bytes once, and copies none.
 ///
-/// DQ8_STATUS_NOT_CLIPS if they are none; `bad_offset` is set to the first byte that is wrong, and
-/// may be null.
+/// Returns DQ8_STATUS_NOT_CLIPS if the bytes are no packed clips, and sets `bad_offset`, which may
+/// be null, to the offset of the first wrong byte.
 ///
 /// # Safety
-/// Arrays have the lengths named.
+/// Arrays must have the lengths that are named.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dq8_clips_make(
     bytes: *const u8,
@@ -56,29 +56,30 @@ pub unsafe extern "C" fn dq8_clips_make(
     clips: *mut Clips,
     bad_offset: *mut usize,
 ) -> Status {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     Status::of(unsafe { make(bytes, length, clips, bad_offset) })
 }
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::write`]; the bytes stay as they are.
+/// The same as for [`Input::slice`] and [`Output::write`], and the bytes must not change later.
 unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *mut usize) -> Done {
     let bytes = Input::<u8>::new(bytes, length)?;
     let (made, bad_offset) = (Output::<Clips>::new(clips, 1)?, Output::unless_null(bad_offset)?);
-    apart(&[made.span, bad_offset.span], &[bytes.span])?;
-    // SAFETY: promised; what is made lives as long as C keeps the bytes.
+    disjoint(&[made.span, bad_offset.span], &[bytes.span])?;
+    // SAFETY: the caller promises this; what is made lives as long as C keeps the bytes.
     let known = match PackedClips::from_bytes(unsafe { bytes.slice() }) {
         Ok(clips) => Known { clips, bytes: bytes.span },
         Err(error) => {
             if let PackedError::Bytes { offset, .. } = error {
-                // SAFETY: promised, and apart.
+                // SAFETY: the caller promises this, and the arrays are disjoint.
                 unsafe { bad_offset.write(offset) };
             }
             return Err(Status::NotClips);
         }
     };
     let opaque = [const { MaybeUninit::uninit() }; 13];
-    // SAFETY: promised, and apart; clips of the library fit, by the assertion.
+    // SAFETY: the caller promises this, and the arrays are disjoint; clips of the library fit, by
+    // the assertion.
     unsafe {
         made.write(Clips { joints: known.clips.joints(), clips: known.clips.clips(), opaque });
         ptr::addr_of_mut!((*clips).opaque).cast::<Known>().write(known);
@@ -87,7 +88,7 @@ unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *
 }
 
 /// # Safety
-/// The clips are zero, or have been made, and their bytes are as they were.
+/// The clips must be zeroed or made, and their bytes must be what they were then.
 unsafe fn known(clips: *const Clips) -> Result<(Known, Span), Status> {
     let span = Span::of(clips, 1)?;
     // SAFETY: neither null nor misaligned, by `Span::of`; if they have been made, their inside was
@@ -100,35 +101,35 @@ unsafe fn known(clips: *const Clips) -> Result<(Known, Span), Status> {
     }
 }
 
-/// The time from the first frame of a clip to the last: in seconds if the clip has a rate,
-/// otherwise in frames. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+/// Writes the time from the first frame of a clip to its last frame, in seconds if the clip has a
+/// rate, and in frames otherwise. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
 ///
 /// # Safety
-/// Arrays have the lengths named.
+/// Arrays must have the lengths that are named.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dq8_clips_duration(
     clips: *const Clips,
     clip: usize,
     duration: *mut f64,
 ) -> Status {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     Status::of(unsafe { write_duration(clips, clip, duration) })
 }
 
 /// # Safety
-/// As for [`known`] and [`Output::write`].
+/// The same as for [`known`] and [`Output::write`].
 unsafe fn write_duration(clips: *const Clips, clip: usize, duration: *mut f64) -> Done {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let duration = Output::<f64>::new(duration, 1)?;
-    apart(&[duration.span], &[span, bytes])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[duration.span], &[span, bytes])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe { duration.write(clips.duration(clip).ok_or(Status::UnknownValue)?) };
     Ok(())
 }
 
 /// # Safety
-/// As for [`known`] and [`Output::write`].
+/// The same as for [`known`] and [`Output::write`].
 unsafe fn place<R: Scalar>(
     clips: *const Clips,
     clip: usize,
@@ -136,12 +137,12 @@ unsafe fn place<R: Scalar>(
     place: *mut Place,
     t: *mut R,
 ) -> Done {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let (place, to) = (Output::<TrackPlace>::new(place, 1)?, Output::<R>::new(t, 1)?);
-    apart(&[place.span, to.span], &[span, bytes])?;
+    disjoint(&[place.span, to.span], &[span, bytes])?;
     let (found, t) = clips.place(clip, at).ok_or(Status::UnknownValue)?;
-    // SAFETY: promised, and apart.
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe {
         place.write(found);
         to.write(t);
@@ -150,7 +151,7 @@ unsafe fn place<R: Scalar>(
 }
 
 /// # Safety
-/// As for [`known`], [`Input::slice`] and [`Output::slice`].
+/// The same as for [`known`], [`Input::slice`] and [`Output::slice`].
 #[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
 unsafe fn to_model<R: Scalar>(
     parents: *const i32,
@@ -166,12 +167,12 @@ unsafe fn to_model<R: Scalar>(
     let root = Input::<DualQuat<R>>::unless_null(root)?;
     let (places, t) =
         (Input::<TrackPlace>::new(places, instances)?, Input::<R>::new(t, instances)?);
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let count = instances.checked_mul(joints).ok_or(Status::TooLarge)?;
     let models = Output::<DualQuat<R>>::new(models, count)?;
-    apart(&[models.span], &[parents.span, root.span, places.span, t.span, span, bytes])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[models.span], &[parents.span, root.span, places.span, t.span, span, bytes])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe {
         let root = root.slice().first().copied().map_or(Root::None, Root::Same);
         let hierarchy = Hierarchy::new(parents.slice())?;
@@ -183,19 +184,22 @@ unsafe fn to_model<R: Scalar>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// The frame of a clip before the time `at`, and how far it is from that frame to the
-            /// next, from 0 to 1. Times are seconds if the clip has a rate, and frames if it has
-            /// none. Before its first frame and after its last one a clip stays there, or is in
-            /// another round if it loops. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+            /// Finds the time `at` in a clip: writes the frame before it to `place`, and the
+            /// fraction of the way from that frame to the next, from 0 to 1, to `t`. Times are
+            /// seconds if the clip has a rate, and frames otherwise. A time before the first frame
+            /// or after the last one is at that frame, unless the clip loops. Returns
+            /// DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
             clips::place(
                 clips: *const Clips, clip: usize, at: $R, place: *mut Place, t: *mut $R,
             ) = super::place(clips, clip, at, place, t)
         }
         export_one! { $R
-            /// As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]`
-            /// to the next one: t is cut to [0, 1], and NaN makes models of NaN. `models` are
-            /// `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH if
-            /// the clips have another number of joints, or a place is one of other clips.
+            /// Computes the model poses of many instances that play packed clips, like
+            /// dq8_local_to_model. The local poses of instance i are at the fraction `t[i]` of the
+            /// way from the frame `places[i]` to the next one. `t` is clamped to [0, 1], and NaN
+            /// gives model poses of NaN. `models` is `[instance][joint]`, with `joint_count` times
+            /// `instances` motions. Returns DQ8_STATUS_LENGTH if the clips have another number of
+            /// joints, or if a place belongs to other clips.
             clips::to_model(
                 parents: *const i32, joint_count: usize, root: *const $R, clips: *const Clips,
                 places: *const Place, t: *const $R, instances: usize, models: *mut $R,

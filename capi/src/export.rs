@@ -1,14 +1,15 @@
-//! Macros that write the functions C sees.
+//! Macros that write the exported functions.
 
-/// The functions of a file for both number types, each with the lanes that its blocks may have.
+/// Exports the functions of a file for both number types, with the lanes that blocks of each may
+/// have.
 macro_rules! for_both_numbers {
     ($functions:ident) => {
-        /// The functions for `f32`, whose names in C end in `_f32`.
+        /// The functions for `f32`. Their names in C end in `_f32`.
         pub mod single {
             use super::*;
             $functions!(f32 [8 16]);
         }
-        /// The functions for `f64`, whose names in C end in `_f64`.
+        /// The functions for `f64`. Their names in C end in `_f64`.
         pub mod double {
             use super::*;
             $functions!(f64 [4 8]);
@@ -16,8 +17,8 @@ macro_rules! for_both_numbers {
     };
 }
 
-/// A function on plain arrays and its sibling on blocks, from the generic one of that name
-/// in the file, which has the layout as its type parameter.
+/// Exports a function of plain arrays and its sibling of blocks. Both call the function of the same
+/// name in the file, whose type parameter is the layout.
 macro_rules! export {
     (
         $R:ident [$few:literal $many:literal]
@@ -27,20 +28,21 @@ macro_rules! export {
         $(#[doc = $about])*
         ///
         /// # Safety
-        /// Arrays have the lengths named.
+        /// Arrays must have the lengths that are named.
         #[unsafe(export_name = concat!("dq8_", stringify!($plain), "_", stringify!($R)))]
         pub unsafe extern "C" fn $plain($($argument: $type,)* count: usize) -> Status {
-            // SAFETY: promised.
+            // SAFETY: the caller promises this.
             Status::of(unsafe { super::$plain::<Aos<$R>>($($argument,)* count) })
         }
 
         #[doc = concat!(
-            " dq8_", stringify!($plain), "_", stringify!($R), " on blocks of ", stringify!($few),
-            " or ", stringify!($many), " `lanes`; `count` is a number of blocks."
+            " Does what dq8_", stringify!($plain), "_", stringify!($R), " does, on blocks of ",
+            stringify!($few), " or ", stringify!($many),
+            " `lanes`. `count` is the number of blocks."
         )]
         ///
         /// # Safety
-        /// Arrays have the lengths named, in blocks.
+        /// Arrays must have the lengths that are named, in blocks.
         #[unsafe(export_name = concat!("dq8_", stringify!($blocks), "_", stringify!($R)))]
         pub unsafe extern "C" fn $blocks(
             lanes: usize,
@@ -48,9 +50,9 @@ macro_rules! export {
             count: usize,
         ) -> Status {
             Status::of(match lanes {
-                // SAFETY: promised.
+                // SAFETY: the caller promises this.
                 $few => unsafe { super::$plain::<AoSoA<[$R; $few]>>($($argument,)* count) },
-                // SAFETY: promised.
+                // SAFETY: the caller promises this.
                 $many => unsafe { super::$plain::<AoSoA<[$R; $many]>>($($argument,)* count) },
                 _ => Err(Status::Lanes),
             })
@@ -58,8 +60,8 @@ macro_rules! export {
     };
 }
 
-/// A function of which there is one form, whose body is what it returns inside; on one thing,
-/// `motion`, `mechanism` or `skin`, or on plain arrays.
+/// Exports a function that has only one form, for one motion, mechanism or skin, or for plain
+/// arrays. `$body` is a [`Done`](crate::status::Done).
 macro_rules! export_one {
     ($R:ident $(#[doc = $about:literal])* $thing:ident::$name:ident($($arguments:tt)*) = $body:expr) => {
         export_one! {
@@ -81,10 +83,11 @@ macro_rules! export_one {
         $(#[doc = $about])*
         ///
         /// # Safety
-        /// Arrays have the lengths named; mechanisms and skins are zero or have been made.
+        /// Arrays must have the lengths that are named, and mechanisms and skins must be zeroed or
+        /// made.
         #[unsafe(export_name = $export)]
         pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
-            // SAFETY: promised.
+            // SAFETY: the caller promises this.
             Status::of(unsafe { $body })
         }
     };

@@ -1,4 +1,4 @@
-//! Lines, planes and twists moved by one motion, and how far one motion is from another. Inputs are
+//! Lines, planes and twists moved by one motion, and the distance between two motions. Inputs are
 //! read before anything is written, so outputs may be inputs.
 
 use crate::memory::{one, two};
@@ -8,8 +8,8 @@ use dq8::{DualQuat, Line, Plane, Twist};
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// A line moved by a unit motion. It is six numbers: its direction, and its moment p x
-            /// direction of any point p on it (Plücker coordinates).
+            /// Moves a line by a unit motion. A line is six numbers, its Plücker coordinates: its
+            /// direction, and its moment, which is p x direction for any point p on it.
             motion::line(motion: *const $R, line: *const $R, out: *mut $R) =
                 two(motion, line, out, |motion: DualQuat<$R>, [direction, moment]: [[$R; 3]; 2]| {
                     let moved = motion.transform_line(Line { direction, moment });
@@ -17,8 +17,8 @@ macro_rules! functions {
                 })
         }
         export_one! { $R
-            /// A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of
-            /// any point p on it.
+            /// Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
+            /// dot product of n and any point on it.
             motion::plane(motion: *const $R, plane: *const $R, out: *mut $R) =
                 two(motion, plane, out, |motion: DualQuat<$R>, [x, y, z, offset]: [$R; 4]| {
                     let moved = motion.transform_plane(Plane { normal: [x, y, z], offset });
@@ -27,32 +27,32 @@ macro_rules! functions {
                 })
         }
         export_one! { $R
-            /// A twist, six numbers, angular part first, by the adjoint of a unit motion: a body
-            /// twist becomes the spatial one.
+            /// Applies the adjoint of a unit motion to a twist, which turns a body twist into the
+            /// spatial one. A twist is six numbers, the angular part first.
             motion::twist(motion: *const $R, twist: *const $R, out: *mut $R) =
                 two(motion, twist, out, |motion: DualQuat<$R>, twist: Twist<$R>| Ok(motion.adjoint(twist)))
         }
         export_one! { $R
-            /// The twist, six numbers, angular part first, that leads to a unit motion in one
-            /// second.
+            /// Writes the twist that leads to a unit motion in one second: six numbers, the angular
+            /// part first.
             motion::to_twist(motion: *const $R, twist: *mut $R) =
                 one(motion, twist, |motion: DualQuat<$R>| Ok(motion.to_twist()))
         }
         export_one! { $R
-            /// Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part
-            /// first.
+            /// Moves a unit motion on by a constant body twist for `dt` seconds. A twist is six
+            /// numbers, the angular part first.
             motion::integrate_body(motion: *const $R, twist: *const $R, dt: $R, out: *mut $R) =
                 two(motion, twist, out, |motion: DualQuat<$R>, twist: Twist<$R>| {
                     Ok(motion.integrate_body(twist, dt))
                 })
         }
         export_one! { $R
-            /// The angle between two unit motions, one number, radians in 0 to pi.
+            /// Writes the angle between two unit motions: one number in radians, from 0 to pi.
             motion::angle_to(a: *const $R, b: *const $R, angle: *mut $R) =
                 two(a, b, angle, |a: DualQuat<$R>, b: DualQuat<$R>| Ok(a.angle_to(b)))
         }
         export_one! { $R
-            /// The distance between the translations of two unit motions, one number.
+            /// Writes the distance between the translations of two unit motions: one number.
             motion::distance_to(a: *const $R, b: *const $R, distance: *mut $R) =
                 two(a, b, distance, |a: DualQuat<$R>, b: DualQuat<$R>| Ok(a.distance_to(b)))
         }

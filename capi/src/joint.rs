@@ -1,65 +1,68 @@
-//! [`Joint`]: a joint as C describes it.
+//! [`Joint`]: the description of a joint in C.
 
 use crate::status::Status;
 use dq8::{DualQuat, Real};
 use dq8_robot::MechanismError;
 
-/// How a joint moves, in its own frame.
+/// The motion of a joint, in its own frame.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointKind {
-    /// Not at all. No value.
+    /// The joint does not move. It has no value.
     Fixed = 0,
-    /// Turns about `axis`. One value, radians.
+    /// The joint turns about `axis`. It has one value, in radians.
     Revolute = 1,
-    /// Slides along `axis`. One value, a length.
+    /// The joint slides along `axis`. It has one value, a length.
     Prismatic = 2,
-    /// Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
+    /// The joint turns about `axis`, and slides along it by `pitch` for each radian. It has one
+    /// value, in radians.
     Screw = 3,
-    /// Slides in the plane across `axis`, then turns about it. Three values: x, y and the angle.
-    /// The axes of x and y are those of the joint's frame after the shortest rotation that takes z
-    /// to `axis`.
+    /// The joint slides in the plane at right angles to `axis`, then turns about `axis`. It has
+    /// three values: x, y and the angle in radians. The directions of x and y are those of the
+    /// joint's frame after the shortest rotation that takes z to `axis`.
     Planar = 4,
-    /// Moves freely. Seven values: a quaternion x y z w of any length but zero, and a translation.
-    /// Six rates: the body twist, angular first.
+    /// The joint moves freely. It has seven values: a quaternion x y z w of any length but zero,
+    /// and a translation x y z. It has six rates: the body twist, the angular part first.
     Floating = 5,
 }
 
-/// How a link is joined to the one that carries it. Link j is what joint j carries.
+/// The joint between a link and its parent link. Joint j carries link j.
 ///
-/// Fields that its kind does not name are not read; all may be 0.
+/// The fields `axis` and `pitch` are read only for the kinds that have them, and may be 0
+/// otherwise.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<R> {
-    /// The joint of the link that carries this one, which comes before it, or -1 for the base.
+    /// The number of the parent link, which must be less than that of this one, or -1 for the base.
     pub parent: i32,
     /// One of enum dq8_joint_kind.
     pub kind: i32,
-    /// The pose of the link in that of its parent where the joint is at zero: a motion, unit to
-    /// 0.001.
+    /// The pose of the link in its parent when the values of the joint are zero: a motion that is
+    /// unit to 0.001.
     pub placement: [R; 8],
-    /// The axis or, of a planar joint, the normal; of length 1 to 0.001.
+    /// The axis, or the normal of a planar joint. Its length must be 1 to 0.001.
     pub axis: [R; 3],
-    /// Of a screw, length for each radian: the lead of a thread over 2 pi.
+    /// The length that a screw slides per radian: the lead of its thread over 2 pi.
     pub pitch: R,
-    /// 1 if the joint has no value of its own but `multiplier` times that of joint `leader`, plus
-    /// `offset`; else 0. Both must be of one value, and the leader have its own.
+    /// 1 if the joint has no value of its own, but `multiplier` times the value of joint `leader`
+    /// plus `offset`; otherwise 0. Both joints must be of kinds with one value, and the leader must
+    /// have its own.
     pub mimics: i32,
-    /// The joint whose value it takes.
+    /// The joint whose value this joint takes.
     pub leader: i32,
-    /// What that value is multiplied by.
+    /// The factor of that value.
     pub multiplier: R,
-    /// What is added.
+    /// The number that is added to the product.
     pub offset: R,
-    /// 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to
-    /// them, nothing else does.
+    /// 1 if the joint has limits, otherwise 0. Only a joint of one value can have limits. Inverse
+    /// kinematics keeps to them; all other functions ignore them.
     pub limited: i32,
-    /// The least and the largest value; infinite where there is no end.
+    /// The smallest and the largest value. Either may be infinite.
     pub limits: [R; 2],
 }
 
 impl<R: Real> Joint<R> {
-    /// A joint as the library has it, one of `count`.
+    /// The joint as the library has it, in a mechanism of `count` joints.
     pub(crate) fn known(&self, count: usize) -> Result<dq8_robot::Joint<R>, Status> {
         const KINDS: [JointKind; 6] = [
             JointKind::Fixed,
@@ -101,10 +104,10 @@ impl<R: Real> Joint<R> {
     }
 }
 
-/// What is wrong, and with which joint.
+/// The reason why joints are no mechanism, and the joint that is wrong, if it is one.
 pub(crate) type Fault = (Status, Option<usize>);
 
-/// What the library says of joints, as C is told.
+/// The library's error as a [`Fault`].
 pub(crate) fn fault(error: &MechanismError) -> Fault {
     let (status, joint) = match *error {
         MechanismError::Parent { joint, .. } => (Status::ParentNotBefore, joint),
@@ -116,7 +119,7 @@ pub(crate) fn fault(error: &MechanismError) -> Fault {
         MechanismError::Mimic { joint, .. } => (Status::Mimic, joint),
         MechanismError::Steps { .. } => return (Status::TooManyJoints, None),
         MechanismError::Limits { joint, .. } => (Status::Limits, joint),
-        // What only a newer dq8 knows.
+        // A newer dq8 may have more errors.
         _ => return (Status::UnknownValue, None),
     };
     (status, Some(joint))

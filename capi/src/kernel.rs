@@ -1,14 +1,15 @@
-//! Macros that write the generic function, plain or in blocks, that a kernel over slices is in C.
+//! Macros that define the function for both layouts, plain and blocks, of a kernel over slices.
 
-/// Of a kernel that makes arrays, of so many numbers per element, into another. After them may come
-/// one thing more, which C may pass as something else: `= …` says what it stands for.
+/// Defines the function of a kernel from arrays to an array. The numbers are those of each element.
+/// After the arrays, there may be one more argument; `= …` converts it from what C passes to what
+/// the kernel takes.
 macro_rules! kernel {
     (
         $name:ident($($from:ident: $size:tt),+ $(; $more:ident: $type:ty $(= $known:expr)?)?)
             -> $out:tt by $kernel:ident
     ) => {
         /// # Safety
-        /// As for [`Input::slice`](crate::memory::Input::slice) and
+        /// The same as for [`Input::slice`](crate::memory::Input::slice) and
         /// [`Output::slice`](crate::memory::Output::slice).
         pub(super) unsafe fn $name<L: Layout>(
             $($from: *const L::Real,)+
@@ -19,24 +20,25 @@ macro_rules! kernel {
             $($(let $more = $known;)?)?
             $(let $from = crate::memory::Input::<L::Record<$size>>::new($from, count)?;)+
             let out = crate::memory::Output::<L::Record<$out>>::new(out, count)?;
-            crate::span::apart(&[out.span], &[$($from.span),+])?;
-            // SAFETY: promised, and apart.
+            crate::span::disjoint(&[out.span], &[$($from.span),+])?;
+            // SAFETY: the caller promises this, and the arrays are disjoint.
             let (($($from,)+), out) = unsafe { (($($from.slice(),)+), out.slice()) };
             Ok(dq8::Backend::best().$kernel($($from,)+ $($more,)? out)?)
         }
     };
 }
 
-/// Of a kernel that makes an array into another of the same records, and of its sibling for where
-/// the two are one. Both may take other arrays beside it, or one motion first.
+/// Defines the function of a kernel from one array to another of the same records, and of its
+/// sibling in place, which is called if C passes the same array twice. Both may take other arrays
+/// as well, or one motion first.
 macro_rules! kernel_or_in_place {
     (
         $name:ident($from:ident: $size:tt $(, $other:ident: $others:tt)*) $(of one $motion:ident)?
             by $kernel:ident, $in_place:ident
     ) => {
         /// # Safety
-        /// As for [`from_to`](crate::memory::from_to) and, of one motion,
-        /// [`read`](crate::memory::read), of other arrays
+        /// The same as for [`from_to`](crate::memory::from_to); for one motion
+        /// [`read`](crate::memory::read), and for other arrays
         /// [`Input::slice`](crate::memory::Input::slice).
         pub(super) unsafe fn $name<L: Layout>(
             $($motion: *const L::Real,)?
@@ -49,23 +51,24 @@ macro_rules! kernel_or_in_place {
             $(
                 let one = crate::span::Span::of($motion.cast::<dq8::DualQuat<L::Real>>(), 1)?;
                 let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
-                crate::span::apart(&[to.span], &[one])?;
-                // SAFETY: promised.
+                crate::span::disjoint(&[to.span], &[one])?;
+                // SAFETY: the caller promises this.
                 let $motion: dq8::DualQuat<L::Real> = unsafe { crate::memory::read($motion)? };
             )?
             $(
                 let $other = crate::memory::Input::<L::Record<$others>>::new($other, count)?;
                 let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
-                crate::span::apart(&[to.span], &[$other.span])?;
-                // SAFETY: promised, and apart.
+                crate::span::disjoint(&[to.span], &[$other.span])?;
+                // SAFETY: the caller promises this, and the arrays are disjoint.
                 let $other = unsafe { $other.slice() };
             )*
-            let apart = |from: &[_], to: &mut [_]| best.$kernel($($motion,)? from, $($other,)* to);
+            let elsewhere =
+                |from: &[_], to: &mut [_]| best.$kernel($($motion,)? from, $($other,)* to);
             let in_place = |all: &mut [L::Record<$size>]| {
                 done!(best.$in_place($($motion,)? all $(, $other)*); $($other)*)
             };
-            // SAFETY: promised.
-            unsafe { crate::memory::from_to($from, out, count, apart, in_place) }
+            // SAFETY: the caller promises this.
+            unsafe { crate::memory::from_to($from, out, count, elsewhere, in_place) }
         }
     };
 }

@@ -1,30 +1,40 @@
 //! The C ABI of `dq8`. C users read `include/dq8.h`, which is generated from here, and `README.md`.
 //!
-//! | module | what it exports |
+//! | module | exports |
 //! |---|---|
-//! | [`status`] | [`Status`], what every call returns, and its text |
-//! | [`backend`] | which instructions compute |
-//! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion: the scalar reference |
-//! | [`slices`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
+//! | [`status`] | [`Status`], the result of every call, and its text |
+//! | [`backend`] | the choice of instructions |
+//! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion |
+//! | [`slices`] | kernels over arrays, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
 //! | [`clips`] | packed clips, plain |
-//! | [`plan`] | one instance in the order that is fastest, plain |
+//! | [`plan`] | one instance of a hierarchy in the fastest order, plain |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
 //! | [`targets`] | inverse kinematics of many configurations, plain |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
-//! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints, plain, or vertices of several fields |
+//! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints: arrays or vertex buffers |
 //! | [`palette`] | skinning palettes from matrices, plain |
-//! | [`packing`] | between plain arrays and blocks |
+//! | [`packing`] | conversions between plain arrays and blocks |
 //! | [`trajectory`] | poses at times, sampled at other times |
 //!
-//! Each but the first two, `joint`, `skin` and `mesh` has its functions twice: in `single` for
-//! `f32`, in `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
+//! Modules with functions of both number types have them twice: in `single` for `f32`, in `double`
+//! for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
-//! Nothing here computes: pointers are checked and become slices, and errors become numbers. No
-//! function allocates but those of [`trajectory`], which the feature of that name adds, and none
-//! panics; a panic could not leave an `extern "C"` function anyway, it would abort.
+//! The files here compute nothing. They check pointers, turn them into slices, call dq8, and turn
+//! its errors into numbers:
+//!
+//! ```text
+//! Input::new, Output::new    null, misaligned and too large arrays are refused
+//! span::disjoint             outputs that overlap anything are refused
+//! slice()                    unsafe: C has promised that the memory is there
+//! Status::of                 the error, if there is one, as a number
+//! ```
+//!
+//! No function allocates, except for those of [`trajectory`], which needs the feature of that name.
+//! None panics either, and a panic would abort the program, because it must not leave an
+//! `extern "C"` function.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[macro_use]
@@ -61,8 +71,8 @@ pub use backend::InstructionSet;
 pub use slices::Order;
 pub use status::Status;
 
-/// A static library brings its own handler where there is no std. Nothing reaches it: the firmware
-/// in `firmware/` is searched for panics after linking.
+/// The panic handler that a static library without std needs. Nothing calls it: the firmware in
+/// `firmware/` is searched for panics after linking.
 #[cfg(target_os = "none")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

@@ -1,10 +1,9 @@
-//! Arrays as C hands them over: checked first, borrowed later.
+//! Arrays from C, which are checked first and borrowed later.
 
-use crate::span::{Span, apart};
+use crate::span::{Span, disjoint};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::slice;
-use dq8::ShapeError;
 
 /// An array that is read.
 pub(crate) struct Input<T> {
@@ -14,24 +13,26 @@ pub(crate) struct Input<T> {
 }
 
 impl<T: Copy> Input<T> {
-    /// `count` elements from `start`; `R` is what C says they are made of.
+    /// An array of `count` elements from `start`. `R` is the type of the pointer in C.
     pub(crate) fn new<R>(start: *const R, count: usize) -> Result<Self, Status> {
         let start = start.cast();
         Ok(Self { start, count, span: Span::of(start, count)? })
     }
 
-    /// One element, or none where C passes null for what it does not need.
+    /// An array of one element, or of none if C passes null.
     pub(crate) fn unless_null<R>(start: *const R) -> Result<Self, Status> {
         Self::new(start, usize::from(!start.is_null()))
     }
 
     /// # Safety
-    /// The elements are there, are any bits to `T`, and nothing writes them while `'a` lasts.
+    /// The elements must be there, any bits must be valid for `T`, and nothing may write them while
+    /// `'a` lasts.
     pub(crate) unsafe fn slice<'a>(&self) -> &'a [T] {
         if self.count == 0 {
             return &[];
         }
-        // SAFETY: neither null nor misaligned nor too large, by `Span::of`; the rest is promised.
+        // SAFETY: neither null nor misaligned nor too large, by `Span::of`; the caller promises the
+        // rest.
         unsafe { slice::from_raw_parts(self.start, self.count) }
     }
 }
@@ -44,128 +45,133 @@ pub(crate) struct Output<T> {
 }
 
 impl<T: Copy> Output<T> {
-    /// `count` elements from `start`; `R` is what C says they are made of.
+    /// An array of `count` elements from `start`. `R` is the type of the pointer in C.
     pub(crate) fn new<R>(start: *mut R, count: usize) -> Result<Self, Status> {
         let start = start.cast();
         Ok(Self { start, count, span: Span::of(start, count)? })
     }
 
-    /// One element, or none where C passes null for what it does not want.
+    /// An array of one element, or of none if C passes null.
     pub(crate) fn unless_null<R>(start: *mut R) -> Result<Self, Status> {
         Self::new(start, usize::from(!start.is_null()))
     }
 
     /// # Safety
-    /// The elements are there, are any bits to `T`, and nothing else reads or writes them while
-    /// `'a` lasts.
+    /// The elements must be there, any bits must be valid for `T`, and nothing else may read or
+    /// write them while `'a` lasts.
     pub(crate) unsafe fn slice<'a>(&self) -> &'a mut [T] {
         if self.count == 0 {
             return &mut [];
         }
-        // SAFETY: neither null nor misaligned nor too large, by `Span::of`; the rest is promised.
+        // SAFETY: neither null nor misaligned nor too large, by `Span::of`; the caller promises the
+        // rest.
         unsafe { slice::from_raw_parts_mut(self.start, self.count) }
     }
 
-    /// Writes the only element, unless C does not want it.
+    /// Writes the only element, or nothing if C has passed null.
     ///
     /// # Safety
-    /// The element is there, and nothing else reads or writes it now.
+    /// The element must be there, and nothing else may read or write it now.
     pub(crate) unsafe fn write(&self, value: T) {
         if self.count > 0 {
-            // SAFETY: neither null nor misaligned, by `Span::of`; the rest is promised.
+            // SAFETY: neither null nor misaligned, by `Span::of`; the caller promises the rest.
             unsafe { self.start.write(value) }
         }
     }
 }
 
-/// Memory that nothing has been written to.
-pub(crate) type Room = [MaybeUninit<u8>];
+/// Memory from C that may be uninitialised.
+pub(crate) type Buffer = [MaybeUninit<u8>];
 
-/// The bytes of memory that C has for something else.
-pub(crate) fn bytes<T>(room: &mut [MaybeUninit<T>]) -> &mut Room {
-    // SAFETY: the same memory, of which nothing is said to have been written.
-    unsafe { slice::from_raw_parts_mut(room.as_mut_ptr().cast(), size_of_val(room)) }
+/// The bytes of a buffer that has another type in C.
+pub(crate) fn bytes<T>(buffer: &mut [MaybeUninit<T>]) -> &mut Buffer {
+    // SAFETY: it is the same memory, and `MaybeUninit` claims nothing about its content.
+    unsafe { slice::from_raw_parts_mut(buffer.as_mut_ptr().cast(), size_of_val(buffer)) }
 }
 
-/// `count` times `value` at the first place in `room` that is aligned for it, and the room behind;
-/// `None` if it is too small. Nothing needs no place: room of no bytes need not be aligned.
+/// Writes `value` `count` times to the first aligned place in `buffer`. Returns these values and
+/// the rest of the buffer, or `None` if it is too small. If `count` is 0, the buffer need not be
+/// aligned.
 pub(crate) fn place<T: Copy>(
-    room: &mut Room,
+    buffer: &mut Buffer,
     count: usize,
     value: T,
-) -> Option<(&mut [T], &mut Room)> {
+) -> Option<(&mut [T], &mut Buffer)> {
     if count == 0 {
-        return Some((&mut [], room));
+        return Some((&mut [], buffer));
     }
-    let (_, room) = room.split_at_mut_checked(room.as_ptr().align_offset(align_of::<T>()))?;
-    let (own, rest) = room.split_at_mut_checked(count.checked_mul(size_of::<T>())?)?;
+    let (_, buffer) = buffer.split_at_mut_checked(buffer.as_ptr().align_offset(align_of::<T>()))?;
+    let (own, rest) = buffer.split_at_mut_checked(count.checked_mul(size_of::<T>())?)?;
     let start = own.as_mut_ptr().cast::<T>();
     for index in 0..count {
-        // SAFETY: aligned, and `own` has room for `count`.
+        // SAFETY: `start` is aligned, and `own` has the bytes of `count` values.
         unsafe { start.add(index).write(value) };
     }
-    // SAFETY: all of them have been written, and `own` is not used any more.
+    // SAFETY: all values have been written, and `own` is not used any more.
     Some((unsafe { slice::from_raw_parts_mut(start, count) }, rest))
 }
 
-/// Reads one element, before anything is written: it may lie anywhere.
+/// Reads one element. Callers do so before they write anything, so it may overlap an output.
 ///
 /// # Safety
-/// The element is there and is any bits to `T`, and nothing writes it now.
+/// The element must be there, any bits must be valid for `T`, and nothing may write it now.
 pub(crate) unsafe fn read<T: Copy, R>(from: *const R) -> Result<T, Status> {
     let input = Input::<T>::new(from, 1)?;
-    // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
+    // SAFETY: neither null nor misaligned, by `Input::new`; the caller promises the rest.
     Ok(unsafe { input.start.read() })
 }
 
-/// What becomes of `count` elements in another array, or in place where the two are one.
+/// Calls `elsewhere` with two arrays of `count` elements, or `in_place` if they are the same array.
 ///
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
-pub(crate) unsafe fn from_to<T: Copy, R>(
+/// The same as for [`Input::slice`] and [`Output::slice`].
+pub(crate) unsafe fn from_to<T: Copy, R, E>(
     from: *const R,
     to: *mut R,
     count: usize,
-    elsewhere: impl FnOnce(&[T], &mut [T]) -> Result<(), ShapeError>,
-    in_place: impl FnOnce(&mut [T]) -> Result<(), ShapeError>,
-) -> Done {
+    elsewhere: impl FnOnce(&[T], &mut [T]) -> Result<(), E>,
+    in_place: impl FnOnce(&mut [T]) -> Result<(), E>,
+) -> Done
+where
+    Status: From<E>,
+{
     let (from, to) = (Input::<T>::new(from, count)?, Output::<T>::new(to, count)?);
     if to.start.cast_const() == from.start {
-        // SAFETY: promised; the input is not borrowed beside it.
+        // SAFETY: the caller promises this, and the input is not borrowed at the same time.
         return Ok(in_place(unsafe { to.slice() })?);
     }
-    apart(&[to.span], &[from.span])?;
-    // SAFETY: promised, and the two are apart.
+    disjoint(&[to.span], &[from.span])?;
+    // SAFETY: the caller promises this, and the two are disjoint.
     Ok(elsewhere(unsafe { from.slice() }, unsafe { to.slice() })?)
 }
 
-/// One thing from another.
+/// Computes one thing from another. The output may overlap the input.
 ///
 /// # Safety
-/// As for [`read`] and [`Output::write`].
+/// The same as for [`read`] and [`Output::write`].
 pub(crate) unsafe fn one<A: Copy, B: Copy, R>(
     from: *const R,
     to: *mut R,
     of: impl FnOnce(A) -> Result<B, Status>,
 ) -> Done {
     let to = Output::new(to, 1)?;
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     unsafe { to.write(of(read(from)?)?) };
     Ok(())
 }
 
-/// One thing from two.
+/// Computes one thing from two others. The output may overlap the inputs.
 ///
 /// # Safety
-/// As for [`read`] and [`Output::write`].
+/// The same as for [`read`] and [`Output::write`].
 pub(crate) unsafe fn two<A: Copy, B: Copy, C: Copy, R>(
     a: *const R,
     b: *const R,
     to: *mut R,
     of: impl FnOnce(A, B) -> Result<C, Status>,
 ) -> Done {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     let b = unsafe { read(b)? };
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     unsafe { one(a, to, |a| of(a, b)) }
 }

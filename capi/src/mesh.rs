@@ -1,21 +1,21 @@
-//! Meshes in C's memory: arrays of vectors, or vertices that are records of several fields.
+//! Meshes in C's memory: arrays of vectors, or vertex buffers.
 
 use crate::memory::{Input, Output};
 use crate::skin::{Palettes, Posing};
-use crate::span::{Span, apart};
+use crate::span::{Span, disjoint};
 use crate::status::{Done, Status};
 use dq8::Scalar;
 use dq8::skinning::{self, Blender, SkinningError, Surface, SurfaceMut, Weight};
 
-/// A mesh at rest and where it goes when posed.
+/// A mesh at rest, and the memory for the posed mesh.
 pub(crate) trait Mesh<R: Scalar + Weight> {
-    /// How many vertices C says it has.
+    /// The number of vertices that C passes.
     fn vertices(&self) -> usize;
 
-    /// Poses it, if nothing that is written lies in anything that is read, or twice.
+    /// Poses the mesh. It is an error if an output overlaps anything.
     ///
     /// # Safety
-    /// As for [`Posing::borrow`], [`Input::slice`] and [`Output::slice`].
+    /// The same as for [`Posing::borrow`], [`Input::slice`] and [`Output::slice`].
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
@@ -23,14 +23,14 @@ pub(crate) trait Mesh<R: Scalar + Weight> {
     ) -> Done;
 }
 
-/// Positions, normals, tangents, three numbers each.
+/// A mesh as arrays of positions, normals and tangents, of three numbers each.
 pub(crate) struct Arrays<R> {
     pub(crate) rest: [*const R; 3],
     pub(crate) posed: [*mut R; 3],
     pub(crate) vertices: usize,
 }
 
-/// Vectors at rest and posed.
+/// The vectors of a field at rest, and the memory for the posed ones.
 type Field<R> = (Input<[R; 3]>, Output<[R; 3]>);
 
 impl<R: Copy> Arrays<R> {
@@ -38,7 +38,7 @@ impl<R: Copy> Arrays<R> {
         Ok((Input::new(from, self.vertices)?, Output::new(to, self.vertices)?))
     }
 
-    /// None where C passes null for both.
+    /// A field, or `None` if C passes null for both pointers.
     fn optional(&self, from: *const R, to: *mut R) -> Result<Option<Field<R>>, Status> {
         if from.is_null() && to.is_null() {
             return Ok(None);
@@ -57,7 +57,7 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         by: &Posing<R>,
         blend: impl FnOnce(Palettes<'p, R>) -> Result<B, SkinningError>,
     ) -> Done {
-        // Only positions must be there.
+        // Positions are required, normals and tangents are not.
         let ([from, from_normals, from_tangents], [to, to_normals, to_tangents]) =
             (self.rest, self.posed);
         let positions = self.field(from, to)?;
@@ -66,9 +66,9 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         let fields = [Some(&positions), normals.as_ref(), tangents.as_ref()];
         let from = fields.map(|field| field.map_or(Span::NOWHERE, |(from, _)| from.span));
         let to = fields.map(|field| field.map_or(Span::NOWHERE, |(_, to)| to.span));
-        apart(&to, &from)?;
-        apart(&to, &by.spans)?;
-        // SAFETY: promised, and all that is written is apart.
+        disjoint(&to, &from)?;
+        disjoint(&to, &by.spans)?;
+        // SAFETY: the caller promises this, and everything that is written is disjoint.
         unsafe {
             let (skin, palettes) = by.borrow();
             let rest = Surface {
@@ -86,18 +86,19 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
     }
 }
 
-/// Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted
-/// in numbers. A field is three numbers.
+/// The layout of a vertex buffer, which holds one vertex after the other. All fields of this struct
+/// count numbers. A position, a normal or a tangent is three numbers.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct VertexFields {
-    /// From a vertex to the next.
+    /// The distance from the beginning of a vertex to that of the next.
     pub stride: usize,
-    /// Where in a vertex its position begins.
+    /// The offset of the position in a vertex.
     pub position: i32,
-    /// Where its normal begins; -1 if none is posed.
+    /// The offset of the normal in a vertex, or -1 to pose no normals.
     pub normal: i32,
-    /// Where its tangent begins, without the sign of the bitangent; -1 if none is posed.
+    /// The offset of the tangent in a vertex, or -1 to pose no tangents. A fourth number, the sign
+    /// of the bitangent, is no part of it.
     pub tangent: i32,
 }
 
@@ -111,7 +112,7 @@ impl VertexFields {
     }
 }
 
-/// Two buffers of vertices.
+/// A mesh as a vertex buffer, and the buffer for the posed mesh.
 pub(crate) struct Records<R> {
     pub(crate) rest: *const R,
     pub(crate) from: VertexFields,
@@ -134,9 +135,9 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
         let numbers = |stride| self.vertices.checked_mul(stride).ok_or(Status::TooLarge);
         let rest = Input::<R>::new(self.rest, numbers(from.stride)?)?;
         let posed = Output::<R>::new(self.posed, numbers(to.stride)?)?;
-        apart(&[posed.span], &[rest.span])?;
-        apart(&[posed.span], &by.spans)?;
-        // SAFETY: promised, and what is written is apart.
+        disjoint(&[posed.span], &[rest.span])?;
+        disjoint(&[posed.span], &by.spans)?;
+        // SAFETY: the caller promises this, and what is written is disjoint.
         unsafe {
             let (skin, palettes) = by.borrow();
             let (rest, posed) = ((rest.slice(), from), (posed.slice(), to));

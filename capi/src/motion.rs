@@ -1,29 +1,29 @@
 //! Operations on one motion. Inputs are read before anything is written, so outputs may be inputs.
 
 use crate::memory::{Output, one, read, two};
-use crate::span::apart;
+use crate::span::disjoint;
 use crate::status::{Done, Status};
 use dq8::{DualQuat, Quat, Real};
 
 /// # Safety
-/// As for [`Output::write`].
+/// The same as for [`Output::write`].
 unsafe fn identity<R: Real>(out: *mut R) -> Done {
     let out = Output::new(out, 1)?;
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     unsafe { out.write(DualQuat::<R>::IDENTITY) };
     Ok(())
 }
 
 /// # Safety
-/// As for [`read`] and [`Output::write`].
+/// The same as for [`read`] and [`Output::write`].
 unsafe fn to_rotation_translation<R: Real>(
     motion: *const R,
     rotation: *mut R,
     translation: *mut R,
 ) -> Done {
     let (rotation, translation) = (Output::new(rotation, 1)?, Output::new(translation, 1)?);
-    apart(&[rotation.span, translation.span], &[])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[rotation.span, translation.span], &[])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe {
         let motion: DualQuat<R> = read(motion)?;
         rotation.write(motion.rotation());
@@ -33,9 +33,9 @@ unsafe fn to_rotation_translation<R: Real>(
 }
 
 /// # Safety
-/// As for [`read`].
+/// The same as for [`read`].
 unsafe fn check_unit<R: Real>(motion: *const R, tolerance: R) -> Done {
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     let motion: DualQuat<R> = unsafe { read(motion)? };
     if motion.is_unit(tolerance) { Ok(()) } else { Err(Status::NotUnit) }
 }
@@ -43,82 +43,88 @@ unsafe fn check_unit<R: Real>(motion: *const R, tolerance: R) -> Done {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// The motion that moves nothing.
+            /// Writes the identity: the motion that moves nothing.
             motion::identity(out: *mut $R) = super::identity(out)
         }
         export_one! { $R
-            /// Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation`
-            /// (x, y, z).
+            /// Makes the motion that rotates by the unit quaternion `rotation` (x, y, z, w), and
+            /// then moves by `translation` (x, y, z).
             motion::from_rotation_translation(rotation: *const $R, translation: *const $R, out: *mut $R) =
                 two(rotation, translation, out, |rotation: Quat<$R>, translation| {
                     Ok(DualQuat::from_rotation_translation(rotation, translation))
                 })
         }
         export_one! { $R
-            /// The parts of a unit motion: `rotation` four numbers, `translation` three, which must
-            /// not overlap each other.
+            /// Writes the parts of a unit motion: the quaternion `rotation` (x, y, z, w) and
+            /// `translation` (x, y, z), which must not overlap each other.
             motion::to_rotation_translation(
                 motion: *const $R, rotation: *mut $R, translation: *mut $R
             ) = super::to_rotation_translation(motion, rotation, translation)
         }
         export_one! { $R
-            /// The motion of a matrix, twelve numbers, row after row. `tolerance` is how far
-            /// products of rows of the rotation may be from 0 and 1.
+            /// Makes the motion of a matrix of three rows and four columns: twelve numbers, row by
+            /// row. Dot products of the rows of its rotation may differ from 0 and 1 by
+            /// `tolerance`.
             ///
-            /// DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
+            /// Returns DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if the matrix is no
+            /// rigid motion.
             motion::from_matrix_3x4(matrix: *const $R, tolerance: $R, out: *mut $R) =
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix3x4(rows, tolerance)?))
         }
         export_one! { $R
-            /// As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last
-            /// row is not 0 0 0 1.
+            /// Makes the motion of a matrix of sixteen numbers, otherwise like
+            /// dq8_motion_from_matrix_3x4. Returns DQ8_STATUS_NOT_AFFINE if the last row is not
+            /// 0 0 0 1.
             motion::from_matrix_4x4(matrix: *const $R, tolerance: $R, out: *mut $R) =
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix4(rows, tolerance)?))
         }
         export_one! { $R
-            /// The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
+            /// Writes the matrix `[R | t]` of a unit motion: twelve numbers, row by row.
             motion::to_matrix_3x4(motion: *const $R, matrix: *mut $R) =
                 one(motion, matrix, |motion: DualQuat<$R>| Ok(motion.to_matrix3x4()))
         }
         export_one! { $R
-            /// The matrix of a unit motion with the row 0 0 0 1: sixteen numbers, row after row.
+            /// Writes the matrix of a unit motion with the last row 0 0 0 1: sixteen numbers, row
+            /// by row.
             motion::to_matrix_4x4(motion: *const $R, matrix: *mut $R) =
                 one(motion, matrix, |motion: DualQuat<$R>| Ok(motion.to_matrix4()))
         }
         export_one! { $R
-            /// a * b: b acts first.
+            /// Computes the product `a * b`, in which b acts first.
             motion::mul(a: *const $R, b: *const $R, out: *mut $R) =
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| Ok(a * b))
         }
         export_one! { $R
-            /// The inverse of a unit motion, which costs nothing but signs.
+            /// Computes the inverse of a unit motion, which only flips signs.
             motion::conjugate(motion: *const $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.conjugate()))
         }
         export_one! { $R
-            /// The inverse of a motion, unit or not; DQ8_STATUS_NO_INVERSE if there is none.
+            /// Computes the inverse of a motion that need not be unit. Returns
+            /// DQ8_STATUS_NO_INVERSE if there is none.
             motion::inverse(motion: *const $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.try_inverse()?))
         }
         export_one! { $R
-            /// The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if
-            /// there is none.
+            /// Normalizes a dual quaternion to a unit motion. Returns DQ8_STATUS_NOT_NORMALIZABLE
+            /// if there is none.
             motion::normalize(motion: *const $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.try_normalize()?))
         }
         export_one! { $R
-            /// DQ8_STATUS_NOT_UNIT if the norm of the motion is further from 1 than `tolerance`.
+            /// Checks that a motion is unit. Returns DQ8_STATUS_NOT_UNIT if its norm differs from 1
+            /// by more than `tolerance`.
             motion::check_unit(motion: *const $R, tolerance: $R) = super::check_unit(motion, tolerance)
         }
         export_one! { $R
-            /// A point, three numbers, moved by a unit motion.
+            /// Moves a point, three numbers, by a unit motion.
             motion::point(motion: *const $R, point: *const $R, out: *mut $R) =
                 two(motion, point, out, |motion: DualQuat<$R>, point| {
                     Ok(motion.transform_point(point))
                 })
         }
         export_one! { $R
-            /// A direction, three numbers, turned by a unit motion.
+            /// Turns a direction, three numbers, by a unit motion.
             motion::vector(motion: *const $R, vector: *const $R, out: *mut $R) =
                 two(motion, vector, out, |motion: DualQuat<$R>, vector| {
                     Ok(motion.transform_vector(vector))

@@ -1,14 +1,14 @@
-//! Between plain arrays of poses, or of the links of a chain, and blocks, and how large blocks are.
+//! Conversions between plain arrays and blocks, of poses and of chains, and the size of blocks.
 
 use crate::memory::{Input, Output};
-use crate::span::apart;
+use crate::span::disjoint;
 use crate::status::{Done, Status};
 use dq8::simd::Row;
 use dq8::storage::{self, Block};
 use dq8::{DualQuat, Scalar, ShapeError};
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
+/// The same as for [`Input::slice`] and [`Output::slice`].
 unsafe fn to_blocks<R: Scalar, const N: usize>(
     poses: *const R,
     pose_count: usize,
@@ -21,13 +21,13 @@ where
 {
     let poses = Input::<DualQuat<R>>::new(poses, pose_count)?;
     let blocks = Output::<Block<R, N>>::new(blocks, block_count)?;
-    apart(&[blocks.span], &[poses.span])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[blocks.span], &[poses.span])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe { Ok(run(poses.slice(), blocks.slice())?) }
 }
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
+/// The same as for [`Input::slice`] and [`Output::slice`].
 unsafe fn from_blocks<R: Scalar, const N: usize>(
     blocks: *const R,
     block_count: usize,
@@ -40,12 +40,12 @@ where
 {
     let blocks = Input::<Block<R, N>>::new(blocks, block_count)?;
     let poses = Output::<DualQuat<R>>::new(poses, pose_count)?;
-    apart(&[poses.span], &[blocks.span])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[poses.span], &[blocks.span])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe { Ok(run(blocks.slice(), poses.slice())?) }
 }
 
-/// A function between plain arrays and blocks of either number of lanes.
+/// Exports a function from plain arrays to blocks or back, for both numbers of lanes.
 macro_rules! export_packing {
     (
         $R:ident [$few:literal $many:literal]
@@ -55,13 +55,13 @@ macro_rules! export_packing {
         $(#[doc = $about])*
         ///
         /// # Safety
-        /// Arrays have the lengths named.
+        /// Arrays must have the lengths that are named.
         #[unsafe(export_name = concat!("dq8_", stringify!($name), "_", stringify!($R)))]
         pub unsafe extern "C" fn $name(lanes: usize, $($argument: $type),*) -> Status {
             Status::of(match lanes {
-                // SAFETY: promised.
+                // SAFETY: the caller promises this.
                 $few => unsafe { $way::<$R, $few>($($array,)* $run) },
-                // SAFETY: promised.
+                // SAFETY: the caller promises this.
                 $many => unsafe { $way::<$R, $many>($($array,)* $run) },
                 _ => Err(Status::Lanes),
             })
@@ -72,42 +72,42 @@ macro_rules! export_packing {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_packing! { $R $lanes
-            /// Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances,
-            /// `[instance block][joint]`; lanes without an instance get the identity. `block_count`
-            /// is `joints` times the number of instances over `lanes`, rounded up;
-            /// DQ8_STATUS_LENGTH if it is not.
+            /// Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
+            /// `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
+            /// instance get the identity. `block_count` must be `joints` times the number of
+            /// instances over `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
             pack(
                 joints: usize,
                 poses: *const $R, pose_count: usize, blocks: *mut $R, block_count: usize,
             ) = to_blocks(poses, pose_count, blocks, block_count) by |poses, blocks| storage::pack(joints, poses, blocks)
         }
         export_packing! { $R $lanes
-            /// Writes blocks into `poses`, the other way round; lanes beyond the last instance are
-            /// dropped.
+            /// Unpacks blocks into plain poses: the inverse of dq8_pack, with the same arrays.
+            /// Lanes after the last instance are ignored.
             unpack(
                 joints: usize,
                 blocks: *const $R, block_count: usize, poses: *mut $R, pose_count: usize,
             ) = from_blocks(blocks, block_count, poses, pose_count) by |blocks, poses| storage::unpack(joints, blocks, poses)
         }
         export_packing! { $R $lanes
-            /// Writes a chain into blocks, a segment of `block_count` links in each lane: link i is
-            /// in lane `i / block_count` of block `i % block_count`. Lanes beyond the last link get
-            /// the identity. `block_count` is `link_count` over `lanes`, rounded up;
-            /// DQ8_STATUS_LENGTH if it is not.
+            /// Packs the links of a chain into blocks, with a segment of `block_count` links in
+            /// each lane: link i goes to lane `i / block_count` of block `i % block_count`. Lanes
+            /// after the last link get the identity. `block_count` must be `link_count` over
+            /// `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
             pack_chain(
                 links: *const $R, link_count: usize, blocks: *mut $R, block_count: usize,
             ) = to_blocks(links, link_count, blocks, block_count) by storage::pack_chain
         }
         export_packing! { $R $lanes
-            /// Writes blocks of a chain into `links`, the other way round.
+            /// Unpacks the blocks of a chain into plain links: the inverse of dq8_pack_chain.
             unpack_chain(
                 blocks: *const $R, block_count: usize, links: *mut $R, link_count: usize,
             ) = from_blocks(blocks, block_count, links, link_count) by storage::unpack_chain
         }
 
-        /// How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in
-        /// rotations, 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes`
-        /// things: their product, rounded up to whole 64 bytes.
+        /// Returns the size of a block in numbers: `lanes` times `components`, rounded up to whole
+        /// 64 bytes. A motion has 8 components, a point 3, a rotation 4, a rotation with a
+        /// translation 7, and a matrix 12 or 16.
         #[unsafe(export_name = concat!("dq8_block_size_", stringify!($R)))]
         pub extern "C" fn block_size(lanes: usize, components: usize) -> usize {
             let line = 64 / size_of::<$R>();

@@ -1,15 +1,14 @@
-//! Palettes of meshes that follow joints, from the matrices of an engine. Those of hierarchies are
-//! in `hierarchy`.
+//! Skinning palettes from the matrices of an engine. `hierarchy` has palettes from local poses.
 
 use crate::memory::{Input, Output};
 use crate::slices::Order;
-use crate::span::apart;
+use crate::span::disjoint;
 use crate::status::{Done, Status};
 use dq8::skinning::{matrix_palette, split_palette};
 use dq8::{DualQuat, Real};
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
+/// The same as for [`Input::slice`] and [`Output::slice`].
 unsafe fn products<R: Real>(
     models: *const R,
     inverse_binds: *const R,
@@ -21,13 +20,13 @@ unsafe fn products<R: Real>(
     let models = Input::<[[R; 4]; 4]>::new(models, joints)?;
     let inverse_binds = Input::<[[R; 4]; 4]>::new(inverse_binds, joints)?;
     let matrices = Output::<[[R; 4]; 3]>::new(matrices, joints)?;
-    apart(&[matrices.span], &[models.span, inverse_binds.span])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[matrices.span], &[models.span, inverse_binds.span])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     Ok(unsafe { matrix_palette(models.slice(), inverse_binds.slice(), order, matrices.slice()) }?)
 }
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
+/// The same as for [`Input::slice`] and [`Output::slice`].
 unsafe fn split<R: Real>(
     matrices: *const R,
     motions: *mut R,
@@ -37,8 +36,8 @@ unsafe fn split<R: Real>(
     let matrices = Input::<[[R; 4]; 3]>::new(matrices, joints)?;
     let motions = Output::<DualQuat<R>>::new(motions, joints)?;
     let stretches = Output::<[[R; 4]; 3]>::new(stretches, joints)?;
-    apart(&[motions.span, stretches.span], &[matrices.span])?;
-    // SAFETY: promised, and apart.
+    disjoint(&[motions.span, stretches.span], &[matrices.span])?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     unsafe { split_palette(matrices.slice(), motions.slice(), stretches.slice()) }?;
     Ok(())
 }
@@ -46,19 +45,20 @@ unsafe fn split<R: Real>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4
-            /// matrices in `order`, one of enum dq8_matrix_order, to twelve numbers per joint, row
-            /// after row.
+            /// Computes a palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`. Inputs
+            /// are 4x4 matrices whose numbers are in `order`, one of enum dq8_matrix_order. The
+            /// palette has twelve numbers per joint, row by row.
             ///
-            /// DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+            /// Returns DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if an input is so.
             skin::products(
                 models: *const $R, inverse_binds: *const $R, order: i32, matrices: *mut $R,
                 joint_count: usize,
             ) = super::products(models, inverse_binds, order, matrices, joint_count)
         }
         export_one! { $R
-            /// Takes the matrices of a palette apart into stretches and, after them, unit motions:
-            /// what dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+            /// Splits the matrices of a palette into stretches, which act first, and unit motions,
+            /// as dq8_skin_stretched takes them. Returns DQ8_STATUS_NOT_FINITE if a number is not
+            /// finite.
             skin::split(
                 matrices: *const $R, motions: *mut $R, stretches: *mut $R, joint_count: usize,
             ) = super::split(matrices, motions, stretches, joint_count)

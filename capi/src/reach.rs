@@ -1,87 +1,92 @@
-//! Inverse kinematics of a mechanism, in memory of the caller: one configuration here, many in
-//! [`targets`](crate::targets).
+//! Inverse kinematics of a mechanism, in memory of the caller. Here are the types and the functions
+//! of one configuration; [`targets`](crate::targets) has those of many.
 
-use crate::mechanism::{Made, Mechanism};
+use crate::mechanism::{Checked, Mechanism};
 use crate::memory::{Input, Output, bytes, place};
-use crate::span::apart;
+use crate::span::disjoint;
 use crate::status::{Done, Status};
 use core::mem::{MaybeUninit, offset_of};
 use dq8::{DualQuat, Real, Scalar, ShapeError, simd::MAX_LANES};
 use dq8_robot::ik::{self, Freedom, Reach, ReachError};
 
-/// What is asked of a link: components of its error in the axes of its target, and how much each
-/// weighs where not all can vanish. A weight of 0 leaves its component free.
+/// A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
+/// components of its error, in the axes of the target. A weight of 0 leaves its component free.
+/// Weights matter where not all components can vanish.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal<R> {
-    /// The link.
+    /// The number of the link.
     pub link: usize,
-    /// Weights of the rotation about the target's x, y and z; not negative.
+    /// The weights of the rotation about the target's x, y and z, none of them negative.
     pub angular: [R; 3],
-    /// Weights of the way along the target's x, y and z; not negative.
+    /// The weights of the distance along the target's x, y and z, none of them negative.
     pub linear: [R; 3],
-    /// The point of the link, in its frame, that is to be at the target; zero is its origin.
+    /// The point of the link that is to be at the target, in the frame of the link. Zero is its
+    /// origin.
     pub point: [R; 3],
 }
 
-/// When a search ends, and how it weighs. dq8_reach_options fills in what serves most.
+/// The options of a search. dq8_mechanism_reach_options fills in the defaults.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachOptions<R> {
-    /// The turn that may be left, radians.
+    /// The largest angle in radians that a converged link may be turned from its target.
     pub angular_tolerance: R,
-    /// The distance that may be left.
+    /// The largest distance of a converged link from its target.
     pub linear_tolerance: R,
-    /// Steps and restarts together.
+    /// The largest number of iterations, which are steps and restarts together.
     pub max_iterations: u32,
-    /// 1 to begin again from another configuration where the search got stuck; 0 to converge from
-    /// the given start only, to follow a target that moves.
+    /// 1 to begin again from another configuration when a search gets stuck. 0 to converge from the
+    /// given start only, which is for following a target that moves.
     pub restarts: u32,
-    /// How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length,
-    /// or where something floats or slides without end, of the longer way that it has to go.
+    /// The distance that weighs as much as a radian. 0 stands for an eighth of the mechanism's
+    /// length. If a joint floats or slides without limits, it stands for an eighth of the distance
+    /// from the base to the farthest target, or of the farthest slide, if one of these is longer.
     pub length_per_radian: R,
-    /// The most that a hinge turns in one step, radians; more than a turn is as much as one.
+    /// The largest angle in radians that a joint turns in one step. More than a full turn counts as
+    /// one.
     pub max_step: R,
-    /// Damping at the target itself, radians; 0 reaches it fastest.
+    /// The damping at the target itself, in radians. With 0, the search converges fastest.
     pub damping: R,
 }
 
-/// How a search ended.
+/// The outcome of a search.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Both errors are within the tolerances.
+    /// All links are at their targets, within the tolerances.
     Converged = 0,
-    /// A target is farther away than the mechanism is long.
+    /// A target is farther away than the joints that carry its link are long.
     OutOfReach = 1,
-    /// No way led nearer, and a limit stands in the way.
+    /// No step led nearer to the targets, and a joint is at its limit.
     AtLimits = 2,
-    /// No way led nearer.
+    /// No step led nearer to the targets.
     Stalled = 3,
-    /// The iterations ran out while the links still came nearer: more would help.
+    /// The iterations ran out while the links still came nearer. More iterations would help.
     Unfinished = 4,
-    /// A target is not unit to 0.001, a number is not finite, or an option is negative or no
-    /// number, or max_step is 0: the values are untouched.
+    /// An input is invalid: a target is not unit to 0.001, a number is not finite, an option is
+    /// negative or NaN, or max_step is 0. The values are as they were.
     Invalid = 5,
 }
 
-/// The result of a search, judged by the values that are returned.
+/// The report of a search, about the values that it returns.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachReport<R> {
     /// One of enum dq8_outcome.
     pub outcome: i32,
-    /// Steps and restarts together.
+    /// The number of iterations, which are steps and restarts together.
     pub iterations: u32,
-    /// How many of them were restarts.
+    /// The number of restarts.
     pub restarts: u32,
-    /// The largest turn that is left of what is asked for, radians.
+    /// The largest angle in radians between a link and its target, in components with a weight.
     pub angular_error: R,
-    /// The largest distance.
+    /// The largest distance of a link from its target, in components with a weight.
     pub linear_error: R,
 }
 
-/// The library's goals and reports are those of C, to the byte, and outcomes have the same numbers.
+/// Asserts that a struct of C and one of the library have the same layout, so that either can be
+/// read as the other.
 macro_rules! same {
     ($C:ty, $Rust:ty: $($field:ident)*) => {
         const _: () = {
@@ -106,16 +111,16 @@ macro_rules! same_outcomes {
 }
 same_outcomes! { Converged OutOfReach AtLimits Stalled Unfinished Invalid }
 
-/// How many configurations a search has at a time.
+/// The number of configurations that a search computes at a time.
 #[derive(Clone, Copy)]
 pub(crate) enum Width {
     One,
     Lanes,
 }
 
-/// How many numbers as large as `R` a search computes in: those of its freedoms and what aligns
-/// them, then its own.
-fn room<R: Real>(
+/// The number of `R` that a search needs as scratch: memory for its freedoms and their alignment,
+/// and then for itself.
+fn scratch_len<R: Real>(
     known: dq8_robot::Mechanism<'_, R>,
     goals: usize,
     width: Width,
@@ -130,26 +135,27 @@ fn room<R: Real>(
 }
 
 /// # Safety
-/// As for [`Made::new`] and [`Output::write`].
+/// The same as for [`Checked::new`] and [`Output::write`].
 pub(crate) unsafe fn reach_scratch<R: Real>(
     mechanism: *const Mechanism<R>,
     goal_count: usize,
     scratch_count: *mut usize,
     width: Width,
 ) -> Done {
-    // SAFETY: promised.
-    let made = unsafe { Made::new(mechanism)? };
+    // SAFETY: the caller promises this.
+    let checked = unsafe { Checked::new(mechanism)? };
     let to = Output::<usize>::new(scratch_count, 1)?;
-    apart(&[to.span], &[made.given, made.steps])?;
+    disjoint(&[to.span], &[checked.given, checked.steps])?;
     if goal_count > GOALS {
         return Err(Status::TooLarge);
     }
-    // SAFETY: promised, and apart.
-    unsafe { to.write(room(made.known, goal_count, width)?) };
+    // SAFETY: the caller promises this, and the arrays are disjoint.
+    unsafe { to.write(scratch_len(checked.known, goal_count, width)?) };
     Ok(())
 }
 
-/// More goals than any mechanism has a use for; with more, lengths might be too large to count.
+/// The largest number of goals, which is more than any mechanism has a use for. With more goals,
+/// lengths might not fit into a `usize`.
 const GOALS: usize = 1 << 10;
 
 impl<R: Real> ReachOptions<R> {
@@ -174,7 +180,7 @@ impl<R: Real> ReachOptions<R> {
 }
 
 /// # Safety
-/// As for [`Output::write`].
+/// The same as for [`Output::write`].
 unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
     let to = Output::<ReachOptions<R>>::new(options, 1)?;
     let known = ik::Options::<R>::default();
@@ -187,13 +193,13 @@ unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
         max_step: known.max_step,
         damping: known.damping,
     };
-    // SAFETY: promised.
+    // SAFETY: the caller promises this.
     unsafe { to.write(default) };
     Ok(())
 }
 
-/// What [`reach`] seeks.
-pub(crate) struct Asked<R> {
+/// The inputs of [`reach`].
+pub(crate) struct Query<R> {
     pub(crate) mechanism: *const Mechanism<R>,
     pub(crate) goals: *const Goal<R>,
     pub(crate) targets: *const R,
@@ -202,8 +208,9 @@ pub(crate) struct Asked<R> {
     pub(crate) options: *const ReachOptions<R>,
 }
 
-/// Where from, and what is written: `count` configurations.
-pub(crate) struct Answer<R> {
+/// The outputs and the scratch of [`reach`], for `count` configurations. The values are the start
+/// of the search as well.
+pub(crate) struct Results<R> {
     pub(crate) values: *mut R,
     pub(crate) value_count: usize,
     pub(crate) scratch: *mut R,
@@ -212,7 +219,7 @@ pub(crate) struct Answer<R> {
     pub(crate) count: usize,
 }
 
-/// What a search is given once everything has been checked.
+/// The inputs and outputs of a search, all of them checked.
 pub(crate) struct Search<'a, R> {
     pub(crate) reach: Reach<'a, R>,
     pub(crate) targets: &'a [DualQuat<R>],
@@ -223,58 +230,58 @@ pub(crate) struct Search<'a, R> {
 }
 
 /// # Safety
-/// As for [`Made::new`], [`Input::slice`] and [`Output::slice`].
+/// The same as for [`Checked::new`], [`Input::slice`] and [`Output::slice`].
 pub(crate) unsafe fn reach<R: Scalar>(
-    asked: Asked<R>,
-    answer: Answer<R>,
+    query: Query<R>,
+    results: Results<R>,
     width: Width,
     solve: impl FnOnce(Search<'_, R>) -> Result<(), ShapeError>,
 ) -> Done {
-    // SAFETY: promised.
-    let made = unsafe { Made::new(asked.mechanism)? };
-    let Answer { count, value_count, scratch_count, .. } = answer;
-    let target_count = asked.goal_count.checked_mul(count).ok_or(Status::TooLarge)?;
-    let goals = Input::<ik::Goal<R>>::new(asked.goals, asked.goal_count)?;
-    let targets = Input::<DualQuat<R>>::new(asked.targets, target_count)?;
-    let known = made.known;
-    let posture_count = if asked.posture.is_null() { 0 } else { known.values() };
-    let posture = Input::<R>::new(asked.posture, posture_count)?;
-    let values = Output::<R>::new(answer.values, value_count)?;
-    let scratch = Output::<MaybeUninit<R>>::new(answer.scratch, scratch_count)?;
-    let reports = Output::<MaybeUninit<ik::Report<R>>>::new(answer.reports, count)?;
-    let options = Input::<ReachOptions<R>>::unless_null(asked.options)?;
-    let read = [goals.span, targets.span, posture.span, options.span, made.given, made.steps];
-    apart(&[values.span, scratch.span, reports.span], &read)?;
-    // SAFETY: promised, and apart.
+    // SAFETY: the caller promises this.
+    let checked = unsafe { Checked::new(query.mechanism)? };
+    let Results { count, value_count, scratch_count, .. } = results;
+    let target_count = query.goal_count.checked_mul(count).ok_or(Status::TooLarge)?;
+    let goals = Input::<ik::Goal<R>>::new(query.goals, query.goal_count)?;
+    let targets = Input::<DualQuat<R>>::new(query.targets, target_count)?;
+    let known = checked.known;
+    let posture_count = if query.posture.is_null() { 0 } else { known.values() };
+    let posture = Input::<R>::new(query.posture, posture_count)?;
+    let values = Output::<R>::new(results.values, value_count)?;
+    let scratch = Output::<MaybeUninit<R>>::new(results.scratch, scratch_count)?;
+    let reports = Output::<MaybeUninit<ik::Report<R>>>::new(results.reports, count)?;
+    let options = Input::<ReachOptions<R>>::unless_null(query.options)?;
+    let read = [goals.span, targets.span, posture.span, options.span, checked.given, checked.steps];
+    disjoint(&[values.span, scratch.span, reports.span], &read)?;
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     let options = match *unsafe { options.slice() } {
         [options] => options.known()?,
         _ => ik::Options::default(),
     };
-    if asked.goal_count > GOALS || known.values().checked_mul(count) != Some(value_count) {
+    if query.goal_count > GOALS || known.values().checked_mul(count) != Some(value_count) {
         return Err(Status::Length);
     }
-    if scratch_count < room(known, asked.goal_count, width)? {
+    if scratch_count < scratch_len(known, query.goal_count, width)? {
         return Err(Status::Length);
     }
-    // SAFETY: promised, and apart.
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     let (goals, targets, posture) = unsafe { (goals.slice(), targets.slice(), posture.slice()) };
-    // SAFETY: promised, and apart.
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     let (values, scratch) = unsafe { (values.slice(), scratch.slice()) };
-    // There is room for all: so it was checked. The compiler does not know that.
+    // The scratch is large enough, as has been checked, but the compiler does not know that.
     let (freedoms, rest) =
         place(bytes(scratch), known.rates(), Freedom::default()).ok_or(Status::Length)?;
     let mut reach = Reach::new(known, goals, freedoms).map_err(|error| status(&error))?;
-    // As much as these goals need, which is no more than was asked for.
+    // These goals need no more than the bound that has been checked.
     let numbers = match width {
         Width::One => reach.scratch_len(),
         Width::Lanes => reach.batch_scratch_len(),
     };
     let (scratch, _) = place(rest, numbers, R::ZERO).ok_or(Status::Length)?;
-    if !asked.posture.is_null() {
+    if !query.posture.is_null() {
         reach = reach.with_posture(posture).map_err(|error| status(&error))?;
     }
-    // Nothing is refused any more: reports may be written. What C has there need not be one.
-    // SAFETY: promised, and apart.
+    // No error can come any more, so reports may be written. C may have anything there.
+    // SAFETY: the caller promises this, and the arrays are disjoint.
     let reports = bytes(unsafe { reports.slice() });
     let (reports, _) = place(reports, count, ik::Report::default()).ok_or(Status::Length)?;
     Ok(solve(Search { reach, targets, values, scratch, reports, options })?)
@@ -290,7 +297,7 @@ fn status(error: &ReachError) -> Status {
         ReachError::Limits { .. } => Status::Limits,
         ReachError::Posture { .. } | ReachError::Point { .. } => Status::NotFinite,
         ReachError::Freedoms { .. } | ReachError::PostureLength { .. } => Status::Length,
-        // What only a newer dq8 knows.
+        // A newer dq8 may have more errors.
         _ => Status::UnknownValue,
     }
 }
@@ -298,39 +305,41 @@ fn status(error: &ReachError) -> Status {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations,
-            /// restarts.
+            /// Writes the default options: tolerances of 1e-5 rad and 1e-5 lengths, 100 iterations,
+            /// with restarts.
             mechanism::reach_options(options: *mut ReachOptions<$R>) = super::reach_options(options)
         }
         export_one! { $R
-            /// How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for
-            /// one mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+            /// Writes the size in numbers that `scratch` of dq8_mechanism_reach must have. It
+            /// depends on the mechanism and the number of goals only. Returns DQ8_STATUS_TOO_LARGE
+            /// if there are more than 1024 goals.
             mechanism::reach_scratch(
                 mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
             ) = super::reach_scratch(mechanism, goal_count, scratch_count, Width::One)
         }
         export_one! { $R
-            /// Inverse kinematics of one configuration: moves `values` until the link of each goal
-            /// is at its target, a motion for each goal; within the limits of the joints. From a
-            /// start nearby it converges in a few steps.
+            /// Solves the inverse kinematics of one configuration. Beginning at `values`, it moves
+            /// them within the limits of the joints until the link of each goal is at its target.
+            /// `targets` holds a unit motion for each goal. From a start nearby the search
+            /// converges in a few steps.
             ///
-            /// `posture`, as many values, or null: a configuration that is preferred where the
-            /// goals leave freedom. `options` null: those of dq8_mechanism_reach_options. `scratch`
-            /// may hold anything. DQ8_STATUS_OK says that there is a report, not that the targets
-            /// are reached: see `outcome`.
+            /// `posture` holds as many numbers as `values`, a configuration that is preferred where
+            /// the goals leave freedom, or is null. `options` may be null for those of
+            /// dq8_mechanism_reach_options. The content of `scratch` does not matter. DQ8_STATUS_OK
+            /// means that there is a report; its `outcome` tells if the targets are reached.
             ///
-            /// DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has
-            /// none, or there is no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or
-            /// _UNKNOWN_VALUE (`restarts`); then `scratch` may have been written, the values and
-            /// the report not.
+            /// Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or all
+            /// of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the posture or a
+            /// point), _LENGTH or _UNKNOWN_VALUE (of `restarts`). `scratch` may then have been
+            /// written, but not the values and the report.
             mechanism::reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,
                 goal_count: usize, posture: *const $R, options: *const ReachOptions<$R>,
                 values: *mut $R, value_count: usize, scratch: *mut $R, scratch_count: usize,
                 report: *mut ReachReport<$R>,
             ) = super::reach(
-                Asked { mechanism, goals, targets, goal_count, posture, options },
-                Answer { values, value_count, scratch, scratch_count, reports: report, count: 1 },
+                Query { mechanism, goals, targets, goal_count, posture, options },
+                Results { values, value_count, scratch, scratch_count, reports: report, count: 1 },
                 Width::One,
                 |search| {
                     let Search { reach, targets, values, scratch, reports, options } = search;

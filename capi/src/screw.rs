@@ -1,5 +1,5 @@
-//! One motion between others, and its screw. Inputs are read before anything is written, so outputs
-//! may be inputs.
+//! Interpolation between motions, and the screw of a motion. Inputs are read before anything is
+//! written, so outputs may be inputs.
 
 use crate::memory::{Input, Output, one, two};
 use crate::status::{Done, Status};
@@ -14,24 +14,24 @@ pub(crate) fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status
     if finite { Ok(motion) } else { Err(Status::NotNormalizable) }
 }
 
-/// [`DualQuat::dlb`] of motions and weights that lie apart: C has no pairs of them.
+/// [`DualQuat::dlb`] of motions and weights in two arrays.
 ///
 /// # Safety
-/// As for [`Input::slice`] and [`Output::write`].
+/// The same as for [`Input::slice`] and [`Output::write`].
 unsafe fn blend<R: Real>(motions: *const R, weights: *const R, count: usize, out: *mut R) -> Done {
     let motions = Input::<DualQuat<R>>::new(motions, count)?;
     let weights = Input::<R>::new(weights, count)?;
     let out = Output::new(out, 1)?;
-    // SAFETY: promised, and nothing is written before they are read.
+    // SAFETY: the caller promises this, and nothing is written before they are read.
     let (motions, weights) = unsafe { (motions.slice(), weights.slice()) };
     let influences = motions.iter().copied().zip(weights.iter().copied());
     let sum = internal::weighted_sum(influences).ok_or(Status::NoInfluences)?;
-    // SAFETY: promised, and nothing is read any more.
+    // SAFETY: the caller promises this, and nothing is read after it.
     unsafe { out.write(sum.try_normalize()?) };
     Ok(())
 }
 
-/// A screw as C has it: direction and moment of its axis, angle, slide.
+/// The numbers of a screw in C: direction and moment of its axis, angle, slide.
 fn numbers<R: Copy>(screw: Screw<R>) -> [R; 8] {
     let ([lx, ly, lz], [mx, my, mz]) = (screw.axis.direction, screw.axis.moment);
     [lx, ly, lz, mx, my, mz, screw.angle, screw.slide]
@@ -45,29 +45,30 @@ fn screw<R>([lx, ly, lz, mx, my, mz, angle, slide]: [R; 8]) -> Screw<R> {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// From `a` to `b` by the shorter way, `t` of it: linear and normalized.
-            /// DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+            /// Interpolates from `a` (t = 0) to `b` (t = 1) by the shorter way: the normalized
+            /// linear interpolation. Returns DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
             motion::nlerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| finite(a.nlerp(b, t)))
         }
         export_one! { $R
-            /// From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant
-            /// speed.
+            /// Interpolates from unit `a` (t = 0) to unit `b` (t = 1) by the shorter way, along one
+            /// screw at constant speed.
             motion::sclerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| Ok(a.sclerp(b, t)))
         }
         export_one! { $R
-            /// The blend of `count` unit motions by `weights`, which need not sum to 1: their sum,
-            /// each turned toward the first, normalized (dual quaternion linear blending).
+            /// Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
+            /// quaternion linear blending: each motion gets the sign that turns it toward the
+            /// first, and their weighted sum is normalized.
             ///
-            /// DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is
-            /// no motion.
+            /// Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
+            /// the sum is no motion.
             motion::blend(motions: *const $R, weights: *const $R, count: usize, out: *mut $R) =
                 super::blend(motions, weights, count, out)
         }
         export_one! { $R
-            /// The logarithm of a unit motion, six numbers: half the angle times the axis, and its
-            /// moment.
+            /// Writes the logarithm of a unit motion, six numbers: half the angle times the axis,
+            /// and the dual part of that.
             motion::log(motion: *const $R, log: *mut $R) =
                 one(motion, log, |motion: DualQuat<$R>| {
                     let log = motion.log();
@@ -75,26 +76,27 @@ macro_rules! functions {
                 })
         }
         export_one! { $R
-            /// The motion of a logarithm of six numbers.
+            /// Writes the unit motion whose logarithm is `log`, six numbers.
             motion::exp(log: *const $R, out: *mut $R) =
                 one(log, out, |[real, dual]: [[$R; 3]; 2]| {
                     Ok(DualQuat::exp(DualVector { real, dual }))
                 })
         }
         export_one! { $R
-            /// `t` of a unit motion: the same screw axis, t times the angle and the slide.
+            /// Raises a unit motion to the power `t`: the same screw axis, with t times the angle
+            /// and the slide.
             motion::pow(motion: *const $R, t: $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.pow(t)))
         }
         export_one! { $R
-            /// The screw of a unit motion, eight numbers: direction of the axis, moment of the
-            /// axis, angle in 0 to pi, slide along the axis. A translation has angle 0.
+            /// Writes the screw of a unit motion, eight numbers: direction of the axis, moment of
+            /// the axis, angle from 0 to pi, slide along the axis. A translation has angle 0.
             motion::to_screw(motion: *const $R, screw: *mut $R) =
                 one(motion, screw, |motion: DualQuat<$R>| Ok(numbers(motion.to_screw())))
         }
         export_one! { $R
-            /// The motion of a screw, eight numbers: direction of length 1, moment at right angles
-            /// to it, angle, slide.
+            /// Writes the motion of a screw, eight numbers: direction of the axis, of length 1;
+            /// moment of the axis, at right angles to that; angle; slide.
             motion::from_screw(numbers: *const $R, out: *mut $R) =
                 one(numbers, out, |numbers: [$R; 8]| Ok(DualQuat::from_screw(screw(numbers))))
         }

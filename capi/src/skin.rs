@@ -1,43 +1,45 @@
-//! A skin as C keeps it, and what it is made of.
+//! [`Skin`]: the joints and weights of a mesh, checked once.
 
 use crate::memory::{Input, Output};
-use crate::span::{Span, apart};
+use crate::span::{Span, disjoint};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr;
 use dq8::skinning::{self, SkinningError};
 use dq8::{DualQuat, Scalar};
 
-/// Where the joints of a vertex lie in an array that holds one vertex after the other, or its
-/// weights; counted in elements of their own type.
+/// The layout of the joints, or of the weights, in an array that holds one vertex after the other.
+/// Both fields of this struct count elements of the array.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct InfluenceField {
-    /// From a vertex to the next.
+    /// The distance from the beginning of a vertex to that of the next.
     pub stride: usize,
-    /// Where in a vertex the field begins.
+    /// The offset of the field in a vertex.
     pub first: usize,
 }
 
-/// Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints
-/// and weights that it was made of must stay where they are, as they are.
+/// The joints and weights that move the vertices of a mesh, made by dq8_skin_make. This struct may
+/// be copied and moved. The arrays of joints and weights must stay where they are and must not
+/// change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Skin<R> {
-    /// How many vertices it has.
+    /// The number of vertices.
     pub vertices: usize,
-    /// How many influences every vertex has. 0 in a skin that has not been made, if it was zeroed.
+    /// The number of influences that every vertex has. It is 0 in a zeroed struct that no skin has
+    /// been made in.
     pub influences: usize,
-    /// How many joints its palettes have.
+    /// The number of joints that its palettes have.
     pub joints: usize,
-    /// Not for you.
-    // A `Known<R>`, some of whose bytes are padding and so nothing at all.
+    /// Private to the library.
+    // A `Known<R>`. Some of its bytes are padding, which is uninitialised.
     opaque: [MaybeUninit<*const R>; 8],
 }
 
 pub(crate) type Known<R> = skinning::Skin<'static, u16, R>;
 
-/// Whether what the library keeps fits the memory that C has for it.
+/// Asserts that a skin of the library fits into the memory that C has for it.
 macro_rules! fits {
     ($($R:ident)*) => {$(const _: () = {
         assert!(size_of::<Known<$R>>() <= 8 * size_of::<*const ()>());
@@ -56,8 +58,8 @@ fn vertex_of(error: &SkinningError) -> Option<usize> {
     }
 }
 
-/// What a skin is made of, as C has it.
-pub(crate) struct Given<R> {
+/// The parts that a skin is made of, as C passes them.
+pub(crate) struct SkinParts<R> {
     pub(crate) joints: usize,
     pub(crate) influences: usize,
     pub(crate) joint_indices: *const u16,
@@ -67,9 +69,10 @@ pub(crate) struct Given<R> {
     pub(crate) vertices: usize,
 }
 
-impl<R: Scalar + skinning::Weight> Given<R> {
+impl<R: Scalar + skinning::Weight> SkinParts<R> {
     /// # Safety
-    /// As for [`Input::slice`] and [`Output::write`]; joints and weights stay as they are.
+    /// The same as for [`Input::slice`] and [`Output::write`], and joints and weights must not
+    /// change later.
     pub(crate) unsafe fn make(self, skin: *mut Skin<R>, bad_vertex: *mut usize) -> Done {
         let Self {
             joints,
@@ -86,8 +89,8 @@ impl<R: Scalar + skinning::Weight> Given<R> {
         let weights = Input::<R>::new(weights, count(weight_field)?)?;
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
-        apart(&[made.span, bad_vertex.span], &[joint_indices.span, weights.span])?;
-        // SAFETY: promised; what is made lives as long as C keeps them.
+        disjoint(&[made.span, bad_vertex.span], &[joint_indices.span, weights.span])?;
+        // SAFETY: the caller promises this, and the skin lives as long as C keeps the arrays.
         let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
         let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
         let (by, how_much) = ((joint_indices, field(joint_field)), (weights, field(weight_field)));
@@ -95,14 +98,15 @@ impl<R: Scalar + skinning::Weight> Given<R> {
             Ok(known) => known,
             Err(error) => {
                 if let Some(vertex) = vertex_of(&error) {
-                    // SAFETY: promised, and apart.
+                    // SAFETY: the caller promises this, and the arrays are disjoint.
                     unsafe { bad_vertex.write(vertex) };
                 }
                 return Err(error.into());
             }
         };
         let opaque = [const { MaybeUninit::uninit() }; 8];
-        // SAFETY: promised, and apart; a skin of the library fits, by `fits`.
+        // SAFETY: the caller promises this, and the arrays are disjoint; a skin of the library
+        // fits, by `fits`.
         unsafe {
             made.write(Skin { vertices, influences, joints, opaque });
             ptr::addr_of_mut!((*skin).opaque).cast::<Known<R>>().write(known);
@@ -111,31 +115,32 @@ impl<R: Scalar + skinning::Weight> Given<R> {
     }
 }
 
-/// What poses a mesh, found where C says it is: a skin, and what its blend needs.
+/// The inputs that pose a mesh: a skin, and the palettes of its blend.
 pub(crate) struct Posing<R: 'static> {
     known: Known<R>,
-    /// Nothing that is written may overlap these.
+    /// The memory of all inputs, which no output may overlap.
     pub(crate) spans: [Span; 6],
     motions: Input<DualQuat<R>>,
     matrices: Input<[[R; 4]; 3]>,
     shares: Input<R>,
 }
 
-/// What the blends of a mesh need, where C says it is; `None` if this one does not need it.
-pub(crate) struct By<R> {
+/// The pointers to the palettes of a blend, with `None` for those that it does not need.
+pub(crate) struct Pointers<R> {
     /// Eight numbers per joint.
     pub(crate) motions: Option<*const R>,
     /// Twelve numbers per joint.
     pub(crate) matrices: Option<*const R>,
-    /// A number for each of so many vertices of the mesh, which may not be those of the skin.
+    /// A number per vertex, and the number of vertices of the mesh, which may differ from that of
+    /// the skin: that is an error later.
     pub(crate) shares: Option<(*const R, usize)>,
 }
 
-impl<R> By<R> {
+impl<R> Pointers<R> {
     pub(crate) const NOTHING: Self = Self { motions: None, matrices: None, shares: None };
 }
 
-/// [`By`], found; empty if not needed.
+/// The palettes of a blend, with empty slices for those that it does not need.
 pub(crate) struct Palettes<'p, R> {
     pub(crate) motions: &'p [DualQuat<R>],
     pub(crate) matrices: &'p [[[R; 4]; 3]],
@@ -144,20 +149,20 @@ pub(crate) struct Palettes<'p, R> {
 
 impl<R: Scalar + skinning::Weight> Posing<R> {
     /// # Safety
-    /// The skin is zero, or has been made, and what it was made of is as it was.
+    /// The skin must be zeroed or made, and its arrays must be what they were then.
     pub(crate) unsafe fn new(
         skin: *const Skin<R>,
         joints: usize,
-        By { motions, matrices, shares }: By<R>,
+        Pointers { motions, matrices, shares }: Pointers<R>,
     ) -> Result<Self, Status> {
         let given = Span::of(skin, 1)?;
-        // SAFETY: neither null nor misaligned, by `Span::of`; the rest is promised.
+        // SAFETY: neither null nor misaligned, by `Span::of`; the caller promises the rest.
         if unsafe { ptr::addr_of!((*skin).influences).read() } == 0 {
             return Err(Status::NoSkin);
         }
-        // SAFETY: it has been made, so this was written.
+        // SAFETY: the skin has been made, so this was written.
         let known = unsafe { ptr::addr_of!((*skin).opaque).cast::<Known<R>>().read() };
-        // What the kernel reads, whatever has become of the numbers that C sees.
+        // The arrays that the kernel reads; C may have changed the public numbers of the skin.
         let (indices, weights) = (known.joints(), known.weights());
         let indices = Span::of(indices.as_ptr(), indices.len())?;
         let weights = Span::of(weights.as_ptr(), weights.len())?;
@@ -175,9 +180,9 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
     /// The skin and its palettes.
     ///
     /// # Safety
-    /// As for [`new`](Self::new) and [`Input::slice`].
+    /// The same as for [`new`](Self::new) and [`Input::slice`].
     pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, Palettes<'p, R>) {
-        // SAFETY: promised.
+        // SAFETY: the caller promises this.
         unsafe {
             let (motions, matrices) = (self.motions.slice(), self.matrices.slice());
             (self.known, Palettes { motions, matrices, shares: self.shares.slice() })

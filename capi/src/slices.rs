@@ -6,18 +6,18 @@ use dq8::hierarchy::MatrixOrder;
 use dq8::internal::{for_each_kernel, record};
 use dq8::storage::{AoSoA, Aos, Layout};
 
-/// In which order the numbers of a matrix lie in memory.
+/// The order of the numbers of a matrix in memory.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Row after row: C arrays.
+    /// Row by row, as in C arrays.
     Rows = 0,
-    /// Column after column: OpenGL, GPU buffers.
+    /// Column by column, as in OpenGL and in GPU buffers.
     Columns = 1,
 }
 
 impl Order {
-    /// What a number from C stands for.
+    /// The order that a number from C stands for.
     pub(crate) fn known(order: i32) -> Result<MatrixOrder, Status> {
         match order {
             rows if rows == Self::Rows as i32 => Ok(MatrixOrder::Rows),
@@ -36,7 +36,7 @@ kernel_or_in_place! {
 kernel! { matrices_3x4(motions: 8; order: i32 = Order::known(order)?) -> 12 by matrices }
 kernel! { matrices_4x4(motions: 8; order: i32 = Order::known(order)?) -> 16 by matrices }
 
-/// The generic functions of the list.
+/// The functions of the list, generic over the layout.
 mod of_each {
     use super::*;
 
@@ -66,7 +66,8 @@ mod of_each {
     for_each_kernel!(kernels);
 }
 
-/// What C sees of the list, of one number type: the functions on plain arrays, and on `blocks`.
+/// Exports the functions of the list for one number type: on plain arrays, and in `blocks` on
+/// blocks.
 macro_rules! exports {
     ($R:ident [$few:literal $many:literal], $(
         $(#[doc = $brief:literal])+
@@ -81,7 +82,7 @@ macro_rules! exports {
             $(#[doc = out_may_be!($in_place $input)])?
             ///
             /// # Safety
-            /// Arrays have the lengths named.
+            /// Arrays must have the lengths that are named.
             #[unsafe(export_name = concat!("dq8_", name!($name $($c)?), "_", stringify!($R)))]
             pub unsafe extern "C" fn $name(
                 $input: *const $R,
@@ -90,7 +91,7 @@ macro_rules! exports {
                 out: *mut $R,
                 count: usize,
             ) -> Status {
-                // SAFETY: promised.
+                // SAFETY: the caller promises this.
                 Status::of(unsafe { of_each::$name::<Aos<$R>>($input, $($other,)* $($parameter,)? out, count) })
             }
         )*
@@ -100,12 +101,12 @@ macro_rules! exports {
             use super::*;
             $(
                 #[doc = concat!(
-                    " dq8_", name!($name $($c)?), "_", stringify!($R), " on blocks of ",
-                    stringify!($few), " or ", stringify!($many), " `lanes`; `count` is a number of blocks."
+                    " Does what dq8_", name!($name $($c)?), "_", stringify!($R), " does, on blocks of ",
+                    stringify!($few), " or ", stringify!($many), " `lanes`. `count` is the number of blocks."
                 )]
                 ///
                 /// # Safety
-                /// Arrays have the lengths named, in blocks.
+                /// Arrays must have the lengths that are named, in blocks.
                 #[unsafe(export_name = concat!("dq8_blocks_", name!($name $($c)?), "_", stringify!($R)))]
                 pub unsafe extern "C" fn $name(
                     lanes: usize,
@@ -116,11 +117,11 @@ macro_rules! exports {
                     count: usize,
                 ) -> Status {
                     Status::of(match lanes {
-                        // SAFETY: promised.
+                        // SAFETY: the caller promises this.
                         $few => unsafe {
                             of_each::$name::<AoSoA<[$R; $few]>>($input, $($other,)* $($parameter,)? out, count)
                         },
-                        // SAFETY: promised.
+                        // SAFETY: the caller promises this.
                         $many => unsafe {
                             of_each::$name::<AoSoA<[$R; $many]>>($input, $($other,)* $($parameter,)? out, count)
                         },
@@ -153,22 +154,22 @@ macro_rules! functions {
         for_each_kernel!(exports, $R $lanes);
 
         export! { $R $lanes
-            /// `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
+            /// Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
             points, blocks_points(motion: *const $R, points: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// `vectors`, three numbers each, turned by the one unit `motion`: directions do not
+            /// Turns `vectors`, three numbers each, by one unit `motion`: directions do not
             /// translate. `out` may be `vectors`.
             vectors, blocks_vectors(motion: *const $R, vectors: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of
-            /// enum dq8_matrix_order.
+            /// Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
+            /// one of enum dq8_matrix_order.
             matrices_3x4, blocks_matrices_3x4(motions: *const $R, order: i32, out: *mut $R)
         }
         export! { $R $lanes
-            /// The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order`
-            /// is one of enum dq8_matrix_order.
+            /// Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
+            /// each, in `order`, one of enum dq8_matrix_order.
             matrices_4x4, blocks_matrices_4x4(motions: *const $R, order: i32, out: *mut $R)
         }
     };

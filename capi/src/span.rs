@@ -1,8 +1,8 @@
-//! [`Span`]: where an array lies, and whether arrays lie apart.
+//! [`Span`]: the memory of an array, and the check that arrays are disjoint.
 
 use crate::status::{Done, Status};
 
-/// Where an array lies: the first byte, and the one after the last.
+/// The memory of an array: the addresses of its first byte, and of the byte after its last one.
 #[derive(Clone, Copy)]
 pub(crate) struct Span {
     start: usize,
@@ -10,10 +10,10 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// Where arrays without elements lie: in nothing.
+    /// The memory of an array without elements, which overlaps nothing.
     pub(crate) const NOWHERE: Self = Self { start: 0, end: 0 };
 
-    /// An array without elements lies nowhere, whatever its pointer is.
+    /// The memory of `count` elements from `start`. If `count` is 0, any pointer is good.
     pub(crate) fn of<T>(start: *const T, count: usize) -> Result<Self, Status> {
         if count == 0 {
             return Ok(Self::NOWHERE);
@@ -35,8 +35,8 @@ impl Span {
     }
 }
 
-/// An error if an output overlaps an input or another output. Inputs may overlap each other.
-pub(crate) fn apart(outputs: &[Span], inputs: &[Span]) -> Done {
+/// Checks that no output overlaps an input or another output. Inputs may overlap each other.
+pub(crate) fn disjoint(outputs: &[Span], inputs: &[Span]) -> Done {
     for (index, &output) in outputs.iter().enumerate() {
         let others = outputs.iter().skip(index + 1).chain(inputs);
         for &other in others {

@@ -1,4 +1,4 @@
-//! [`Status`]: what became of a call.
+//! [`Status`]: the result of a call.
 
 use core::ffi::{CStr, c_char};
 use dq8::{
@@ -8,10 +8,10 @@ use dq8::{
     skinning::SkinningError,
 };
 
-/// What a function does inside: its error is the status.
+/// The result of a function inside the library. Its error is the status for C.
 pub(crate) type Done = Result<(), Status>;
 
-/// The enum, and what each of its numbers means, in English.
+/// Defines the enum, and the English text of each of its numbers.
 macro_rules! statuses {
     (
         $(#[doc = $about:literal])*
@@ -29,92 +29,99 @@ macro_rules! statuses {
         fn text(status: i32) -> &'static CStr {
             match status {
                 $($number => $text,)*
-                _ => c"no status of dq8",
+                _ => c"this number is no status of dq8",
             }
         }
     };
 }
 
 statuses! {
-    /// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index
-    /// such as `bad_joint` or `bad_vertex`, the steps that were to be a mechanism, and scratch.
+    /// The result of a call. If it is not DQ8_STATUS_OK, the outputs are as they were, except an
+    /// index such as `bad_joint` or `bad_vertex`, the steps of a mechanism that was to be made, and
+    /// scratch.
     pub enum Status {
-        /// It is done.
-        Ok = 0: c"done",
-        /// A pointer is null where there is something to read or to write.
+        /// The call has succeeded.
+        Ok = 0: c"success",
+        /// A pointer is null, but its array has elements.
         NullPointer = 1: c"a pointer is null",
-        /// A pointer is not aligned: to its number type, or to 64 bytes for blocks.
+        /// A pointer is not aligned to its number type or, for blocks, to 64 bytes.
         Misaligned = 2: c"a pointer is not aligned",
-        /// An output overlaps an input, be it an array or one thing, or another output, and is not
-        /// exactly the array that it may be.
+        /// An output overlaps an input or another output. Where a function allows that an output is
+        /// one of the inputs, it must be exactly the same array.
         Overlap = 3: c"an output overlaps another array",
         /// An array would be larger than memory.
         TooLarge = 4: c"an array would be larger than memory",
-        /// Lengths do not fit each other, such as a `count` that is no multiple of the joints: it
-        /// counts all poses of all instances or configurations.
-        Length = 5: c"lengths do not fit each other: count is of all poses, such as links times configurations",
-        /// There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
-        Lanes = 6: c"there are no blocks of so many lanes",
+        /// Lengths do not fit each other. For example, `count` is no multiple of the number of
+        /// joints; it is the number of all poses, of all instances or configurations.
+        Length = 5: c"lengths do not fit each other; count is that of all poses, such as links times configurations",
+        /// There are no blocks with that number of lanes. float has blocks of 8 and 16 lanes,
+        /// double of 4 and 8.
+        Lanes = 6: c"there are no blocks with that number of lanes",
         /// The motion, or the placement of a joint, is not unit.
         NotUnit = 7: c"a motion is not unit",
-        /// There is no unit motion: the real part is zero, or a number is not finite.
-        NotNormalizable = 8: c"there is no unit motion: the real part is zero or a number not finite",
-        /// There is no inverse: the real part is zero, or a number is not finite.
-        NoInverse = 9: c"there is no inverse: the real part is zero or a number not finite",
-        /// The matrix scales or shears.
-        NotOrthonormal = 10: c"the matrix is no rotation: it scales or shears",
-        /// The matrix mirrors.
-        Mirrors = 11: c"the matrix is no rotation: it mirrors",
+        /// The dual quaternion cannot be normalized, because its real part is zero or a number is
+        /// not finite.
+        NotNormalizable = 8: c"the motion cannot be normalized: its real part is zero, or a number is not finite",
+        /// The motion has no inverse, because its real part is zero or a number is not finite.
+        NoInverse = 9: c"the motion has no inverse: its real part is zero, or a number is not finite",
+        /// The matrix is no rigid motion, because it scales or shears.
+        NotOrthonormal = 10: c"the matrix is no rigid motion: it scales or shears",
+        /// The matrix is no rigid motion, because it mirrors.
+        Mirrors = 11: c"the matrix is no rigid motion: it mirrors",
         /// The translation of the matrix, or a number of a joint, is not finite.
         NotFinite = 12: c"a number that must be finite is not",
         /// The last row of the 4x4 matrix is not 0 0 0 1.
         NotAffine = 13: c"the last row of the matrix is not 0 0 0 1",
-        /// There is nothing to blend.
-        NoInfluences = 14: c"there is nothing to blend",
-        /// A parent does not come before its child: a forward reference, or a cycle.
-        ParentNotBefore = 15: c"a parent does not come before its child",
-        /// A parent is no joint at all, nor -1.
-        ParentOutOfRange = 16: c"a parent is no joint",
+        /// There is nothing to blend, because the number of motions or influences is 0.
+        NoInfluences = 14: c"there is nothing to blend: the number of motions or influences is 0",
+        /// The parent of a joint does not come before it in the array.
+        ParentNotBefore = 15: c"the parent of a joint does not come before it",
+        /// The parent of a joint is neither a joint nor -1.
+        ParentOutOfRange = 16: c"the parent of a joint is neither a joint nor -1",
         /// There are more joints than 32 bits can number.
         TooManyJoints = 17: c"there are more joints than 32 bits can number",
-        /// A number stands for nothing: no backend, no order of matrices, no kind of joint, no
-        /// frame.
-        UnknownValue = 18: c"a number stands for none of what it chooses from",
-        /// An axis or normal is not of length 1.
-        Axis = 19: c"an axis is not of length 1",
-        /// A joint cannot mimic that one: there is none, it mimics too, or one of the two has not
-        /// one value.
-        Mimic = 20: c"a joint cannot mimic the one that it should",
+        /// A number is none of the allowed ones: no value of its enum (a backend, an order of
+        /// matrices, a kind of joint, a frame), no 0 or 1 where only these are allowed, or no clip.
+        UnknownValue = 18: c"a number is none of the allowed ones, such as the values of an enum",
+        /// The length of an axis or normal is not 1.
+        Axis = 19: c"the length of a joint's axis is not 1",
+        /// A joint cannot mimic its leader: there is no such joint, the leader mimics another one,
+        /// or one of the two does not have exactly one value.
+        Mimic = 20: c"a joint cannot mimic its leader",
         /// There is no such link.
         NoLink = 21: c"there is no such link",
-        /// The mechanism has not been made.
+        /// The mechanism is a zeroed struct that dq8_mechanism_make has not filled in.
         NoMechanism = 22: c"the mechanism has not been made",
         /// A vertex follows a joint that the palette does not have.
-        JointOutOfRange = 23: c"a vertex follows a joint that there is not",
-        /// A weight is negative or not finite; or a goal has none, or there is no goal.
-        Weight = 24: c"a weight is negative or not finite, or there is none",
-        /// The weights of a vertex, which should sum to one, sum to less than 1/1024 or more
+        JointOutOfRange = 23: c"a vertex follows a joint that does not exist",
+        /// A weight is negative or not finite, or all weights of a goal are 0, or there is no goal.
+        Weight = 24: c"a weight is negative or not finite, or a goal without any weight",
+        /// The weights of a vertex, which should sum to 1, sum to less than 1/1024 or more
         /// than 1024.
-        WeightSum = 25: c"the weights of a vertex sum to less than 1/1024 or more than 1024",
-        /// The skin has not been made.
+        WeightSum = 25: c"the weights of a vertex sum to less than 1/1024 or more than 1024, and not to 1",
+        /// The skin is a zeroed struct that dq8_skin_make has not filled in.
         NoSkin = 26: c"the skin has not been made",
-        /// Limits of a joint are not in order, or leave no value together with those of what mimics
-        /// it, or are angles that a float does not tell apart.
-        Limits = 27: c"the limits of a joint leave no value",
-        /// A field lies beyond its vertex, or in another field.
-        Field = 28: c"a field lies beyond its vertex, or in another field",
-        /// The order of a plan is not one of these parents: it has not been made for them.
-        NoPlan = 29: c"the order of the plan has not been made for these parents",
+        /// The limits of a joint are not in order, or they allow no value together with the limits
+        /// of joints that mimic it, or they are angles so large that the number type cannot resolve
+        /// them.
+        Limits = 27: c"the limits of a joint allow no value",
+        /// A field of a vertex is not inside of the vertex, or overlaps another field.
+        Field = 28: c"a field is not inside of its vertex, or overlaps another field",
+        /// The order was made for other parents.
+        NoPlan = 29: c"the order of the plan was made for other parents",
         /// A share of a mix is not in [0, 1].
         Share = 30: c"a share of a mix is not in [0, 1]",
-        /// No joint moves the link of a goal: only fixed ones carry it.
+        /// The link of a goal cannot move, because only fixed joints carry it.
         Unmoved = 31: c"no joint moves the link of a goal",
-        /// The packed clips have not been made.
+        /// The clips are a zeroed struct that dq8_clips_make has not filled in.
         NoClips = 32: c"the packed clips have not been made",
-        /// Bytes are no packed clips.
+        /// The bytes are no packed clips.
         NotClips = 33: c"the bytes are no packed clips",
-        /// A time is not later than the one before, or not finite.
-        Times = 34: c"the times of a trajectory do not rise, or one is not finite",
+        /// A time of a trajectory is not later than the one before, or is not finite.
+        Times = 34: c"a time of a trajectory is not later than the one before, or is not finite",
+        /// A time is before the first stamp of a trajectory or after its last one and the options
+        /// refuse that, or the time of the frame is not finite.
+        Outside = 35: c"a time is outside the stamps of the trajectory",
     }
 }
 
@@ -136,7 +143,7 @@ impl From<HierarchyError> for Status {
             HierarchyError::ParentNotBefore { .. } => Self::ParentNotBefore,
             HierarchyError::ParentOutOfRange { .. } => Self::ParentOutOfRange,
             HierarchyError::TooManyJoints { .. } => Self::TooManyJoints,
-            // What only a newer dq8 knows.
+            // A newer dq8 may have more errors.
             _ => Self::UnknownValue,
         }
     }
@@ -149,7 +156,7 @@ impl From<MatrixError> for Status {
             MatrixError::Mirrors { .. } => Self::Mirrors,
             MatrixError::NotFinite { .. } => Self::NotFinite,
             MatrixError::NotAffine { .. } => Self::NotAffine,
-            // What only a newer dq8 knows.
+            // A newer dq8 may have more errors.
             _ => Self::UnknownValue,
         }
     }
@@ -167,7 +174,7 @@ impl From<SkinningError> for Status {
             SkinningError::Field { .. } | SkinningError::InfluenceField { .. } => Self::Field,
             SkinningError::Shape(_) => Self::Length,
             SkinningError::Share { .. } => Self::Share,
-            // What only a newer dq8 knows.
+            // A newer dq8 may have more errors.
             _ => Self::UnknownValue,
         }
     }
@@ -185,8 +192,8 @@ impl From<InverseError> for Status {
     }
 }
 
-/// What a status means, in English: text that lives as long as the program. A number that is no
-/// status has a text too, which says so.
+/// Returns the meaning of a status in English. The text lives as long as the program. A number that
+/// is no status has a text too, which says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_status_text(status: i32) -> *const c_char {
     text(status).as_ptr()

@@ -9,7 +9,7 @@ use dq8_capi::skinning::single as c;
 use std::mem::MaybeUninit;
 use std::ptr;
 
-/// As an engine might have it.
+/// A vertex as an engine may have it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Vertex {

@@ -1,5 +1,5 @@
-//! The results as a picture, 700 pixels wide: a row a contest, a mark for each kind of contender, at
-//! its time over that of glam.
+//! The results as a picture, 700 pixels wide: a row for each contest, and in it a mark for each
+//! kind of contender, at its time over that of glam.
 
 use crate::best::Best;
 use dq8_fixtures::legible::wrapped;

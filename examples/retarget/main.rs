@@ -2,7 +2,8 @@
 //! values for each frame.
 //!
 //! ```text
-//! cargo run --release --example retarget -- ROBOT.urdf CLIP.bvh [--map FILE] [--rate HZ] [--csv OUT] [--svg OUT]
+//! cargo run --release --example retarget -- \
+//!   ROBOT.urdf CLIP.bvh [--map FILE] [--rate HZ] [--csv OUT] [--svg OUT]
 //! ```
 //!
 //! Limbs keep the directions that they have in the clip and the lengths that they have on the

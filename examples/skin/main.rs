@@ -1,8 +1,10 @@
 //! A mesh follows its joints: linear blending, dual quaternion blending, and a mix of both.
 //!
 //! ```text
-//! skin [--svg OUT]                     the built-in tube, bent and twisted: volume and length, one SVG (skin.svg)
-//! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--normalize] [--times T0,T1,…] [--obj DIR] [--pack OUT] [--svg OUT]
+//! skin [--svg OUT]                     the built-in tube, bent and twisted: its volume and length,
+//!                                      and a picture (skin.svg)
+//! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--normalize] [--times T0,T1,…]
+//!      [--obj DIR] [--pack OUT] [--svg OUT]
 //! ```
 //!
 //! FILE is a binary or textual glTF file. The meshes of its scene are posed in world space, at each

@@ -6,9 +6,11 @@
 //! p/|p| and t = 2qp⁻¹,
 //!
 //! ```text
-//! |N(z + δ) − N(z)|       ≤ |δp|/ℓ                                real, for 2|δ|/(|a| + |b|) of Dunkl and Williams (1964)
-//!                         ≤ |δq|/ℓ + (2/√3) |δp||q|/ℓ²            dual
-//! |M(v) − M′(v)|          ≤ 2 (|δp||v|/ℓ + |δq|/ℓ + |δp||q|/ℓ²)   for a⁻¹ − b⁻¹ = a⁻¹(b − a)b⁻¹
+//! |N(z + δ) − N(z)| ≤ |δp|/ℓ                                (1) real
+//!                   ≤ |δq|/ℓ + (2/√3) |δp||q|/ℓ²            (2) dual
+//! |M(v) − M′(v)|    ≤ 2 (|δp||v|/ℓ + |δq|/ℓ + |δp||q|/ℓ²)   (3)
+//!
+//! (1) by 2|δ|/(|a| + |b|) of Dunkl and Williams (1964), (3) by a⁻¹ − b⁻¹ = a⁻¹(b − a)b⁻¹
 //! ```
 //!
 //! where ℓ is the least length of p on the way, and 2/√3 is of the largest slope of (1 −

@@ -13,7 +13,7 @@ compile_error!(
 pub mod bound;
 pub mod composed;
 pub mod coq;
-pub mod everyday;
+pub mod quick;
 mod fraction;
 pub mod gappa;
 mod interval;

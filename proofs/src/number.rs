@@ -8,7 +8,7 @@ use core::any::Any;
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use dq8::everyday::Quick;
+use dq8::quick::Quick;
 use dq8::skinning::Weight;
 use dq8::{Real, Scalar};
 use dq8_simd::sealed::Sealed;

@@ -15,7 +15,7 @@ const SAMPLED: &str = "not proved: the pose is interpolated first; the product i
 const FORMS: &[Row] = &[
     // Instances in blocks: by the product of `batch::DualQuat`.
     (
-        "src/hierarchy/blocks.rs Forward",
+        "src/hierarchy/blocks.rs Blocks",
         &["local_to_model_blocks", "local_to_model_roots_blocks", "bones_blocks"],
         "",
     ),
@@ -26,10 +26,10 @@ const FORMS: &[Row] = &[
         &["local_to_model_lanes", "local_to_model_roots_lanes"],
         "",
     ),
-    ("src/hierarchy/plain.rs Walk", &["local_to_model", "bones"], ""),
+    ("src/hierarchy/plain.rs OneByOne", &["local_to_model", "bones"], ""),
     ("src/hierarchy/plain.rs product x 1", &["local_to_model", "local_to_model_roots"], ""),
-    ("src/hierarchy/plain.rs Unkept", &["palette_lanes"], ""),
-    ("src/hierarchy/plan.rs Walk", &["local_to_model_planned"], ""),
+    ("src/hierarchy/plain.rs PaletteInstances", &["palette_lanes"], ""),
+    ("src/hierarchy/plan.rs InOrder", &["local_to_model_planned"], ""),
     ("src/hierarchy/plan.rs Begin", &["local_to_model_planned_root"], ""),
     (
         "src/hierarchy/plan.rs product x 3",
@@ -103,7 +103,7 @@ const FORMS: &[Row] = &[
     ),
     ("JointKind::Screw", &[], "not proved: the sums of a hinge and of a slide, and a sine"),
     ("JointKind::Planar", &[], "not proved: the sums of a hinge and of a point, and a sine"),
-    ("robot/src/ik/job.rs SearchKernel", &[], "not proved: a search"),
+    ("robot/src/ik/job.rs Batch", &[], "not proved: a search"),
     ("robot/src/ik/rates.rs Velocities", &[], "not proved: solves a system"),
     ("robot/src/ik/six_axis.rs SolutionsKernel", &[], "not proved: angles by arcs"),
 ];

@@ -14,7 +14,7 @@ swing = 0.4 * np.sin(2 * np.pi * times[:, None] + np.linspace(0, 3, len(parents)
 offsets = dq8.from_translation(0.3 * rng.normal(size=(len(parents), 3)))
 clip = dq8.mul(offsets, dq8.from_axis_angle(rng.normal(size=(len(parents), 3)), swing))
 
-shaken = dq8.integrate_body(clip, 0.02 * rng.normal(size=(*clip.shape[:-1], 6)), 1.0)
+shaken = dq8.mul(clip, dq8.from_twist(0.02 * rng.normal(size=(*clip.shape[:-1], 6))))
 calm = dq8.dib_windows(shaken, [1, 2, 3, 2, 1], axis=0)  # in time: joints stay apart
 off = [dq8.angle_to(path, clip[2:-2]).mean() for path in (shaken[2:-2], calm)]
 print(f"off by {off[0]:.4f} radians, smoothed {off[1]:.4f}")

@@ -91,5 +91,13 @@ mod _core {
     #[pymodule_export]
     use dq8_python_robots::solutions::solutions;
     #[pymodule_export]
+    use dq8_python_trajectories::compare::compare;
+    #[pymodule_export]
+    use dq8_python_trajectories::fit::fit_pairs;
+    #[pymodule_export]
     use dq8_python_trajectories::resample::resample;
+    #[pymodule_export]
+    use dq8_python_trajectories::spline::Spline;
+    #[pymodule_export]
+    use dq8_python_trajectories::trajectory::Trajectory;
 }

@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 import dq8
 from dq8 import RigidTransform
+from dq8._signatures import SIGNATURES
 
 COUNT, JOINTS = 21, 5
 
@@ -24,7 +25,7 @@ def motions(rng: np.random.Generator, *shape: int, size: float = 1.0) -> np.ndar
 
 def neighbours(rng: np.random.Generator, *shape: int) -> np.ndarray:
     """Motions less than half a turn from each other, where interpolations and means do not jump."""
-    return dq8.integrate_body(motions(rng), 0.3 * rng.normal(size=(*shape, 6)), 1.0)
+    return dq8.mul(motions(rng), dq8.from_twist(0.3 * rng.normal(size=(*shape, 6))))
 
 
 def weights(rng: np.random.Generator, *shape: int) -> np.ndarray:
@@ -75,45 +76,26 @@ def of_transform(method: str) -> Callable:
     return call
 
 
+def made_of(parameters: dict[str, tuple[int, ...]]) -> list[Callable]:
+    """What the arguments of a function of the table are made of: by their shape, unless their name says more."""
+    by_name = {"rotations": ROTATIONS, "screws": SCREWS}
+    # Interpolations and means take motions that are close together, where they do not jump.
+    several = sum(shape == (8,) for shape in parameters.values()) > 1
+    by_shape = {
+        (8,): NEIGHBOURS if several else MOTIONS,
+        (6,): TWISTS,
+        (4,): PLANES,
+        (3,): VECTORS,
+        (): NUMBERS,
+        (4, 4): MATRICES,
+    }
+    return [by_name.get(name, by_shape[shape]) for name, shape in parameters.items()]
+
+
 CALLS: dict[str, tuple[Callable, list[Callable]]] = {
-    "mul": (dq8.mul, [MOTIONS, MOTIONS]),
-    "compose": (dq8.compose, [MOTIONS, MOTIONS]),
-    "inverse": (dq8.inverse, [MOTIONS]),
-    "conjugate": (dq8.conjugate, [MOTIONS]),
-    "normalize": (dq8.normalize, [MOTIONS]),
-    "unit_or_identity": (dq8._core.unit_or_identity, [MOTIONS]),
-    "nlerp": (dq8.nlerp, [NEIGHBOURS, NEIGHBOURS, NUMBERS]),
-    "sclerp": (dq8.sclerp, [NEIGHBOURS, NEIGHBOURS, NUMBERS]),
-    "squad": (dq8.squad, [NEIGHBOURS, NEIGHBOURS, NEIGHBOURS, NEIGHBOURS, NUMBERS]),
-    "squad_control": (dq8.squad_control, [NEIGHBOURS, NEIGHBOURS, NEIGHBOURS]),
+    **{name: (getattr(dq8._core, name), made_of(parameters)) for name, (parameters, _) in SIGNATURES.items()},
     "resample": (dq8.resample, [TIMES, NEIGHBOURS, TIMES]),
-    "log": (dq8.log, [MOTIONS]),
-    "exp": (dq8.exp, [TWISTS]),
-    "to_twist": (dq8.to_twist, [MOTIONS]),
-    "from_twist": (dq8.from_twist, [TWISTS]),
-    "pow": (dq8.pow, [MOTIONS, NUMBERS]),
-    "to_screw": (dq8.to_screw, [MOTIONS]),
-    "from_screw": (dq8.from_screw, [SCREWS]),
-    "integrate_body": (dq8.integrate_body, [MOTIONS, TWISTS, NUMBERS]),
-    "integrate_spatial": (dq8.integrate_spatial, [MOTIONS, TWISTS, NUMBERS]),
-    "left_jacobian": (dq8.left_jacobian, [TWISTS]),
-    "left_jacobian_inverse": (dq8.left_jacobian_inverse, [TWISTS]),
-    "transform_points": (dq8.transform_points, [MOTIONS, VECTORS]),
-    "transform_vectors": (dq8.transform_vectors, [MOTIONS, VECTORS]),
-    "transform_lines": (dq8.transform_lines, [MOTIONS, TWISTS]),
-    "transform_planes": (dq8.transform_planes, [MOTIONS, PLANES]),
-    "adjoint": (dq8.adjoint, [MOTIONS, TWISTS]),
-    "coadjoint": (dq8.coadjoint, [MOTIONS, TWISTS]),
-    "from_translation": (dq8.from_translation, [VECTORS]),
-    "from_rotation_translation": (dq8.from_rotation_translation, [ROTATIONS, VECTORS]),
-    "translation": (dq8.translation, [MOTIONS]),
-    "to_matrix": (dq8.to_matrix, [MOTIONS]),
     "from_matrix": (dq8.from_matrix, [MATRICES]),
-    "rigidity": (dq8._core.rigidity, [MATRICES]),
-    "angle_to": (dq8.angle_to, [MOTIONS, MOTIONS]),
-    "distance_to": (dq8.distance_to, [MOTIONS, MOTIONS]),
-    "distance_weighted": (dq8.distance_weighted, [MOTIONS, MOTIONS, NUMBERS]),
-    "point_error": (dq8.point_error, [MOTIONS, MOTIONS, VECTORS]),
     "dlb": (dq8.dlb, [INFLUENCES, WEIGHTS]),
     "mean": (dq8.mean, [INFLUENCES, WEIGHTS]),
     "dib_windows": (dq8.dib_windows, [NEIGHBOURS, WINDOW]),

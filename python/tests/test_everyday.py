@@ -153,7 +153,7 @@ def test_hand_eye_finds_where_the_camera_sits(shape, count, rng, random_motions)
     own = x[..., np.newaxis, :]
     hands = dq8.mul(dq8.mul(own, eyes), dq8.inverse(own))
     assert dq8.allclose(dq8.hand_eye(hands, -eyes), x, angle=1e-10, length=1e-10)
-    noisy = dq8.integrate_body(hands, 1e-4 * rng.normal(size=(*shape, count, 6)), 1.0)
+    noisy = dq8.mul(hands, dq8.from_twist(1e-4 * rng.normal(size=(*shape, count, 6))))
     assert dq8.allclose(dq8.hand_eye(noisy, eyes), x, angle=1e-2, length=1e-2)
 
 
@@ -171,7 +171,7 @@ def test_hand_eye_refuses_motions_in_a_plane_with_noise(noise, rng, random_motio
     flat = dq8.from_twist(np.concatenate([turns, rng.normal(size=(20, 2)), np.zeros((20, 1))], axis=-1))
     hands = np.stack([random_motions(20), dq8.mul(dq8.mul(x, flat), dq8.inverse(x))])
     eyes = np.stack([dq8.mul(dq8.mul(dq8.inverse(x), hands[0]), x), flat])
-    hands, eyes = (dq8.integrate_body(m, noise * rng.normal(size=(2, 20, 6)), 1.0) for m in (hands, eyes))
+    hands, eyes = (dq8.mul(m, dq8.from_twist(noise * rng.normal(size=(2, 20, 6)))) for m in (hands, eyes))
     dq8.hand_eye(hands[0], eyes[0])
     with pytest.raises(ValueError, match=r"not parallel, by more than the noise"):
         dq8.hand_eye(hands[1], eyes[1])

@@ -22,6 +22,10 @@ BUSY = {
         "mesh = np.ones((50_000, 3)), np.tile(np.arange(64), (50_000, 1)), np.full((50_000, 64), 1 / 64)",
         "dq8.skin(*mesh, np.tile(turned, (200, 64, 1)))",
     ),
+    "deskew": (
+        "cloud, times = np.ones((30_000_000, 3)), np.random.default_rng(1).random(30_000_000)",
+        "dq8.deskew(cloud, times, np.linspace(0, 1, 8), np.tile(turned, (8, 1)), out=cloud)",
+    ),
     "poses": ("values = np.zeros((500_000, 1))", "chain.poses(values, 2_000)"),
     "jacobian": ("values = np.zeros((500_000, 1))", "chain.jacobian(values, 2_000)"),
     "palette": (

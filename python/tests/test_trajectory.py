@@ -140,7 +140,7 @@ def test_samples_at_the_times_are_the_poses(rng, random_motions, close):
 @pytest.mark.parametrize("rows", [(), (2,), (2, 3)])
 def test_means_of_windows_are_those_of_mean(rng, random_motions, width, rows):
     steps = 0.1 * rng.normal(size=(*rows, 90, 6))
-    motions = dq8.integrate_body(random_motions(), steps, 1.0)
+    motions = dq8.mul(random_motions(), dq8.from_twist(steps))
     weights = rng.random(width)
     windows = np.lib.stride_tricks.sliding_window_view(motions, width, axis=-2).swapaxes(-1, -2)
     np.testing.assert_array_equal(dq8.dib_windows(motions, weights, axis=-2), dq8.mean(windows.copy(), weights))

@@ -220,7 +220,7 @@ pub trait Row:
     type Real: Float;
     /// The lanes of `V` that hold one row.
     type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V, Array = Self>;
-    /// The number of numbers, and so of lanes.
+    /// The length of a row, which is its number of lanes.
     const LANES: usize;
 }
 

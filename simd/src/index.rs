@@ -22,8 +22,7 @@ mod tests {
         for (index, wanted) in [(0, 0), (65_535, 65_535), (65_536, 65_535), (u32::MAX, 65_535)] {
             assert_eq!(saturated::<u16>(index), wanted);
         }
-        // With `as`, the greatest index, 65 538, would turn into 2, although the table needs 4
-        // records.
+        // With `as`, the greatest of these indices would turn into 2, which is less than the other.
         let greatest = [65_538, 3].into_iter().fold(0, u32::max);
         assert!(saturated::<u16>(greatest) >= 3);
         assert_eq!(saturated::<u64>(u32::MAX), u32::MAX.into());

@@ -66,7 +66,7 @@ pub trait Lanes:
 
     /// The level of these lanes, which they prove.
     fn level(self) -> Self::Level;
-    /// `value` in every lane.
+    /// A vector with `value` in every lane.
     fn splat(level: Self::Level, value: Self::Real) -> Self;
     /// The number nearest to `value` in every lane, for code that holds lanes and no level.
     #[inline(always)]

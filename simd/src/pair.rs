@@ -11,8 +11,8 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
-/// An array `[R; N]`, with the array of twice the length, which generic code cannot name: the
-/// memory of a `Pair` of lanes whose memory is `[R; N]`. The trait is sealed.
+/// The memory `[R; N]` of half a [`Pair`], with that of the whole, `[R; 2N]`, which generic code
+/// cannot name. The trait is sealed.
 pub trait Doubled: Pod + crate::sealed::Sealed {
     /// The array `[R; 2N]`.
     type Twice: Pod + core::fmt::Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;

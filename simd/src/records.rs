@@ -89,7 +89,7 @@ pub trait Records: Lanes {
         Self::store_strided(components, to, None);
     }
     /// Loads every `stride`-th record, otherwise like [`load_records`](Self::load_records). `None`
-    /// stands for a stride of 1 that the compiler knows of.
+    /// is a stride of 1 that is a constant for the compiler.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_strided<const C: usize>(
         level: Self::Level,
@@ -115,7 +115,7 @@ pub trait Records: Lanes {
             array.as_mut().copy_from_slice(row);
             return [Self::load(level, &array); C];
         }
-        // Of a record of three numbers four are read.
+        // A fourth number is read after a record of three.
         if const { C < 3 }
             || flat.len() < reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } })
         {

@@ -15,12 +15,12 @@ fn only_indices_that_were_checked_are_read() {
     }
     assert_eq!(CheckedIndices::new(&indices[1..], 2, 4, 3).unwrap_err(), (0, 1));
     assert_eq!(CheckedIndices::new(&indices[4..], 2, 2, 3).unwrap_err(), (1, 0));
-    // Rows that overlap are none, and so are rows of nothing.
+    // There are no rows if they would overlap, or would have no columns.
     for (columns, stride) in [(2, 1), (1, 0), (0, 4)] {
         assert_eq!(CheckedIndices::new(&indices, columns, stride, 3).unwrap().rows(), 0);
     }
-    // A lane takes what its row has, and its first for what it has not; the first record without a
-    // row.
+    // A lane takes the columns that its row has, and the first one for the others. Without a row it
+    // takes index 0.
     let mut picks = Picks::new(checked);
     assert!(!picks.set_rows(1, 0), "two columns are not four");
     for (lane, row, from) in [(0, 0, 0), (1, 1, 1), (2, 3, 0), (3, 0, usize::MAX)] {
@@ -47,7 +47,7 @@ fn only_indices_that_were_checked_are_read() {
     }
 }
 
-/// Of indices of any width, in the order of memory.
+/// Rows of four indices of any type, which are read in the order of memory.
 fn four_in_place<J: Index>(indices: [J; 12]) {
     let table = [0.0_f32, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|number| [number]);
     let checked = CheckedIndices::new(&indices, 4, 4, 8).unwrap();

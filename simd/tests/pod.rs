@@ -1,4 +1,4 @@
-//! `pod!` among names that mean something else where it is called.
+//! `pod!`, called where the names that it uses mean something else.
 #![forbid(unsafe_code)]
 #![allow(dead_code, unused_macros, non_camel_case_types, reason = "names in the way")]
 #![allow(clippy::extra_unused_type_parameters, reason = "names in the way")]
@@ -6,8 +6,8 @@
 extern crate dq8_simd as core;
 extern crate dq8_simd as std;
 
-/// All fit for a lie about a struct: alignments of one, traits that everything has, checks that
-/// check nothing.
+/// Names with which a macro could be made to lie about a struct: alignments of one, traits that
+/// every type has, checks that check nothing.
 mod names_in_the_way {
     pub(super) const fn align_of<T>() -> usize {
         usize

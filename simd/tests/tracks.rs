@@ -1,5 +1,5 @@
-//! Keys of 16 bits between which lanes interpolate, against plain integers, and what their rows may
-//! say.
+//! Interpolation between keys of 16 bits, compared with plain integers, and the checks of their
+//! tables.
 #![forbid(unsafe_code)]
 
 use dq8_simd::internal::{OwnedTracks, TrackError, TrackPlace, Tracks};
@@ -100,7 +100,7 @@ fn check<L: Lanes>(level: L::Level, parameters: &[f64]) {
     );
 }
 
-/// What can be compared of lanes.
+/// The lanes as numbers that can be compared.
 trait Bits: Lanes {
     fn to_array_bits(self) -> Vec<f64> {
         self.to_array().as_ref().iter().map(|&number| number.into()).collect()

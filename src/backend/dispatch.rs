@@ -37,7 +37,8 @@ use dq8_simd::{Level, Portable};
 ///     #[inline(always)]
 ///     fn run<V: Level>(self, level: V) {
 ///         for tile in storage::tiles::<E, V, 8>(self.0.len()) {
-///             let Some(lanes) = E::load(level, self.0, tile, &storage::identity()) else { return };
+///             let padding = storage::identity();
+///             let Some(lanes) = E::load(level, self.0, tile, &padding) else { return };
 ///             let half = batch::DualQuat::from_array(lanes).sqrt();
 ///             E::store(half.to_array(), self.0, tile);
 ///         }
@@ -49,12 +50,13 @@ use dq8_simd::{Level, Portable};
 /// assert_eq!(steps[10].translation(), [2.0, 0.0, 0.0]);
 /// ```
 pub trait Kernel {
-    /// What it returns.
+    /// The result.
     type Output;
-    /// Whether it gains from AVX-512. If not, it is not compiled for it, and runs with AVX2 there.
+    /// `true` if it gains from AVX-512. If not, AVX2 runs in its place, and no AVX-512 version is
+    /// compiled.
     const WIDE: bool = true;
-    /// Whether most of it are shuffles, as in transposes of plain arrays. Then it runs with AVX-512
-    /// only where the CPU shuffles 512 bits as quickly as 256: AMD's do, Intel's do not.
+    /// `true` if most of it are shuffles, as in transposes of plain arrays. Then it runs with
+    /// AVX-512 only where the CPU shuffles 512 bits as quickly as 256: AMD's do, Intel's do not.
     const SHUFFLES: bool = false;
     /// Computes with the lanes of `level`. Must be `#[inline(always)]`.
     fn run<V: Level>(self, level: V) -> Self::Output;
@@ -80,8 +82,8 @@ pub struct Backend {
     pub(crate) threads: core::num::NonZeroUsize,
 }
 
-/// In rising order. The proof of AVX-512 holds that of AVX2, for kernels that gain nothing from
-/// more.
+/// The instructions, in rising order. The proof of AVX-512 holds that of AVX2, for kernels that
+/// gain nothing from more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Proof {
     Portable,
@@ -89,7 +91,7 @@ enum Proof {
     Avx2(Avx2),
     #[cfg(target_arch = "x86_64")]
     Avx512(Avx512, Avx2),
-    /// Where the portable lanes fuse.
+    /// Only for targets whose portable lanes fuse.
     #[cfg(all(feature = "reproducible", any(target_arch = "aarch64", target_feature = "fma")))]
     UnfusedPortable,
     #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
@@ -98,20 +100,21 @@ enum Proof {
     UnfusedAvx512(Avx512, Avx2),
 }
 
-/// How many of the available backends [`Backend::best`] may choose from, beyond the first.
+/// The number of available backends that [`Backend::best`] may choose from, beyond the first.
 static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 
-/// Whether [`Backend::best`] must be [reproducible](Backend::reproducible).
+/// `true` if [`Backend::best`] must be [reproducible](Backend::reproducible).
 #[cfg(feature = "reproducible")]
 static UNFUSED: AtomicBool = AtomicBool::new(false);
 
 impl Backend {
-    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm.
+    /// The instructions of the build target: SSE2 in a default x86-64 build, NEON on aarch64,
+    /// simd128 on wasm.
     /// It fuses multiply-add on aarch64 and in builds with `fma`, and not elsewhere, so its last
     /// bits are not the same on all machines.
     pub const PORTABLE: Self = Self::of(Proof::Portable);
 
-    /// On the thread that calls.
+    /// The backend on the thread that calls.
     #[inline]
     const fn of(proof: Proof) -> Self {
         Self {
@@ -150,7 +153,8 @@ impl Backend {
     /// let step = DualQuat::from_rotation(Quat::from_rotation_z(0.1_f32));
     /// let mut links = [step; 100];
     /// Backend::reproducible().chain_products_in_place(&mut links);
-    /// assert_eq!(links[99].rotation().to_array().map(f32::to_bits), [0, 0, 0xbf75_7c15, 0x3e91_3c18]);
+    /// let bits = links[99].rotation().to_array().map(f32::to_bits);
+    /// assert_eq!(bits, [0, 0, 0xbf75_7c15, 0x3e91_3c18]);
     /// ```
     #[cfg(feature = "reproducible")]
     pub fn reproducible() -> Self {

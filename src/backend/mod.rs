@@ -1,4 +1,4 @@
-//! Which instructions compute, and on how many threads.
+//! The choice of instructions and threads.
 
 mod dispatch;
 mod threads;

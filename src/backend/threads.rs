@@ -7,13 +7,13 @@ use crate::backend::Backend;
 pub struct Choice {
     /// The instructions; the best if `None`.
     pub backend: Option<Backend>,
-    /// How many threads; those of the backend if `None`.
+    /// The number of threads; that of the backend if `None`.
     #[cfg(feature = "rayon")]
     pub threads: Option<usize>,
 }
 
 impl Choice {
-    /// The instructions, and how many threads.
+    /// The instructions and threads, as a backend.
     #[inline]
     pub fn instructions(self) -> Backend {
         let backend = self.backend.unwrap_or_default();
@@ -161,7 +161,7 @@ mod many {
     pub trait Outputs: Sized + Send {
         /// The number of things.
         fn things(&self) -> usize;
-        /// Those before number `at`, and the others.
+        /// Cuts them into those before number `at`, and the others.
         fn split(self, at: usize) -> (Self, Self);
     }
 

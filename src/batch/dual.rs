@@ -1,4 +1,4 @@
-use crate::contract::{power, sums};
+use crate::contract::{power, sums_by_part};
 use core::ops::{Div, Mul};
 use dq8_simd::Lanes;
 
@@ -73,7 +73,7 @@ impl<L: Lanes> Dual<L> {
     }
 }
 
-sums! {
+sums_by_part! {
     [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] Dual<L>: (real) (dual)
 }
 

@@ -1,5 +1,5 @@
 use super::{Dual, Quat, vector};
-use crate::contract::sums;
+use crate::contract::sums_by_part;
 use crate::geometry::DualVector;
 use core::ops::Mul;
 use dq8_simd::{Block, Lanes, Level, Records, Row};
@@ -167,7 +167,7 @@ impl<L: Lanes> DualQuat<L> {
         super::vector::are_finite(self.to_array())
     }
 
-    /// Of σ and −σ the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
+    /// σ or −σ, the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn canonical(self) -> Self {
         self.negate_where(self.real.points_back())
@@ -203,7 +203,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-sums! {
+sums_by_part! {
     [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] DualQuat<L>: (real) (dual)
 }
 

@@ -1,4 +1,5 @@
-//! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers: with u = x·x,
+//! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers:
+//! with u = x·x,
 //!
 //! ```text
 //! J_l(x) y   = y +   A(u) x×y + B(u) x×(x×y)

@@ -113,8 +113,8 @@ impl<L: Lanes> Squared<L> {
     }
 }
 
-/// Of ordinary lengths the greatest power of two, and those by which short and long vectors are
-/// stretched: then the squares of all numbers there are fit, and so do the quotients on the way.
+/// Three exponents of two: the greatest of ordinary lengths, and the two by which short and long
+/// vectors are stretched. Then the squares of all numbers fit, and so do the quotients on the way.
 const fn bounds<L: Lanes>() -> (i64, i64, i64) {
     if L::Real::SINGLE { (40, 88, -66) } else { (400, 564, -514) }
 }

@@ -1,4 +1,4 @@
-//! How far two motions are apart.
+//! Distances between motions.
 
 use super::length::Length;
 use super::screw::HalfAngle;
@@ -63,7 +63,7 @@ impl<L: Lanes> DualQuat<L> {
         (radius + radius).mul_add(sine, self.distance_to(other))
     }
 
-    /// Not [`is_unit`](Self::is_unit).
+    /// The opposite of [`is_unit`](Self::is_unit).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn needs_renormalization(self, tolerance: L) -> L::Mask {

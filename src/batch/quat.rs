@@ -81,7 +81,7 @@ impl<L: Lanes> Quat<L> {
         [self.0[0], self.0[1], self.0[2]]
     }
 
-    /// Whether −q is the canonical one of ±q.
+    /// `true` if −q is the canonical one of ±q.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn points_back(self) -> L::Mask {
         let [x, y, z, w] = self.0;

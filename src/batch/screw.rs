@@ -127,7 +127,7 @@ impl<L: Lanes> DualQuat<L> {
     /// or 10¹⁵⁴, where its square is. Beyond the ends, what they lack of unit length
     /// counts |2t − 1| times, until the turn is a radian.
     ///
-    /// Slerp about the middle of the way. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal
+    /// Slerp about the middle of the arc. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal
     /// for unit a and b, and τ = 2t − 1:
     ///
     /// ```text
@@ -137,8 +137,8 @@ impl<L: Lanes> DualQuat<L> {
     /// The difference b − a is exact for poses that almost agree, where their cosine has lost it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp(self, other: Self, t: L) -> Self {
-        let apart = self.real().dot(other.real()).lt(t.constant(0.0));
-        Way::between(self, other, apart).at(t)
+        let opposite = self.real().dot(other.real()).lt(t.constant(0.0));
+        Arc::between(self, other, opposite).at(t)
     }
 
     /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`. The way from
@@ -146,22 +146,22 @@ impl<L: Lanes> DualQuat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp_long(self, other: Self, t: L) -> Self {
         let zero = t.constant(0.0);
-        let apart = self.real().dot(other.real()).lt(zero);
-        let way = Way::between(self, other, apart);
-        let short = way.at(t);
+        let opposite = self.real().dot(other.real()).lt(zero);
+        let arc = Arc::between(self, other, opposite);
+        let short = arc.at(t);
 
         // The longer way is π − Θ. Its m and h are −h and −m of the shorter way, its
         // cos(Θ/2) and sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter. h over its dual
         // length is a motion, however short h is; its length would have no inverse.
-        let half_sine = way.back.norm().scale(t.constant(0.5));
+        let half_sine = arc.back.norm().scale(t.constant(0.5));
         let right_angle = Dual::new(t.constant(core::f64::consts::FRAC_PI_2), zero);
         let tau = t + t - t.constant(1.0);
-        let angle = (right_angle - half_sine * way.arc_over_chord).scale(tau);
+        let angle = (right_angle - half_sine * arc.arc_over_chord).scale(tau);
         let (cos, sinc) = cos_sinc(angle * angle);
-        let along = -(angle * sinc * way.half_secant);
-        let at_middle = way.back.normalize().scale_dual(cos);
-        let long = way.sum.scale_dual_onto(along, at_middle);
-        Self::from_array(vector::select(apart, long.to_array(), short.to_array()))
+        let along = -(angle * sinc * arc.half_secant);
+        let at_middle = arc.back.normalize().scale_dual(cos);
+        let long = arc.sum.scale_dual_onto(along, at_middle);
+        Self::from_array(vector::select(opposite, long.to_array(), short.to_array()))
     }
 }
 
@@ -218,9 +218,9 @@ impl<L: Lanes> HalfAngle<L> {
     }
 }
 
-/// The shorter way from a to ±b. Twice m and −2h, so that each is eight fused operations; the
+/// The shorter arc from a to ±b. Twice m and −2h, so that each is eight fused operations; the
 /// halves are in the weights.
-struct Way<L> {
+struct Arc<L> {
     /// 2m = a ± b
     sum: DualQuat<L>,
     /// −2h = a ∓ b
@@ -233,12 +233,12 @@ struct Way<L> {
     half_secant: Dual<L>,
 }
 
-impl<L: Lanes> Way<L> {
-    /// To −b in the lanes where `apart` holds.
+impl<L: Lanes> Arc<L> {
+    /// The arc to −b in the lanes where `opposite` holds.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn between(a: DualQuat<L>, b: DualQuat<L>, apart: L::Mask) -> Self {
+    fn between(a: DualQuat<L>, b: DualQuat<L>, opposite: L::Mask) -> Self {
         let one = a.real().w().constant(1.0);
-        let sign = L::select(apart, -one, one);
+        let sign = L::select(opposite, -one, one);
         let (sum, back) = (b.scale_onto(sign, a), b.scale_onto(-sign, a));
         let across = back.real().dot(back.dual());
         let chord_squared = Dual::new(back.real().dot(back.real()), across + across);

@@ -1,4 +1,4 @@
-//! What unit dual quaternions do to points, directions, lines and planes.
+//! Points, directions, lines and planes, moved by unit dual quaternions.
 
 use super::{DualQuat, Quat, vector};
 use crate::geometry::{Line, Plane};

@@ -1,4 +1,4 @@
-//! What the scalar reference and the lanes share: the contracts of motions, rotations and dual
+//! Contracts that the scalar reference and the lanes share: those of motions, rotations and dual
 //! numbers, each written as one list of methods.
 
 mod dual_number;
@@ -12,4 +12,4 @@ pub use motion::Motion;
 pub(crate) use motion::delegate_motion;
 pub use quaternion::Quaternion;
 pub(crate) use quaternion::delegate_quaternion;
-pub(crate) use shared_trait::{sealed, shared_trait, sums};
+pub(crate) use shared_trait::{sealed, shared_trait, sums_by_part};

@@ -37,21 +37,30 @@ shared_trait! {
     /// | σσ* = norm², norm(ab) = norm(a) norm(b) | p ≠ 0 |
     /// | normalize(σ) is unit; normalize(cσ) = normalize(σ) for real c > 0 | p ≠ 0 |
     /// | σσ⁻¹ = 1; σ⁻¹ = σ* for unit σ | p ≠ 0 |
-    /// | from_rotation_translation(rotation(σ), translation(σ)) = σ = from_matrix(to_matrix(σ)), up to sign | unit |
-    /// | (ab)v = a(bv) for points, directions, lines, planes; distances and incidences are kept | unit |
-    /// | exp(log σ) = ±σ, σˢσᵗ = σˢ⁺ᵗ, σ¹ = ±σ, σ⁰ = 1, (√σ)² = ±σ | unit |
+    /// | from_rotation_translation(rotation(σ), translation(σ)) = σ | unit |
+    /// | from_matrix(to_matrix(σ)) = ±σ | unit |
+    /// | (ab)v = a(bv) for points, directions, lines and planes | unit |
+    /// | distances and incidences are kept | unit |
+    /// | exp(log σ) = ±σ, (√σ)² = ±σ | unit |
+    /// | σˢσᵗ = σˢ⁺ᵗ, σ¹ = ±σ, σ⁰ = 1 | unit |
     /// | sclerp(a, b, 0) = a, sclerp(a, b, 1) = ±b, sclerp(ca, cb, t) = c sclerp(a, b, t) | unit |
     /// | nlerp(a, b, t) = nlerp(a, −b, t), the same for sclerp | unit |
-    /// | dib({(a, 1−t), (b, t)}) = ±sclerp(a, b, t); dib, dlb and sclerp of cσᵢ and σᵢc are those of σᵢ times c | unit |
-    /// | distance_weighted, angle_to and distance_to keep the triangle inequality and do not see the sign of σ | unit |
+    /// | dib({(a, 1−t), (b, t)}) = ±sclerp(a, b, t) | unit |
+    /// | dib, dlb and sclerp of cσᵢ and σᵢc are those of σᵢ times c | unit |
+    /// | distance_weighted, angle_to and distance_to keep the triangle inequality | unit |
+    /// | the same three do not see the sign of σ | unit |
     /// | point_error(a, b, v) ≤ shell_error(a, b, r) for \|v\| ≤ r | unit |
-    /// | from_screw(to_screw(σ)) = ±σ | unit; the moment fits, which grows like \|t\| over the angle |
-    /// | spatial_twist(derivative_spatial(σ, ξ)) = ξ = adjoint(σ, body_twist(derivative_spatial(σ, ξ))) | unit |
+    /// | from_screw(to_screw(σ)) = ±σ | unit; \|t\| over the angle is finite |
+    /// | spatial_twist(derivative_spatial(σ, ξ)) = ξ | unit |
+    /// | adjoint(σ, body_twist(derivative_spatial(σ, ξ))) = ξ | unit |
     /// | velocity(derivative_from_velocity(σ, ω, ṫ)) = (ω, ṫ) | unit |
     /// | integrate_body(a, twist_to(a, b), 1) = ±b | unit |
-    /// | from_twist(to_twist(σ)) = ±σ, integrate_body(σ, ξ, s + t) = integrate_body(integrate_body(σ, ξ, s), ξ, t) | unit |
-    /// | adjoint(ab) = adjoint(a) adjoint(b), the same for coadjoint; the power of a wrench on a twist is kept | unit |
-    /// | left_jacobian(x) = adjoint(from_twist(x)) right_jacobian(x) = left_jacobian_inverse(x)⁻¹ | \|ω\| < 2π |
+    /// | from_twist(to_twist(σ)) = ±σ | unit |
+    /// | integrate_body(σ, ξ, s + t) = integrate_body(integrate_body(σ, ξ, s), ξ, t) | unit |
+    /// | adjoint(ab) = adjoint(a) adjoint(b), the same for coadjoint | unit |
+    /// | the power of a wrench on a twist is kept | unit |
+    /// | left_jacobian(x) = adjoint(from_twist(x)) right_jacobian(x) | \|ω\| < 2π |
+    /// | left_jacobian(x) = left_jacobian_inverse(x)⁻¹ | \|ω\| < 2π |
     ///
     /// # Where unit length is a precondition
     ///
@@ -64,12 +73,12 @@ shared_trait! {
     /// No build checks it unless it is asked to: a kernel never panics, and a test per motion would
     /// cost more than most operations. Debug builds with `RUSTFLAGS="--cfg dq8_debug_assert_unit"`
     /// do for one motion at a time: methods of [`DualQuat`](crate::DualQuat) and
-    /// [`Quat`](crate::Quat) that need unit input panic at the caller's line where
-    /// ||p|² − 1| > 0.1 or |p·q| > 0.1 max(1, |q|). A σ of norm 1 + δ gives results that are off by up to about 2δ, relatively; nothing else happens, and how they
-    /// are off far from 1 may differ between implementations. What comes from outside is checked
-    /// where it comes in: `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs,
-    /// `try_from_matrix3x4` and its kin refuse, and `ik` and `dq8-robot` refuse joints and targets
-    /// that are not unit.
+    /// [`Quat`](crate::Quat) that need unit input panic at the caller's line where the square
+    /// of |p| is off 1 by more than 0.1, or p·q off 0 by more than 0.1 max(1, |q|). A σ of norm
+    /// 1 + δ gives results that are off by up to about 2δ, relatively; far from 1 they may differ
+    /// between implementations. What comes from outside is checked where it comes in:
+    /// `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs, `try_from_matrix3x4` and
+    /// its kin refuse, and `ik` and `dq8-robot` refuse joints and targets that are not unit.
     ///
     /// Constructors and interpolations return unit motions. Each product adds about a rounding to
     /// the norm (`needs_renormalization`).
@@ -218,7 +227,7 @@ shared_trait! {
         fn point_error(self, other: Self, point: [Self::Real; 3]) -> Self::Real;
         /// d + 2 r sin(θ/2), at least |av − bv| for |v| ≤ r
         fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
-        /// Not unit within the tolerance.
+        /// The opposite of `is_unit`, within the tolerance.
         fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
 
         /// ½ξσ, ξ the spatial twist

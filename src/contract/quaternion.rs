@@ -19,7 +19,8 @@ shared_trait! {
     /// | (ab)* = b*a*, \|ab\| = \|a\| \|b\|, a·b is the scalar part of ab* | all |
     /// | \|normalize(q)\| = 1, q q⁻¹ = 1 | q ≠ 0 |
     /// | (ab)v = a(bv) = the product of the matrices with v; lengths are kept | unit |
-    /// | from_matrix3(to_matrix3(q)) = from_scaled_axis(to_scaled_axis(q)) = ±q, and so with axis and angle | unit |
+    /// | from_matrix3(to_matrix3(q)) = ±q | unit |
+    /// | from_scaled_axis(to_scaled_axis(q)) = ±q, the same for axis and angle | unit |
     /// | slerp(a, b, 0) = a, slerp(a, b, 1) = ±b; it is t of the angle away from a | unit |
     /// | angle_to does not see the sign of q | unit |
     /// | from_rotation_arc(v, w) takes the direction of v to that of w | v, w ≠ 0 |

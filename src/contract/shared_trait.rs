@@ -1,5 +1,5 @@
-//! How a trait of both implementations is written: one list of methods makes the trait, and the
-//! delegation to the inherent methods of each type.
+//! The macro that writes a trait of both implementations: one list of methods makes the trait, and
+//! the delegation to the inherent methods of each type.
 
 /// Writes the trait, and the macro `$delegate` for the types that have every method of the list as
 /// an inherent one: there `Self::name` finds that one first.
@@ -60,7 +60,7 @@ pub(crate) mod sealed {
 }
 
 /// Sums, differences and negatives of what is two parts, a real and a dual one: part by part.
-macro_rules! sums {
+macro_rules! sums_by_part {
     ($(#[$of_sum:meta])* [$($number:tt)+] #[$inlined:meta] $Thing:ty: ($($real:tt)+) ($($dual:tt)+)) => {
         $(#[$of_sum])*
         impl<$($number)+> core::ops::Add for $Thing {
@@ -86,4 +86,4 @@ macro_rules! sums {
         }
     };
 }
-pub(crate) use sums;
+pub(crate) use sums_by_part;

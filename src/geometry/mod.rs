@@ -1,9 +1,9 @@
-//! What a motion acts on and what describes it: plain data, the same for one motion (`T` a float)
+//! Plain data that motions act on or that describe motions, the same for one motion (`T` a float)
 //! and for many (`T` a vector of lanes). Points and directions are plain `[T; 3]`.
 
 /// Sums, differences and negatives of what is two vectors, which have no operators
-/// (`contract::sums` is for parts that have).
-macro_rules! sums {
+/// (`contract::sums_by_part` is for parts that have).
+macro_rules! sums_of_vectors {
     ($Pair:ident { $first:ident, $second:ident }) => {
         impl<T: Copy + Add<Output = T>> Add for $Pair<T> {
             type Output = Self;

@@ -19,7 +19,7 @@ crate::macros::pod! {
     /// let a = Line::from_point_direction([0.0_f32; 3], [1.0, 0.0, 0.0]);
     /// let b = Line::from_point_direction([0.0, 0.0, 3.0], [0.0, 1.0, 0.0]);
     /// let (a, b) = (DualVector::from(a), DualVector::from(b));
-    /// // cos θ̂ = cos θ − ε d sin θ of the dual angle θ̂ = π/2 + 3ε, and sin θ̂ times the z axis.
+    /// // The dual angle is θ̂ = π/2 + 3ε, with cos θ̂ = cos θ − ε d sin θ.
     /// assert_eq!(a.dot(b), [0.0, -3.0]);
     /// assert_eq!(a.cross(b), DualVector { real: [0.0, 0.0, 1.0], dual: [0.0; 3] });
     /// ```
@@ -83,7 +83,7 @@ impl<T: Copy> DualVector<T> {
     }
 }
 
-sums!(DualVector { real, dual });
+sums_of_vectors!(DualVector { real, dual });
 
 /// l + εm
 impl<T> From<Line<T>> for DualVector<T> {

@@ -79,7 +79,7 @@ impl<T: Copy> Twist<T> {
     }
 }
 
-sums!(Twist { angular, linear });
+sums_of_vectors!(Twist { angular, linear });
 
 crate::macros::pod! {
     /// A wrench f + ετ: force and torque on a rigid body, dual to a [`Twist`].

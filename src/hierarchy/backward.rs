@@ -1,13 +1,16 @@
 //! local(j) = model(parent(j))* · model(j), and locals of any form written down as motions.
 
-use super::locals::{Ahead, Locals};
+use super::locals::{Locals, Pass};
 use super::plain::MANY;
 use super::run::Run;
+#[cfg(feature = "rayon")]
+use super::run::grain;
 use super::slot::JointSlot;
 use crate::backend::Kernel;
+#[cfg(feature = "rayon")]
+use crate::backend::Rows;
 use crate::batch;
-use crate::storage::motions;
-use crate::storage::{Element, Layout, Register, Source, Tile, identity};
+use crate::storage::{Element, Layout, Register, Source, Tile, identity, motions};
 use dq8_simd::{Lanes, Level, MAX_LANES, Records};
 
 pub(super) struct Backward<'r, 's, E: Element<8>> {
@@ -28,85 +31,109 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
             let first = instance * joints;
             let models = models.part(first..first + joints);
             if E::Layout::transposes::<V>() {
-                plain(level, run, models, locals, instance);
+                run.locals_of_plain(level, models, locals, instance);
             } else {
-                block(level, run, models, locals, instance);
+                run.locals_of_block(level, models, locals, instance);
             }
         }
     }
 }
 
-/// Lanes are instances, or there is one.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn block<E: Element<8>, V: Level>(
-    level: V,
-    run: &Run<'_, E>,
-    models: Source<'_, E>,
-    locals: &mut [E],
-    instance: usize,
-) {
-    for joint in run.joints.clone().rev() {
-        for register in 0..E::Layout::registers::<V>() {
-            let tile = Tile::at(joint, register);
-            let models = models.or(locals);
-            let Some(&parent) = run.parents.get(joint) else { return };
-            let Some(mut local) = motions(level, models, tile) else { return };
-            // ROOT is beyond the last joint: there is no such model.
-            let parent = motions(level, models, Tile::at(parent as usize, register));
-            let parent = match parent {
-                Some(parent) => Some(parent),
-                None => run.root.load(level, instance, register),
-            };
-            if let Some(parent) = parent {
-                local = parent.conjugate() * local;
+impl<E: Element<8>> Backward<'_, '_, E> {
+    /// Computes the locals on the instances' threads.
+    #[inline]
+    pub(super) fn on_threads(self) {
+        #[cfg(feature = "rayon")]
+        if self.run.many() {
+            let Self { run, models, locals } = self;
+            let joints = run.parents.len();
+            let all = (locals, joints);
+            return run.backend.share(grain(joints), all, &|first, (locals, _): Rows<'_, E>| {
+                let range = first..first + locals.len() / joints;
+                let models = models.part(range.start * joints..range.end * joints);
+                run.backend.run(Backward { run: &run.part(range), models, locals });
+            });
+        }
+        self.run.backend.run(self);
+    }
+}
+
+impl<E: Element<8>> Run<'_, E> {
+    /// The locals of one block, whose lanes are instances, or of one instance where a register
+    /// holds one number.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn locals_of_block<V: Level>(
+        &self,
+        level: V,
+        models: Source<'_, E>,
+        locals: &mut [E],
+        instance: usize,
+    ) {
+        for joint in self.joints.clone().rev() {
+            for register in 0..E::Layout::registers::<V>() {
+                let tile = Tile::at(joint, register);
+                let models = models.or(locals);
+                let Some(&parent) = self.parents.get(joint) else { return };
+                let Some(mut local) = motions(level, models, tile) else { return };
+                // ROOT is beyond the last joint: there is no such model.
+                let parent = motions(level, models, Tile::at(parent as usize, register));
+                let parent = match parent {
+                    Some(parent) => Some(parent),
+                    None => self.root.load(level, instance, register),
+                };
+                if let Some(parent) = parent {
+                    local = parent.conjugate() * local;
+                }
+                E::store(local.to_array(), locals, tile);
             }
-            E::store(local.to_array(), locals, tile);
+        }
+    }
+
+    /// The locals of one plain instance: lanes are joints, and their parents are gathered one by
+    /// one.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn locals_of_plain<V: Level>(
+        &self,
+        level: V,
+        models: Source<'_, E>,
+        locals: &mut [E],
+        instance: usize,
+    ) {
+        let root = self.root_of(instance);
+        let lanes = E::Layout::records::<V>();
+        let nothing = root.unwrap_or(identity());
+        // One array of both: of two that begin alike, the compiler would copy one from the other by
+        // a call.
+        let mut both = [nothing; 2 * MAX_LANES];
+        let (own, parents) = both.split_at_mut(MAX_LANES);
+        let mut end = self.joints.end;
+        while end > self.joints.start {
+            let start = end.saturating_sub(lanes).max(self.joints.start);
+            // Both are copied before anything is written: a parent may be among these joints.
+            let Some(from) = E::plain(models.or(locals)) else { return };
+            for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut *parents)) {
+                let (Some(model), Some(&of)) = (from.get(joint), self.parents.get(joint)) else {
+                    return;
+                };
+                *own = *model;
+                *parent = *from.get(of as usize).unwrap_or(&nothing);
+            }
+            let model = batch::DualQuat::<Register<E, V, 8>>::load_records(level, own);
+            let parent = batch::DualQuat::load_records(level, parents);
+            let local = (parent.conjugate() * model).to_array();
+            Register::<E, V, 8>::store_records(local, own);
+            let Some(locals) = E::plain_mut(locals) else { return };
+            for (local, own) in locals.get_mut(start..end).unwrap_or_default().iter_mut().zip(&*own)
+            {
+                *local = *own;
+            }
+            end = start;
         }
     }
 }
 
-/// Lanes are joints of one instance, their parents gathered one by one.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn plain<E: Element<8>, V: Level>(
-    level: V,
-    run: &Run<'_, E>,
-    models: Source<'_, E>,
-    locals: &mut [E],
-    instance: usize,
-) {
-    let root = run.root_of(instance);
-    let lanes = E::Layout::records::<V>();
-    let nothing = root.unwrap_or(identity());
-    // One array of both: of two that begin alike, the compiler would copy one from the other by a
-    // call.
-    let mut both = [nothing; 2 * MAX_LANES];
-    let (own, parents) = both.split_at_mut(MAX_LANES);
-    let mut end = run.joints.end;
-    while end > run.joints.start {
-        let start = end.saturating_sub(lanes).max(run.joints.start);
-        // Both are copied before anything is written: a parent may be among these joints.
-        let Some(from) = E::plain(models.or(locals)) else { return };
-        for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut *parents)) {
-            let (Some(model), Some(&of)) = (from.get(joint), run.parents.get(joint)) else {
-                return;
-            };
-            *own = *model;
-            *parent = *from.get(of as usize).unwrap_or(&nothing);
-        }
-        let model = batch::DualQuat::<Register<E, V, 8>>::load_records(level, own);
-        let parent = batch::DualQuat::load_records(level, parents);
-        let local = (parent.conjugate() * model).to_array();
-        Register::<E, V, 8>::store_records(local, own);
-        let Some(locals) = E::plain_mut(locals) else { return };
-        for (local, own) in locals.get_mut(start..end).unwrap_or_default().iter_mut().zip(&*own) {
-            *local = *own;
-        }
-        end = start;
-    }
-}
-
-/// poses(j) = local(j). In the lanes are instances where they lie in blocks, and where locals are
-/// made: a clip and a layer are quicker for a group of joints at a time, and a small skeleton has
+/// poses(j) = local(j). Lanes are instances in blocks, and for plain instances where locals are
+/// computed: a clip or a layer is quicker for a batch of joints at a time, and a small skeleton has
 /// fewer registers of joints than that, of which the last one is half empty. What lies in memory,
 /// and the instances left over, have joints of one instance in the lanes: no joint waits for
 /// another here, and joints side by side are not strided. The bits are the same.
@@ -118,9 +145,9 @@ pub(super) struct Write<'r, 's, E: Element<8>, L> {
 
 impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     type Output = ();
-    const WIDE: bool = E::Layout::WIDE || L::MADE;
+    const WIDE: bool = E::Layout::WIDE || L::COMPUTED;
     // A fifth to a quarter less time where 512 bits are shuffled as quickly as 256.
-    const SHUFFLES: bool = !E::Layout::WIDE && L::MADE;
+    const SHUFFLES: bool = !E::Layout::WIDE && L::COMPUTED;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
@@ -128,13 +155,14 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
         let joints = run.parents.len();
         let lanes = Register::<E, V, 8>::LANES;
         let instances = poses.len().checked_div(joints).unwrap_or(0);
-        let mut ahead = Ahead::of(&locals);
+        let pass = Pass { level, run, locals };
+        let mut batch = pass.batch();
         let mut instance = 0;
-        if const { MANY && L::MADE && E::Layout::THINGS == 1 } {
+        if const { MANY && L::COMPUTED && E::Layout::THINGS == 1 } {
             while instances - instance >= lanes {
                 for joint in run.joints.clone() {
                     let slot = JointSlot::of_instances(joint, instance, joints);
-                    if write(level, run, &locals, poses, slot, &mut ahead).is_none() {
+                    if pass.write(&mut batch, poses, slot).is_none() {
                         return;
                     }
                 }
@@ -150,7 +178,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
                     } else {
                         JointSlot::of_joints(joint, instance, joints, run.joints.end)
                     };
-                    if write(level, run, &locals, poses, slot, &mut ahead).is_none() {
+                    if pass.write(&mut batch, poses, slot).is_none() {
                         return;
                     }
                 }
@@ -159,16 +187,21 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     }
 }
 
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn write<E: Element<8>, L: Locals<E>, V: Level>(
-    level: V,
-    run: &Run<'_, E>,
-    locals: &L,
-    poses: &mut [E],
-    slot: JointSlot,
-    ahead: &mut Ahead<E, V>,
-) -> Option<()> {
-    let local = ahead.local(level, run, locals, &[], slot)?;
-    E::store(locals.motion(local).to_array(), slot.within(poses), slot.tile());
-    Some(())
+impl<E: Element<8>, L: Locals<E>> Write<'_, '_, E, L> {
+    /// Writes the poses on the instances' threads.
+    #[inline]
+    pub(super) fn on_threads(self) {
+        #[cfg(feature = "rayon")]
+        if self.run.many() {
+            let Self { run, locals, poses } = self;
+            let joints = run.parents.len();
+            let all = (poses, joints);
+            return run.backend.share(grain(joints), all, &|first, (poses, _): Rows<'_, E>| {
+                let range = first..first + poses.len() / joints;
+                let (run, locals) = (&run.part(range.clone()), locals.part(joints, range));
+                run.backend.run(Write { run, locals, poses });
+            });
+        }
+        self.run.backend.run(self);
+    }
 }

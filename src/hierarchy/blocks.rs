@@ -1,11 +1,10 @@
 //! model(j) = model(parent(j)) · local(j), for blocks: lanes are instances in memory already.
 
-use super::locals::{Ahead, GROUP, InPlace, Locals, Numbers};
-use super::run::{Epilogue, Run};
+use super::locals::{BATCH, InPlace, LocalBatch, Locals, Pass, Registers};
+use super::run::{Epilogue, Forward};
 use super::slot::JointSlot;
 use crate::backend::Kernel;
-use crate::storage::{Element, Layout, Register, Tile};
-use crate::storage::{Motions, motions};
+use crate::storage::{Element, Layout, Register, Tile, motions};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
 
@@ -14,14 +13,14 @@ use dq8_simd::{Lanes, Level};
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
 
-/// Bytes of the first cache, or less, that instances side by side may fill.
+/// The bytes that instances side by side may fill: the size of the first cache, or less.
 const CACHE: usize = 32 << 10;
 
 /// The number of joints that the loop prefetches ahead. It saves 1024 skeletons of 64 joints in
 /// place a tenth of the time with AVX2 and a twentieth with AVX-512, and costs one block of 16,
 /// which never leaves the first cache, a twentieth. Farther ahead is not faster, and from 8 joints
 /// on it is slower.
-const AHEAD: usize = 2;
+const PREFETCH_DISTANCE: usize = 2;
 
 /// Parents first. Three things keep this loop at the speed of its multiplications:
 ///
@@ -32,24 +31,20 @@ const AHEAD: usize = 2;
 /// - The turns are kept apart by fences for the compiler: left alone, it mixes two products and
 ///   runs out of registers.
 /// - The next joint but one is fetched from memory meanwhile.
-pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
-    pub(super) run: &'r Run<'r, E>,
-    pub(super) locals: L,
-    pub(super) models: &'s mut [E],
-    pub(super) epilogue: X,
-}
+pub(super) struct Blocks<'r, 's, E: Element<8>, L, X>(pub(super) Forward<'r, 's, E, L, X>);
 
-impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, L, X> {
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Blocks<'_, '_, E, L, X> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        let Self { run, locals, models, mut epilogue } = self;
+        let Forward { run, locals, models, mut epilogue } = self.0;
         let joints = run.parents.len();
-        let mut ahead = Ahead::of(&locals);
+        let pass = Pass { level, run, locals };
+        let mut batch = pass.batch();
         // Registers of one block are side by side already.
-        let alone = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
-        let side_by_side = if OVERLAPS && !alone { 2 } else { 1 };
+        let one_at_a_time = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
+        let side_by_side = if OVERLAPS && !one_at_a_time { 2 } else { 1 };
         // There are joints where there is anything to do, and no part of an instance. The compiler
         // does not know: `chunks_mut(0)` or a plain `split_at_mut` would be a path to a panic in
         // the machine code.
@@ -57,127 +52,104 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, 
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
             if side_by_side == 1 || b.is_empty() {
-                forward(level, run, locals, &mut epilogue, [(first, a)], &mut ahead);
+                pass.blocks([(first, a)], &mut batch, &mut epilogue);
             } else {
-                forward(
-                    level,
-                    run,
-                    locals,
-                    &mut epilogue,
-                    [(first, a), (first + 1, b)],
-                    &mut ahead,
-                );
+                pass.blocks([(first, a), (first + 1, b)], &mut batch, &mut epilogue);
             }
         }
     }
 }
 
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize>(
-    level: V,
-    run: &Run<'_, E>,
-    locals: L,
-    epilogue: &mut X,
-    mut instances: [(usize, &mut [E]); K],
-    ahead: &mut Ahead<E, V>,
-) {
-    let lanes = Register::<E, V, 8>::LANES;
-    let slot = |joint, instance, register| {
-        let first = instance * E::Layout::THINGS + register * lanes;
-        JointSlot::in_block(joint, instance * run.parents.len(), register, first)
-    };
-    for joint in run.joints.clone() {
-        if const { L::MADE } && (joint - run.joints.start).is_multiple_of(GROUP) {
-            let group = GROUP.min(run.joints.end - joint);
-            for (instance, models) in &mut instances {
+impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
+    /// `K` blocks of instances, each by its number and with its models, in turns.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn blocks<X: Epilogue<E>, const K: usize>(
+        self,
+        mut blocks: [(usize, &mut [E]); K],
+        batch: &mut LocalBatch<E, V>,
+        epilogue: &mut X,
+    ) {
+        let Self { level, run, locals } = self;
+        let lanes = Register::<E, V, 8>::LANES;
+        let slot = |joint, block, register| {
+            let first = block * E::Layout::THINGS + register * lanes;
+            JointSlot::in_block(joint, block * run.parents.len(), register, first)
+        };
+        for joint in run.joints.clone() {
+            if const { L::COMPUTED } && (joint - run.joints.start).is_multiple_of(BATCH) {
+                for (block, models) in &mut blocks {
+                    for register in 0..E::Layout::registers::<V>() {
+                        if self.place(batch, models, slot(joint, *block, register)).is_none() {
+                            return;
+                        }
+                    }
+                }
+            }
+            // ROOT is beyond the last joint: there is no such model.
+            let Some(&parent) = run.parents.get(joint) else { return };
+            let renormalize = run.renormalize.applies_to(joint);
+            for (block, models) in &mut blocks {
+                if let Some(soon) = models.get(joint.saturating_add(PREFETCH_DISTANCE)) {
+                    level.prefetch(soon);
+                }
                 for register in 0..E::Layout::registers::<V>() {
-                    let slot = slot(joint, *instance, register);
-                    if ahead.place(level, &locals, models, slot, group).is_none() {
-                        return;
+                    let slot = slot(joint, *block, register);
+                    // One comparison, the bounds check of this load, also tells roots from
+                    // children. *One source*: the model goes to memory on both ways.
+                    let parent = Tile::at(parent as usize, register);
+                    if let Some(parent) = motions(level, models, parent) {
+                        let Some(local) = self.local_of_block(models, slot) else { return };
+                        E::store(locals.onto(parent, local).to_array(), models, slot.own_tile());
+                    } else {
+                        self.root_of_block(*block, models, slot);
+                    }
+                    // The turn of this register ends: nothing of the next one may be begun before
+                    // its store.
+                    compiler_fence(Ordering::SeqCst);
+                    if !renormalize && const { !X::ACTIVE } {
+                        continue;
+                    }
+                    // *One source*: read back, from the first cache.
+                    let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
+                    if renormalize {
+                        model = model.normalize();
+                        E::store(model.to_array(), models, slot.own_tile());
+                    }
+                    if const { X::ACTIVE } {
+                        epilogue.run(level, slot, model);
                     }
                 }
             }
         }
-        // ROOT is beyond the last joint: there is no such model.
-        let Some(&parent) = run.parents.get(joint) else { return };
-        let renormalize = run.renormalize.applies_to(joint);
-        for (instance, models) in &mut instances {
-            if let Some(soon) = models.get(joint.saturating_add(AHEAD)) {
-                level.prefetch(soon);
-            }
-            for register in 0..E::Layout::registers::<V>() {
-                let slot = slot(joint, *instance, register);
-                // One comparison, the bounds check of this load, also tells roots from children.
-                // The root's model goes to memory, like that of a child: a value that two paths
-                // could have left in registers would be moved there on both.
-                let parent = Tile::at(parent as usize, register);
-                if let Some(parent) = motions(level, models, parent) {
-                    let Some(local) = local(level, locals, models, slot) else { return };
-                    store(locals.onto(parent, local), models, slot);
-                } else {
-                    root(level, run, *instance, locals, models, slot);
-                }
-                // The turn of this register ends: nothing of the next one may be begun before its
-                // store.
-                compiler_fence(Ordering::SeqCst);
-                if !renormalize && const { !X::ACTIVE } {
-                    continue;
-                }
-                // Read back, for the reason above; it is in the first cache.
-                let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
-                if renormalize {
-                    model = model.normalize();
-                    store(model, models, slot);
-                }
-                if const { X::ACTIVE } {
-                    epilogue.run(level, slot, model);
-                }
-            }
+    }
+
+    /// The model of a joint without a parent. *Kept apart*: inlined, it would take registers from
+    /// the children.
+    #[cold]
+    #[inline(never)]
+    fn root_of_block(self, block: usize, models: &mut [E], slot: JointSlot) {
+        self.level.run(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || {
+                let Some(local) = self.local_of_block(models, slot) else { return };
+                let local = self.locals.motion(local);
+                let register = slot.own_tile().register;
+                let model = match self.run.root.load(self.level, block, register) {
+                    Some(root) => root * local,
+                    None => local,
+                };
+                E::store(model.to_array(), models, slot.own_tile());
+            },
+        );
+    }
+
+    /// The local of a slot. Computed locals lie where their models will.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn local_of_block(self, models: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
+        if const { L::COMPUTED } {
+            InPlace.load(self.level, models, slot)
+        } else {
+            self.locals.load(self.level, models, slot)
         }
     }
-}
-
-/// The model of a joint without a parent. Inlined, it would take registers from the children.
-#[cold]
-#[inline(never)]
-fn root<E: Element<8>, L: Locals<E>, V: Level>(
-    level: V,
-    run: &Run<'_, E>,
-    instance: usize,
-    locals: L,
-    models: &mut [E],
-    slot: JointSlot,
-) {
-    level.run(
-        #[cfg_attr(not(opt_level_0), inline(always))]
-        || {
-            let Some(local) = local(level, locals, models, slot) else { return };
-            let local = locals.motion(local);
-            let model = match run.root.load(level, instance, slot.own_tile().register) {
-                Some(root) => root * local,
-                None => local,
-            };
-            store(model, models, slot);
-        },
-    );
-}
-
-/// The local of a slot; where locals are made, it lies where its model will.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn local<E: Element<8>, L: Locals<E>, V: Level>(
-    level: V,
-    locals: L,
-    models: &[E],
-    slot: JointSlot,
-) -> Option<Numbers<E, V>> {
-    if const { L::MADE } {
-        InPlace.load(level, models, slot)
-    } else {
-        locals.load(level, models, slot)
-    }
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn store<E: Element<8>, V: Level>(model: Motions<E, V>, models: &mut [E], slot: JointSlot) {
-    E::store(model.to_array(), models, slot.own_tile());
 }

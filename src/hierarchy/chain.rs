@@ -4,9 +4,8 @@
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::number::Scalar;
-use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity};
+use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity, motions};
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat};
 
@@ -120,7 +119,7 @@ trait Segments {
     fn steps(&self) -> usize;
     /// A link of each segment of a part.
     fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>>;
-    /// To a product of each segment of a part.
+    /// Stores a product of each segment of a part.
     fn store(&mut self, product: batch::DualQuat<Self::Lanes>, part: usize, step: usize);
 }
 
@@ -131,7 +130,7 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
     // First pass, on all lanes: the product of each segment.
     //
-    // Lanes or parts that there are not stay at the identity, which changes no product.
+    // Lanes and parts without a segment stay at the identity, which changes no product.
     let mut totals = [identity(); MAX_SEGMENTS];
     for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
         let mut total = batch::DualQuat::identity(level);
@@ -171,7 +170,7 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     before
 }
 
-/// One motion in a register.
+/// A register that holds one motion.
 type Packed<S> = <<<S as Segments>::Lanes as Lanes>::Real as Float>::Packed<
     <<S as Segments>::Lanes as Lanes>::Level,
 >;
@@ -225,7 +224,7 @@ impl<'s, V, R, L> Strided<'s, V, R, L> {
         Self { level, steps, links, products, lanes: PhantomData }
     }
 
-    /// Link `step` of each segment of a part: as far apart as a segment is long.
+    /// The place of link `step` of each segment of a part; the stride is the length of a segment.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile(&self, part: usize, step: usize) -> Tile
     where
@@ -266,7 +265,7 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
 /// left · right, of which the left factor comes whole and the right one number by number from
 /// memory.
 ///
-/// Of left · (p + εq) the part left · q is raised by ε, and what is beyond ε dropped: eight
+/// In left · (p + εq), the part left · q is raised by ε, and what is beyond ε dropped: eight
 /// multiplications of vectors. The last sum adds −0 to the real part, which leaves every bit of
 /// it as it is; +0 would take the sign of a zero, which [`product_in_lanes`] keeps.
 ///

@@ -3,7 +3,7 @@
 
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
-use super::locals::{GROUPS, Locals, Numbers, Rows, each, part_of, resized};
+use super::locals::{BATCHES, Locals, Registers, Stored, each, part_of, resized};
 use super::slot::JointSlot;
 use crate::batch::vector;
 use crate::law::Law;
@@ -48,13 +48,13 @@ impl<'c, K> Clip<'c, K> {
         Ok(Self { keys, joints, timing: Timing { frames, rate: 1.0, loops: false } })
     }
 
-    /// The same clip with times in seconds, of so many frames a second; without, times are frames.
+    /// The clip with times in seconds, at this many frames a second; without a rate, times are
+    /// frames.
     pub fn with_rate(self, frames_per_second: f64) -> Self {
         Self { timing: self.timing.with_rate(frames_per_second), ..self }
     }
 
-    /// The same clip, which begins again where it ends: times before and after it are those of
-    /// other rounds.
+    /// The clip, which begins again where it ends: a time before or after it lies in another round.
     pub fn looping(self) -> Self {
         Self { timing: self.timing.looping(), ..self }
     }
@@ -232,7 +232,7 @@ brief!([K, R] Frames<'_, K, R>: Frames |it| {
     clip: it.clip, instances: it.frames.frames().len(),
 });
 
-impl<K, R: Scalar, const C: usize> PlacedKeys<R, C> for Frames<'_, K, R>
+impl<K, R: Scalar, const C: usize> KeysAt<R, C> for Frames<'_, K, R>
 where
     K: Element<C, Layout = Aos<R>>,
 {
@@ -249,7 +249,7 @@ where
     ) -> Option<[L; C]> {
         let keys = K::plain(self.clip.keys)?;
         let (joint, next) = (slot.joint(), slot.joint() + self.clip.joints);
-        let [a, b] = if slot.is_of_joints() {
+        let [a, b] = if slot.lanes_are_joints() {
             // One instance: its keys are already side by side.
             let frame = *self.frames.frames().get(slot.instance())? as usize * self.clip.joints;
             let keys = keys.get(frame..)?;
@@ -267,20 +267,20 @@ where
         Some(law.between(a, b, t))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn poses<L: Lanes<Real = R>, W: Law<C>>(
+    fn load_batch<L: Lanes<Real = R>, W: Law<C>>(
         self,
-        level: L::Level,
         law: W,
         slot: JointSlot,
         t: L,
-        to: &mut [Rows<L>],
+        to: &mut [Stored<L>],
     ) -> Option<()> {
-        if slot.is_of_joints() {
+        let level = t.level();
+        if slot.lanes_are_joints() {
             return each(
                 slot,
                 to,
                 #[cfg_attr(not(opt_level_0), inline(always))]
-                |slot| PlacedKeys::pose(self, level, law, slot, t),
+                |slot| KeysAt::pose(self, level, law, slot, t),
             );
         }
         let (keys, rows) = (K::plain(self.clip.keys)?, self.frames.rows::<L, C>(slot.instance())?);
@@ -309,23 +309,23 @@ where
     note = "a `Clip` has 7 for `NlerpLerp`, or 8, a motion, for `Nlerp` and `Sclerp`"
 )]
 pub trait Keys<'s, R, const C: usize>: Copy + Sealed {
-    /// Where an instance is: the number of a frame, or a clip and a frame.
+    /// The place of an instance: the number of a frame, or a clip and a frame.
     type Place;
     /// The keys, and places that have been checked.
     #[doc(hidden)]
-    type Placed: PlacedKeys<R, C>;
-    /// Many places.
+    type Placed: KeysAt<R, C>;
+    /// These keys at the place of each instance.
     ///
     /// # Errors
-    /// If one of them is none of these keys.
+    /// If one of the places is not in these keys.
     #[doc(hidden)]
     fn placed(self, places: &'s [Self::Place]) -> Result<Self::Placed, ShapeError>;
 }
 
 /// Keys with a place for each instance.
 #[doc(hidden)]
-pub trait PlacedKeys<R, const C: usize>: Copy + Send + Sync {
-    /// How many joints there are.
+pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
+    /// The number of joints.
     fn joints(self) -> usize;
     /// The poses of a slot.
     fn pose<L: Lanes<Real = R>, W: Law<C>>(
@@ -335,16 +335,16 @@ pub trait PlacedKeys<R, const C: usize>: Copy + Send + Sync {
         slot: JointSlot,
         t: L,
     ) -> Option<[L; C]>;
-    /// The poses of a slot and of those after it, in the first `C` of each rows.
+    /// The poses of a slot and of those after it, into the first `C` rows of each element of `to`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn poses<L: Lanes<Real = R>, W: Law<C>>(
+    fn load_batch<L: Lanes<Real = R>, W: Law<C>>(
         self,
-        level: L::Level,
         law: W,
         slot: JointSlot,
         t: L,
-        to: &mut [Rows<L>],
+        to: &mut [Stored<L>],
     ) -> Option<()> {
+        let level = t.level();
         each(
             slot,
             to,
@@ -352,7 +352,7 @@ pub trait PlacedKeys<R, const C: usize>: Copy + Send + Sync {
             |slot| self.pose(level, law, slot, t),
         )
     }
-    /// Those of some instances.
+    /// The keys of some of the instances.
     #[must_use]
     fn part(self, instances: Range<usize>) -> Self;
 }
@@ -395,8 +395,8 @@ brief!([W: Debug, P: Debug, R, const C: usize] Sampled<'_, W, P, R, C>: Sampled 
     law: it.law, keys: it.keys, instances: it.t.len(),
 });
 
-impl<'s, W: Law<C>, P: PlacedKeys<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
-    /// One place and one `t` for each instance. A place is the number of a frame in a
+impl<'s, W: Law<C>, P: KeysAt<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
+    /// Many instances, by a place and a `t` for each. A place is the number of a frame in a
     /// [`Clip`](super::Clip), and what [`PackedClips::place`](super::PackedClips::place) gives in
     /// those. Values of `t` outside [0, 1] go on beyond the two frames of a `Clip`; in packed clips
     /// they are cut to that. NaN makes poses of NaN.
@@ -419,9 +419,9 @@ impl<M, W, P, const C: usize> PoseSource<M, C> for Sampled<'_, W, P, M::Real, C>
 where
     M: Layout,
     W: Law<C>,
-    P: PlacedKeys<M::Real, C>,
+    P: KeysAt<M::Real, C>,
 {
-    const MADE: bool = true;
+    const COMPUTED: bool = true;
 
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("each frame of the clip", self.keys.joints(), joints)?;
@@ -431,26 +431,26 @@ where
         Some(self.t.len())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
+    fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         let t = slot.of_instance(level, self.t)?;
         self.keys.pose(level, self.law, slot, t)
     }
     #[inline(never)]
-    fn poses<V: Level>(
+    fn load_batch<V: Level>(
         &self,
         level: V,
         slot: JointSlot,
-        to: &mut [Rows<M::Register<V>>],
+        to: &mut [Stored<M::Register<V>>],
     ) -> Option<()> {
         level.run(
             #[cfg_attr(not(opt_level_0), inline(always))]
             || {
                 let t: M::Register<V> = slot.of_instance(level, self.t)?;
-                self.keys.poses(level, self.law, slot, t, to)
+                self.keys.load_batch(self.law, slot, t, to)
             },
         )
     }
-    fn some(self, _: usize, instances: Range<usize>) -> Self {
+    fn part(self, _: usize, instances: Range<usize>) -> Self {
         let t = part_of(self.t, M::THINGS, instances.clone());
         let first = instances.start.saturating_mul(M::THINGS);
         Self { keys: self.keys.part(first..first.saturating_add(t.len())), t, ..self }
@@ -458,7 +458,7 @@ where
 }
 
 locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |poses| poses.law;
-    W: Law<C>, P: PlacedKeys<Number<E, 8>, C>);
+    W: Law<C>, P: KeysAt<Number<E, 8>, C>);
 
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}
 
@@ -528,17 +528,17 @@ impl<K> Clip<'_, K> {
         let last = self.timing.frames.saturating_sub(1);
         let key = |frame: usize| {
             let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
-            Some(vector::splat(ALONE, *keys.get(..self.joints)?.get(joint)?))
+            Some(vector::splat(SINGLE, *keys.get(..self.joints)?.get(joint)?))
         };
-        let [a, b]: [[<Aos<R> as Layout>::Register<Alone>; C]; 2] =
+        let [a, b]: [[<Aos<R> as Layout>::Register<Single>; C]; 2] =
             [key(frame as usize)?, key(frame as usize + 1)?];
-        Some(first(law, law.between(a, b, Lanes::splat(ALONE, t))))
+        Some(first(law, law.between(a, b, Lanes::splat(SINGLE, t))))
     }
 }
 
-/// Lanes of a single pose, which has the same bits on every target.
-pub(super) type Alone = Unfused<Portable>;
-pub(super) const ALONE: Alone = Unfused(Portable);
+/// The level of a single pose, which has the same bits on every target.
+pub(super) type Single = Unfused<Portable>;
+pub(super) const SINGLE: Single = Unfused(Portable);
 
 /// The motion in the first lane.
 pub(super) fn first<L: Lanes<Real: Scalar>, W: Law<C>, const C: usize>(
@@ -582,7 +582,7 @@ impl<K> OwnedClip<K> {
     /// See [`Clip::new`].
     ///
     /// # Errors
-    /// As there.
+    /// As [`Clip::new`].
     pub fn new(joints: usize, keys: impl Into<Vec<K>>) -> Result<Self, ShapeError> {
         let keys = keys.into();
         let timing = Clip::new(joints, &keys)?.timing;
@@ -660,7 +660,7 @@ impl<K> OwnedClip<K> {
         self.view().between(law, joint, from, to)
     }
 
-    /// The same, borrowed: what [`Sampled`](super::Sampled) takes.
+    /// The clip, borrowed: what [`Sampled`](super::Sampled) takes.
     pub fn view(&self) -> Clip<'_, K> {
         Clip { keys: &self.keys, joints: self.joints, timing: self.timing }
     }

@@ -1,3 +1,5 @@
+//! [`Crowd`]: owned blocks for many instances of one skeleton.
+
 use crate::backend::Backend;
 use crate::macros::brief;
 use crate::number::Scalar;
@@ -58,7 +60,7 @@ where
         Self { blocks, joints, instances }
     }
 
-    /// From `[instance][joint]`, as [`pack`](crate::storage::pack) does.
+    /// Packs `[instance][joint]`, as [`pack`](crate::storage::pack) does.
     ///
     /// # Errors
     /// If `things` holds no whole number of instances.
@@ -71,7 +73,7 @@ where
         Ok(crowd)
     }
 
-    /// Into `[instance][joint]`.
+    /// Unpacks into `[instance][joint]`.
     ///
     /// # Errors
     /// If `things` is not `instances` · `joints` long; it is untouched then.
@@ -132,7 +134,7 @@ where
         block.set(instance % N, record).map_err(|_| missing)
     }
 
-    /// Into as many things as there are.
+    /// Unpacks into as many things as there are.
     fn unpack<E>(&self, things: &mut [E])
     where
         E: Element<C, Layout = Aos<R>>,
@@ -226,7 +228,7 @@ where
         (0..joints).map(move |joint| self.get(instance, joint).unwrap_or_default())
     }
 
-    /// One pose; `None` beyond the last instance or joint.
+    /// The pose of a joint of an instance; `None` beyond the last instance or joint.
     #[must_use]
     pub fn get(&self, instance: usize, joint: usize) -> Option<DualQuat<R>> {
         self.record(instance, joint).map(DualQuat::from_array)
@@ -246,7 +248,7 @@ where
     }
 }
 
-/// The same joints and instances with equal numbers, whatever is in the lanes without an instance.
+/// Equal if joints, instances and their numbers are; lanes without an instance do not count.
 impl<R: Scalar, const N: usize, const C: usize> PartialEq for Crowd<R, N, C>
 where
     [R; N]: Row<Real = R>,

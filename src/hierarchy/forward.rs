@@ -1,180 +1,148 @@
-//! The instances of a run, by the loop for their layout, on one thread or on several.
+//! Models of whole instances, by the loop for their layout, on one thread or on several.
 
-use super::blocks::Forward;
+use super::blocks::Blocks;
 use super::locals::Locals;
-use super::plain::{self, Unkept};
-use super::run::{Epilogue, Palette, Run};
-use crate::backend::Backend;
-use crate::storage::{Element, Layout, Number, PaletteEntry};
-
-/// Models, and what the epilogue makes of them.
-#[inline]
-pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
-    backend: Backend,
-    run: &Run<'_, E>,
-    locals: L,
-    models: &mut [E],
-    mut epilogue: X,
-) {
-    // Decided before there is code of the other loops: half of what a program would compile.
-    if const { E::Layout::THINGS > 1 } {
-        backend.run(Forward { run, locals, models, epilogue });
-    } else {
-        plain::forward(backend, run, locals, models, &mut epilogue);
-    }
-}
-
-/// A palette whose models go through `scratch`.
-pub(super) fn palette<E: Element<8>, L: Locals<E>, M, const C: usize>(
-    backend: Backend,
-    run: &Run<'_, E>,
-    locals: L,
-    scratch: &mut [E],
-    palette: Palette<'_, Number<E, 8>, M, C>,
-) where
-    M: PaletteEntry<C, Layout = E::Layout>,
-{
-    let Palette { inverse_binds, order, entries: palette } = palette;
-    let joints = run.parents.len();
-    let mut done = 0;
-    if const { plain::MANY && E::Layout::THINGS == 1 } {
-        let instances = palette.len() / joints.max(1);
-        let epilogue = Palette { inverse_binds, order, entries: &mut *palette };
-        done = joints * backend.run(Unkept { run, locals, instances, scratch, epilogue });
-    }
-    let rest = palette.get_mut(done..).unwrap_or_default();
-    for entries in rest.chunks_mut(scratch.len().max(1)) {
-        let instances = done / joints.max(1)..(done + entries.len()) / joints.max(1);
-        let models = scratch.get_mut(..entries.len()).unwrap_or_default();
-        done += models.len();
-        let (run, locals) = (run.part(instances.clone()), locals.part(joints, instances));
-        forward(backend, &run, locals, models, Palette { inverse_binds, order, entries });
-    }
-}
-
-/// Whole instances to each task, on several threads.
+use super::plain::{MANY, PaletteInstances};
+use super::plan::Plans;
 #[cfg(feature = "rayon")]
-pub(super) mod parallel {
-    use super::super::backward::{Backward, Write};
-    use super::super::forward;
-    use super::super::run::grain;
-    use super::{Backend, Element, Epilogue, Layout, Locals, Number, Palette, PaletteEntry, Run};
-    use crate::backend::Outputs;
-    use crate::storage::Source;
+use super::run::grain;
+use super::run::{Epilogue, Forward, PaletteOnly};
+#[cfg(feature = "rayon")]
+use crate::backend::Outputs;
+use crate::storage::{Element, Layout};
 
-    /// Models of whole instances, and what is computed from them.
-    struct Models<'s, E, X> {
-        models: &'s mut [E],
-        joints: usize,
-        epilogue: X,
-    }
-
-    impl<E: Element<8>, X: Epilogue<E>> Outputs for Models<'_, E, X> {
-        fn things(&self) -> usize {
-            self.models.len() / self.joints
-        }
-        fn split(self, at: usize) -> (Self, Self) {
-            let at = (at * self.joints).min(self.models.len());
-            let (begin, end) = self.models.split_at_mut(at);
-            let (first, second) = self.epilogue.split(at);
-            let of = |models, epilogue| Self { models, joints: self.joints, epilogue };
-            (of(begin, first), of(end, second))
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
+    /// Computes the models, in the order of a plan if there is one for them.
+    #[inline]
+    pub(super) fn run<P: Plans>(self, plan: &P) {
+        match plan.plan() {
+            Some(plan) if self.is_one_instance() => self.in_order_of(plan),
+            #[cfg(feature = "rayon")]
+            _ if self.run.many() => self.on_threads(),
+            _ => self.on_this_thread(),
         }
     }
 
-    pub(in super::super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
-        backend: Backend,
-        run: &Run<'_, E>,
-        locals: L,
-        models: &mut [E],
-        epilogue: X,
-    ) {
+    #[inline]
+    fn on_this_thread(self) {
+        // Decided before there is code of the other loops: half of what a program would compile.
+        if const { E::Layout::THINGS > 1 } {
+            self.run.backend.run(Blocks(self));
+        } else {
+            self.plain();
+        }
+    }
+
+    #[cfg(feature = "rayon")]
+    fn on_threads(self) {
+        let Self { run, locals, models, epilogue } = self;
         let joints = run.parents.len();
         let all = Models { models, joints, epilogue };
-        backend.share(grain(joints), all, &|first, Models { models, epilogue, .. }| {
+        run.backend.share(grain(joints), all, &|first, Models { models, epilogue, .. }| {
             let instances = first..first + models.len() / joints;
-            let (run, locals) = (run.part(instances.clone()), locals.part(joints, instances));
-            forward::forward(backend, &run, locals, models, epilogue);
+            let (run, locals) = (&run.part(instances.clone()), locals.part(joints, instances));
+            Forward { run, locals, models, epilogue }.on_this_thread();
         });
     }
+}
 
-    pub(in super::super) fn backward<E: Element<8>>(
-        backend: Backend,
-        run: &Run<'_, E>,
-        models: Source<'_, E>,
-        locals: &mut [E],
-    ) {
-        let joints = run.parents.len();
-        backend.share(grain(joints), (locals, joints), &|first, (locals, _): (&mut [E], usize)| {
-            let instances = first..first + locals.len() / joints;
-            let models = models.part(instances.start * joints..instances.end * joints);
-            backend.run(Backward { run: &run.part(instances), models, locals });
-        });
-    }
-
-    pub(in super::super) fn write<E: Element<8>, L: Locals<E>>(
-        backend: Backend,
-        run: &Run<'_, E>,
-        locals: L,
-        poses: &mut [E],
-    ) {
-        let joints = run.parents.len();
-        backend.share(grain(joints), (poses, joints), &|first, (poses, _): (&mut [E], usize)| {
-            let instances = first..first + poses.len() / joints;
-            let locals = locals.part(joints, instances.clone());
-            backend.run(Write { run: &run.part(instances), locals, poses });
-        });
-    }
-
-    /// A palette, and the scratch memory that its models go through.
-    struct Entries<'s, E, X> {
-        palette: X,
-        instances: usize,
-        joints: usize,
-        scratch: &'s mut [E],
-    }
-
-    impl<E: Element<8>, X: Epilogue<E>> Outputs for Entries<'_, E, X> {
-        fn things(&self) -> usize {
-            self.instances
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
+    /// Computes the palette.
+    pub(super) fn run(self) {
+        #[cfg(feature = "rayon")]
+        if self.run.many() {
+            return self.on_threads();
         }
-        fn split(self, at: usize) -> (Self, Self) {
-            let (palette, rest) = self.palette.split(at * self.joints);
-            // Memory in proportion, whole instances of it.
-            let owned = self.scratch.len() / self.joints;
-            let (scratch, other) =
-                self.scratch.split_at_mut(owned * at / self.instances * self.joints);
-            let of = |palette, instances, scratch| Self {
-                palette,
-                instances,
-                joints: self.joints,
-                scratch,
-            };
-            (of(palette, at, scratch), of(rest, self.instances - at, other))
+        self.on_this_thread();
+    }
+
+    fn on_this_thread(mut self) {
+        let backend = self.run.backend;
+        let mut done = 0;
+        if const { MANY && E::Layout::THINGS == 1 } {
+            done = backend.run(PaletteInstances(&mut self));
+        }
+        let Self { run, locals, instances, scratch, epilogue } = self;
+        let joints = run.parents.len();
+        let most = scratch.len().checked_div(joints).unwrap_or(0).max(1);
+        let (_, mut rest) = epilogue.split(done * joints);
+        while done < instances {
+            let count = most.min(instances - done);
+            let (epilogue, after) = rest.split(count * joints);
+            rest = after;
+            let range = done..done + count;
+            done += count;
+            let (run, locals) = (&run.part(range.clone()), locals.part(joints, range));
+            let models = scratch.get_mut(..count * joints).unwrap_or_default();
+            Forward { run, locals, models, epilogue }.on_this_thread();
         }
     }
 
     /// Each task has its part of `scratch`, so there are no more tasks than that serves well.
-    pub(in super::super) fn palette<E: Element<8>, L: Locals<E>, M, const C: usize>(
-        backend: Backend,
-        run: &Run<'_, E>,
-        locals: L,
-        scratch: &mut [E],
-        palette: Palette<'_, Number<E, 8>, M, C>,
-    ) where
-        M: PaletteEntry<C, Layout = E::Layout>,
-    {
+    #[cfg(feature = "rayon")]
+    fn on_threads(self) {
+        let Self { run, locals, instances, scratch, epilogue } = self;
         let joints = run.parents.len();
-        let instances = palette.entries.len() / joints;
-        let tasks =
-            scratch.len() / joints / if E::Layout::THINGS == 1 { dq8_simd::MAX_LANES } else { 1 };
-        let threads = backend.threads.get().min(rayon::current_num_threads()).min(tasks.max(1));
+        let group = if E::Layout::THINGS == 1 { dq8_simd::MAX_LANES } else { 1 };
+        let tasks = (scratch.len() / joints / group).max(1);
+        let threads = run.backend.threads.get().min(rayon::current_num_threads()).min(tasks);
         let grain = instances.div_ceil(threads).max(grain(joints));
-        let all = Entries { palette, instances, joints, scratch };
-        backend.share(grain, all, &|first, Entries { palette, instances, scratch, .. }| {
-            let instances = first..first + instances;
-            let (run, locals) = (run.part(instances.clone()), locals.part(joints, instances));
-            forward::palette(backend, &run, locals, scratch, palette);
+        let all = Entries { epilogue, instances, joints, scratch };
+        run.backend.share(grain, all, &|first, Entries { epilogue, instances, scratch, .. }| {
+            let range = first..first + instances;
+            let (run, locals) = (&run.part(range.clone()), locals.part(joints, range));
+            PaletteOnly { run, locals, instances, scratch, epilogue }.on_this_thread();
         });
+    }
+}
+
+/// Models of whole instances, and what is computed from them.
+#[cfg(feature = "rayon")]
+struct Models<'s, E, X> {
+    models: &'s mut [E],
+    joints: usize,
+    epilogue: X,
+}
+
+#[cfg(feature = "rayon")]
+impl<E: Element<8>, X: Epilogue<E>> Outputs for Models<'_, E, X> {
+    fn things(&self) -> usize {
+        self.models.len() / self.joints
+    }
+    fn split(self, at: usize) -> (Self, Self) {
+        let at = (at * self.joints).min(self.models.len());
+        let (begin, end) = self.models.split_at_mut(at);
+        let (first, second) = self.epilogue.split(at);
+        let of = |models, epilogue| Self { models, joints: self.joints, epilogue };
+        (of(begin, first), of(end, second))
+    }
+}
+
+/// A palette, and the scratch memory that its models go through.
+#[cfg(feature = "rayon")]
+struct Entries<'s, E, X> {
+    epilogue: X,
+    instances: usize,
+    joints: usize,
+    scratch: &'s mut [E],
+}
+
+#[cfg(feature = "rayon")]
+impl<E: Element<8>, X: Epilogue<E>> Outputs for Entries<'_, E, X> {
+    fn things(&self) -> usize {
+        self.instances
+    }
+    fn split(self, at: usize) -> (Self, Self) {
+        let (epilogue, rest) = self.epilogue.split(at * self.joints);
+        // Memory in proportion, whole instances of it.
+        let owned = self.scratch.len() / self.joints;
+        let (scratch, other) = self.scratch.split_at_mut(owned * at / self.instances * self.joints);
+        let of = |epilogue, instances, scratch| Self {
+            epilogue,
+            instances,
+            joints: self.joints,
+            scratch,
+        };
+        (of(epilogue, at, scratch), of(rest, self.instances - at, other))
     }
 }

@@ -1,13 +1,13 @@
 //! [`Job`]: the options of a run over a hierarchy, and its entries: models, palettes, locals from
 //! models, and locals of any form as motions.
 
+use super::Hierarchy;
 use super::backward::{Backward, Write};
-#[cfg(feature = "rayon")]
-use super::forward::parallel;
 use super::locals::{InPlace, Locals, Poses};
 use super::plan::{NoPlan, Plan, Plans};
-use super::run::{Epilogue, NoEpilogue, NoRoot, Palette, Renormalize, Root, Roots, Run};
-use super::{Hierarchy, forward, plan};
+use super::run::{
+    Forward, NoEpilogue, NoRoot, Palette, PaletteOnly, Renormalize, Root, Roots, Run,
+};
 use crate::backend::Choice;
 use crate::macros::brief;
 use crate::scalar::DualQuat;
@@ -103,7 +103,7 @@ impl<'a, P> Job<'a, NoRoot, P> {
         self.with(roots)
     }
 
-    /// Puts root joints on what is chosen when the program runs.
+    /// Puts root joints on a base that is chosen when the program runs.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Root};
@@ -194,7 +194,7 @@ impl<'a, S, P> Job<'a, S, P> {
 }
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// See [`Hierarchy::local_to_model`].
+    /// As [`Hierarchy::local_to_model`].
     ///
     /// # Errors
     /// If lengths or the range do not fit; `models` is untouched.
@@ -249,68 +249,20 @@ impl<S, P: Plans> Job<'_, S, P> {
     where
         S: Roots<E>,
     {
-        self.check_locals::<E, L>(&locals, models.len())?;
-        self.forward(locals, models, NoEpilogue);
+        let run = self.check(locals.shape(self.parents.len(), models.len())?, models.len())?;
+        Forward { run: &run, locals, models, epilogue: NoEpilogue }.run(&self.plan);
         Ok(())
     }
 
-    /// The run that every loop is told.
-    pub(super) fn run<E: Element<8>>(&self) -> Run<'_, E>
-    where
-        S: Roots<E>,
-    {
-        Run {
-            parents: self.parents,
-            joints: self.joints.clone(),
-            root: self.root.root(),
-            renormalize: self.renormalize,
-        }
-    }
-
-    /// The models of whole instances, and what the epilogue makes of them. Lengths have been
-    /// checked.
+    /// Checks that the range, the plan and the roots fit the hierarchy, that `length` elements of
+    /// `what` are whole instances, and that there are as many models. Returns the run that all
+    /// loops read.
     #[inline]
-    pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
-        &self,
-        locals: L,
-        models: &mut [E],
-        epilogue: X,
-    ) where
-        S: Roots<E>,
-    {
-        let (run, backend) = (self.run::<E>(), self.choice.instructions());
-        if let Some(plan) = self.plan.plan()
-            && plan::applies(&run, models.len())
-        {
-            let mut epilogue = epilogue;
-            return plan::forward(backend, plan, &run, locals, models, &mut epilogue);
-        }
-        #[cfg(feature = "rayon")]
-        if backend.many() && !run.parents.is_empty() {
-            return parallel::forward(backend, &run, locals, models, epilogue);
-        }
-        forward::forward(backend, &run, locals, models, epilogue);
-    }
-
-    pub(super) fn check_locals<E: Element<8>, L: Locals<E>>(
-        &self,
-        locals: &L,
-        models: usize,
-    ) -> Result<(), ShapeError>
-    where
-        S: Roots<E>,
-    {
-        let (what, length) = locals.shape(self.parents.len(), models)?;
-        self.check::<E>(what, length)?;
-        same_length("models", models, length)
-    }
-
-    /// Checks that the range, the roots and `length` elements of `what` fit the hierarchy.
     pub(super) fn check<E: Element<8>>(
         &self,
-        what: &'static str,
-        length: usize,
-    ) -> Result<(), ShapeError>
+        (what, length): (&'static str, usize),
+        models: usize,
+    ) -> Result<Run<'_, E>, ShapeError>
     where
         S: Roots<E>,
     {
@@ -324,10 +276,17 @@ impl<S, P: Plans> Job<'_, S, P> {
             return Err(ShapeError::OtherPlan);
         }
         let instances = whole_instances(what, joints, length)?;
-        match self.root.count() {
-            Some(roots) => same_length("roots", roots, instances),
-            None => Ok(()),
+        if let Some(roots) = self.root.count() {
+            same_length("roots", roots, instances)?;
         }
+        same_length("models", models, length)?;
+        Ok(Run {
+            backend: self.choice.instructions(),
+            parents: self.parents,
+            joints: self.joints.clone(),
+            root: self.root.root(),
+            renormalize: self.renormalize,
+        })
     }
 }
 
@@ -370,14 +329,11 @@ impl<S, P: Plans> Job<'_, S, P> {
         L: Locals<E>,
         M: PaletteEntry<C, Layout = E::Layout>,
     {
-        self.check_locals::<E, L>(&locals, models.len())?;
-        same_length("inverse_binds", inverse_binds.len(), self.run::<E>().parents.len())?;
+        let run = self.check(locals.shape(self.parents.len(), models.len())?, models.len())?;
+        same_length("inverse_binds", inverse_binds.len(), run.parents.len())?;
         same_length("palette", palette.len(), models.len())?;
-        self.forward(
-            locals,
-            models,
-            Palette { inverse_binds, order: self.order, entries: palette },
-        );
+        let epilogue = Palette { inverse_binds, order: self.order, entries: palette };
+        Forward { run: &run, locals, models, epilogue }.run(&self.plan);
         Ok(())
     }
 
@@ -418,11 +374,10 @@ impl<S, P: Plans> Job<'_, S, P> {
         L: Locals<E>,
         M: PaletteEntry<C, Layout = E::Layout>,
     {
-        // Before the job is lent to checks: a compiler that has seen the order written keeps the
-        // stores of that one alone.
+        // *Settled* (docs/measured.md): copied before the job is lent to checks, so that a compiler
+        // that has seen the order written keeps the stores of that one alone.
         let order = self.order;
-        self.check_locals::<E, L>(&locals, palette.len())?;
-        let run = self.run::<E>();
+        let run = self.check(locals.shape(self.parents.len(), palette.len())?, palette.len())?;
         let joints = run.parents.len();
         same_length("inverse_binds", inverse_binds.len(), joints)?;
         if whole_instances("scratch", joints, scratch.len())? == 0 && !palette.is_empty() {
@@ -434,19 +389,13 @@ impl<S, P: Plans> Job<'_, S, P> {
                 return Err(ShapeError::NoParent { joint, parent });
             }
         }
+        let instances = palette.len().checked_div(joints).unwrap_or(0);
         let epilogue = Palette { inverse_binds, order, entries: palette };
-        let one = epilogue.entries.len() == joints;
-        if let Some(models) = scratch.get_mut(..joints).filter(|_| one) {
-            self.forward(locals, models, epilogue);
-            return Ok(());
+        if let (Some(models), 1) = (scratch.get_mut(..joints), instances) {
+            Forward { run: &run, locals, models, epilogue }.run(&self.plan);
+        } else {
+            PaletteOnly { run: &run, locals, instances, scratch, epilogue }.run();
         }
-        let backend = self.choice.instructions();
-        #[cfg(feature = "rayon")]
-        if backend.many() && joints > 0 {
-            parallel::palette(backend, &run, locals, scratch, epilogue);
-            return Ok(());
-        }
-        forward::palette(backend, &run, locals, scratch, epilogue);
         Ok(())
     }
 }
@@ -477,9 +426,9 @@ impl<S, P: Plans> Job<'_, S, P> {
     where
         S: Roots<E>,
     {
-        self.check::<E>("models", models.len())?;
+        let run = self.check(("models", models.len()), models.len())?;
         same_length("locals", locals.len(), models.len())?;
-        self.backward(Source::Slice(models), locals);
+        Backward { run: &run, models: Source::Slice(models), locals }.on_threads();
         Ok(())
     }
 
@@ -492,28 +441,15 @@ impl<S, P: Plans> Job<'_, S, P> {
     where
         S: Roots<E>,
     {
-        self.check::<E>("poses", poses.len())?;
-        self.backward(Source::Output, poses);
+        let run = self.check(("poses", poses.len()), poses.len())?;
+        Backward { run: &run, models: Source::Output, locals: poses }.on_threads();
         Ok(())
-    }
-
-    #[inline]
-    fn backward<E: Element<8>>(&self, models: Source<'_, E>, locals: &mut [E])
-    where
-        S: Roots<E>,
-    {
-        let (run, backend) = (self.run::<E>(), self.choice.instructions());
-        #[cfg(feature = "rayon")]
-        if backend.many() && !run.parents.is_empty() {
-            return parallel::backward(backend, &run, models, locals);
-        }
-        backend.run(Backward { run: &run, models, locals });
     }
 }
 
 impl<P: Plans> Job<'_, NoRoot, P> {
-    /// Local poses as motions, of locals in any form: what a clip or layers are at a time, for
-    /// inverse kinematics after animation, root motion, and export.
+    /// Writes locals of any form, such as a clip or layers at a time, as motions: for inverse
+    /// kinematics after animation, for root motion, and for export.
     /// [`locals_to_model`](Self::locals_to_model) computes models without them. With
     /// [`joints`](Self::joints), only those are written.
     ///
@@ -541,14 +477,8 @@ impl<P: Plans> Job<'_, NoRoot, P> {
         locals: L,
         poses: &mut [E],
     ) -> Result<(), ShapeError> {
-        self.check_locals::<E, L>(&locals, poses.len())?;
-        let (run, backend) = (self.run::<E>(), self.choice.instructions());
-        #[cfg(feature = "rayon")]
-        if backend.many() && !run.parents.is_empty() {
-            parallel::write(backend, &run, locals, poses);
-            return Ok(());
-        }
-        backend.run(Write { run: &run, locals, poses });
+        let run = self.check(locals.shape(self.parents.len(), poses.len())?, poses.len())?;
+        Write { run: &run, locals, poses }.on_threads();
         Ok(())
     }
 }

@@ -3,7 +3,7 @@
 
 use super::locals::sealed::Sealed;
 use super::locals::{
-    GROUP, GROUPS, Locals, Numbers, Poses, RotationsTranslations, Rows, Tracks, each, load,
+    BATCH, BATCHES, Locals, Poses, Registers, RotationsTranslations, Stored, Tracks, each, load,
     part_of, resized, store,
 };
 use super::slot::JointSlot;
@@ -28,32 +28,32 @@ use dq8_simd::{Lanes, Level};
     note = "all are of one precision, and lie in the layout of the models: plain slices, or blocks"
 )]
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
-    /// Their name in errors, and how many elements of the layout they fill, for so many joints.
+    /// The name of the poses in errors, and the number of elements of the layout that they fill.
     ///
     /// # Errors
-    /// If they do not fit a skeleton of so many joints, or each other.
+    /// If they do not fit a skeleton of `joints` joints, or each other.
     #[doc(hidden)]
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// The number of instances, where that is known: blocks may have lanes without one.
+    /// The number of instances, if it is known: blocks may have lanes without an instance.
     #[doc(hidden)]
     fn instances(&self) -> Option<usize> {
         None
     }
-    /// Whether they are computed, not loaded.
+    /// `true` if the poses are computed, not loaded.
     #[doc(hidden)]
-    const MADE: bool;
+    const COMPUTED: bool;
     /// The poses of a slot.
     #[doc(hidden)]
-    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
-    /// The poses of a slot and of those after it, no more than a group, in the first `C` of each
-    /// rows: by a call.
+    fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
+    /// The poses of a slot and of those after it, no more than a batch, into the first `C` rows of
+    /// each element of `to`. A call, so that it has registers of its own.
     #[doc(hidden)]
     #[inline(never)]
-    fn poses<V: Level>(
+    fn load_batch<V: Level>(
         &self,
         level: V,
         slot: JointSlot,
-        to: &mut [Rows<M::Register<V>>],
+        to: &mut [Stored<M::Register<V>>],
     ) -> Option<()> {
         level.run(
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -62,7 +62,7 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
                     slot,
                     to,
                     #[cfg_attr(not(opt_level_0), inline(always))]
-                    |slot| self.pose(level, slot),
+                    |slot| self.load(level, slot),
                 )
             },
         )
@@ -70,46 +70,47 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// The poses of some of the instances (blocks).
     #[doc(hidden)]
     #[must_use]
-    fn some(self, joints: usize, instances: Range<usize>) -> Self;
+    fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
-/// Poses as locals: each becomes a motion, or stands on its parent, as their law has it.
+/// Implements [`Locals`] for poses: their law makes a motion of each, and multiplies it onto its
+/// parent.
 macro_rules! locals_by_law {
     ([$($generics:tt)*] $Poses:ty, $C:tt, |$poses:ident| $law:expr; $($bounds:tt)*) => {
         impl<E: Element<8>, $($generics)*> Locals<E> for $Poses
         where
             $($bounds)*
         {
-            const MADE: bool = GROUPS && <Self as PoseSource<E::Layout, $C>>::MADE;
+            const COMPUTED: bool = BATCHES && <Self as PoseSource<E::Layout, $C>>::COMPUTED;
 
             fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
                 PoseSource::<E::Layout, $C>::shape(self, joints)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
-            fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
-                Some(resized(PoseSource::<E::Layout, $C>::pose(self, level, slot)?))
+            fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
+                Some(resized(PoseSource::<E::Layout, $C>::load(self, level, slot)?))
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
-            fn ahead<V: Level>(
+            fn load_batch<V: Level>(
                 &self,
                 level: V,
                 slot: JointSlot,
-                to: &mut [Rows<Register<E, V, 8>>],
+                to: &mut [Stored<Register<E, V, 8>>],
             ) -> Option<()> {
-                PoseSource::<E::Layout, $C>::poses(self, level, slot, to)
+                PoseSource::<E::Layout, $C>::load_batch(self, level, slot, to)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
-            fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
+            fn motion<V: Level>(self, local: Registers<E, V>) -> Motions<E, V> {
                 let $poses = self;
                 $law.motion(resized(local))
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
-            fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
+            fn onto<V: Level>(self, parent: Motions<E, V>, local: Registers<E, V>) -> Motions<E, V> {
                 let $poses = self;
                 $law.onto(parent, resized(local))
             }
             fn part(self, joints: usize, instances: Range<usize>) -> Self {
-                PoseSource::<E::Layout, $C>::some(self, joints, instances)
+                PoseSource::<E::Layout, $C>::part(self, joints, instances)
             }
         }
     };
@@ -121,31 +122,31 @@ locals_by_law!([Q, T] Tracks<'_, Q, T>, 7, |_poses| NlerpLerp;
     Q: Element<4, Layout = E::Layout>, T: Element<3, Layout = E::Layout>);
 
 impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
-    const MADE: bool = false;
+    const COMPUTED: bool = false;
 
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 8>; 8]> {
+    fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 8>; 8]> {
         E::load(level, self.0, slot.tile(), &storage::identity())
     }
-    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self(part_of(self.0, joints, instances))
     }
 }
 
 impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
-    const MADE: bool = false;
+    const COMPUTED: bool = false;
 
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 7>; 7]> {
+    fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 7>; 7]> {
         E::load(level, self.0, slot.tile(), &storage::identity())
     }
-    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self(part_of(self.0, joints, instances))
     }
 }
@@ -153,19 +154,19 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
 impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
     for Tracks<'_, Q, T>
 {
-    const MADE: bool = false;
+    const COMPUTED: bool = false;
 
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("translations", self.translations.len(), self.rotations.len())?;
         Ok(("rotations", self.rotations.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<Q, V, 4>; 7]> {
+    fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<Q, V, 4>; 7]> {
         let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let [a, b, c] = T::load(level, self.translations, slot.tile(), &storage::identity())?;
         Some([x, y, z, w, a, b, c])
     }
-    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self {
             rotations: part_of(self.rotations, joints, instances.clone()),
             translations: part_of(self.translations, joints, instances),
@@ -207,27 +208,27 @@ brief!([W: Debug, A: Debug, B: Debug, R, const C: usize, const ADDS: bool] Layer
 });
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
-    /// From `base` (weight 0) to `layer` (weight 1). One weight for each instance.
+    /// Blends from `base` (weight 0) to `layer` (weight 1), with a weight for each instance.
     pub fn blend(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
 }
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, true> {
-    /// `base`, and `layer` as a difference that is added to it, as much of it as the weight says;
-    /// the [`Law`] says how. One weight for each instance.
+    /// Adds `layer`, a difference, to `base` by the [`Law`], as far as the weight of the instance
+    /// says.
     pub fn add(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
 }
 
 impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C, ADDS> {
-    /// A factor of the weight for each joint.
+    /// Sets a factor of the weight for each joint.
     pub fn mask(self, mask: &'w [R]) -> Self {
         Self { mask: Some(mask), ..self }
     }
 
-    /// Of the slot's instances, and of its joint.
+    /// The weight of the slot's instances and joint.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn weight<L: Lanes<Real = R>>(&self, level: L::Level, slot: JointSlot) -> Option<L>
     where
@@ -261,7 +262,7 @@ where
     A: PoseSource<M, C>,
     B: PoseSource<M, C>,
 {
-    const MADE: bool = true;
+    const COMPUTED: bool = true;
 
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
         let (what, length) = self.base.shape(joints)?;
@@ -283,21 +284,21 @@ where
         Some(self.weights.len())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
+    fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         let weight = self.weight(level, slot)?;
-        Some(self.over(self.base.pose(level, slot)?, self.layer.pose(level, slot)?, weight))
+        Some(self.over(self.base.load(level, slot)?, self.layer.load(level, slot)?, weight))
     }
     #[inline(never)]
-    fn poses<V: Level>(
+    fn load_batch<V: Level>(
         &self,
         level: V,
         slot: JointSlot,
-        to: &mut [Rows<M::Register<V>>],
+        to: &mut [Stored<M::Register<V>>],
     ) -> Option<()> {
-        let mut layers = [Rows::<M::Register<V>>::zeroed(); GROUP];
+        let mut layers = [Stored::<M::Register<V>>::zeroed(); BATCH];
         let layers = layers.get_mut(..to.len())?;
-        self.base.poses(level, slot, to)?;
-        self.layer.poses(level, slot, layers)?;
+        self.base.load_batch(level, slot, to)?;
+        self.layer.load_batch(level, slot, layers)?;
         level.run(
             #[cfg_attr(not(opt_level_0), inline(always))]
             || {
@@ -310,10 +311,10 @@ where
             },
         )
     }
-    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self {
-            base: self.base.some(joints, instances.clone()),
-            layer: self.layer.some(joints, instances.clone()),
+            base: self.base.part(joints, instances.clone()),
+            layer: self.layer.part(joints, instances.clone()),
             weights: part_of(self.weights, M::THINGS, instances),
             ..self
         }
@@ -325,7 +326,7 @@ locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, 
 
 impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}
 
-/// Rotations and translations of one of two forms, which only the running program knows: a plain
+/// Rotations and translations of one of two forms, chosen when the program runs: a plain
 /// clip or a [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest. A
 /// kernel is compiled once for all of them, and so is each source of poses; but in firmware both
 /// are part of it.
@@ -352,14 +353,14 @@ impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Either<A, B> {
-    /// Of one form.
+    /// Locals of the first form.
     One(A),
-    /// Of the other.
+    /// Locals of the second form.
     Other(B),
 }
 
-/// What both forms have.
-macro_rules! of {
+/// Runs an expression on whichever form the locals have.
+macro_rules! match_either {
     ($either:ident, $locals:ident => $made:expr) => {
         match $either {
             Self::One($locals) => $made,
@@ -374,30 +375,30 @@ where
     A: PoseSource<M, C>,
     B: PoseSource<M, C>,
 {
-    const MADE: bool = true;
+    const COMPUTED: bool = true;
 
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
-        of!(self, locals => locals.shape(joints))
+        match_either!(self, locals => locals.shape(joints))
     }
     fn instances(&self) -> Option<usize> {
-        of!(self, locals => locals.instances())
+        match_either!(self, locals => locals.instances())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
-        of!(self, locals => locals.pose(level, slot))
+    fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
+        match_either!(self, locals => locals.load(level, slot))
     }
-    fn poses<V: Level>(
+    fn load_batch<V: Level>(
         &self,
         level: V,
         slot: JointSlot,
-        to: &mut [Rows<M::Register<V>>],
+        to: &mut [Stored<M::Register<V>>],
     ) -> Option<()> {
-        of!(self, locals => locals.poses(level, slot, to))
+        match_either!(self, locals => locals.load_batch(level, slot, to))
     }
-    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
         match self {
-            Self::One(locals) => Self::One(locals.some(joints, instances)),
-            Self::Other(locals) => Self::Other(locals.some(joints, instances)),
+            Self::One(locals) => Self::One(locals.part(joints, instances)),
+            Self::Other(locals) => Self::Other(locals.part(joints, instances)),
         }
     }
 }

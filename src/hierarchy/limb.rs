@@ -1,4 +1,4 @@
-//! Limbs of skeletons that are bent: from models and targets back to locals.
+//! Two-bone inverse kinematics: new locals of three joints, which take the last one to a target.
 
 use super::plan::Plans;
 use super::run::{Roots, Run, grain};
@@ -18,7 +18,7 @@ impl<S, P: Plans> Job<'_, S, P> {
     /// and translations stay as they are. Out of reach the limb is stretched toward the target, or
     /// folded.
     ///
-    /// `models` are what `locals` gave: of them the parent of the limb and its end are read. One
+    /// `models` are those of `locals`; only the limb's parent and its end are read. One
     /// target and one pole for each instance (block), in model space. Models of the limb and of
     /// what hangs from it are old afterwards: a job of those [`joints`](Self::joints) computes them
     /// anew. The range of this job itself has no effect here.
@@ -60,8 +60,7 @@ impl<S, P: Plans> Job<'_, S, P> {
         T: Element<3, Layout = E::Layout>,
         S: Roots<E>,
     {
-        self.check::<E>("models", models.len())?;
-        let run = self.run::<E>();
+        let run = self.check(("models", models.len()), models.len())?;
         let parent =
             |joint: usize| run.parents.get(joint).filter(|&&parent| parent != Hierarchy::ROOT);
         limb.check(|joint| parent(joint).map(|&parent| parent as usize))?;
@@ -73,7 +72,7 @@ impl<S, P: Plans> Job<'_, S, P> {
             same_length(what, length, models.len() / joints)?;
         }
         let limbs = Limbs { run: &run, limb, models, targets, poles };
-        let backend = self.choice.instructions();
+        let backend = run.backend;
         if let Some(fault) = backend.run(Check { limbs, locals }) {
             return Err(fault);
         }
@@ -102,7 +101,8 @@ impl<E: Element<8>, T> Clone for Limbs<'_, E, T> {
 }
 impl<E: Element<8>, T> Copy for Limbs<'_, E, T> {}
 
-/// A limb: its parent, if it has one, the local poses of its joints, and what is asked.
+/// A limb in each lane: the model of its parent, if it has one, the local poses of its joints, and
+/// the task.
 type Loaded<L> = (Option<batch::DualQuat<L>>, [batch::DualQuat<L>; 3], Asked<L>);
 
 impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
@@ -152,7 +152,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
         Tile::at(tile.element * joints + joint, tile.register).strided(joints)
     }
 
-    /// Those of some instances (blocks).
+    /// The limbs of some of the instances (blocks).
     fn part<'p>(&'p self, run: &'p Run<'p, E>, instances: Range<usize>) -> Limbs<'p, E, T> {
         let joints = run.parents.len();
         let models = instances.start * joints..instances.end * joints;
@@ -166,7 +166,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
     }
 }
 
-/// The first limb that cannot be bent.
+/// The loop that looks for the first limb that cannot be bent.
 struct Check<'s, E: Element<8>, T> {
     limbs: Limbs<'s, E, T>,
     locals: &'s [E],

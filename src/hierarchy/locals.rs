@@ -1,5 +1,5 @@
 //! [`Locals`]: the pose of a joint in its parent, and its form in memory. Locals that are computed
-//! are computed for a group of joints at a time, into [`Rows`], which [`Ahead`] holds.
+//! are computed for a group of joints at a time, into [`Stored`], which a [`LocalBatch`] holds.
 
 use super::run::Run;
 use super::slot::JointSlot;
@@ -12,9 +12,9 @@ use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// The numbers of one register of locals: those of motions, or of poses, and then nothing that is
-/// read.
-pub(super) type Numbers<E, V> = [Register<E, V, 8>; 8];
+/// A local in each lane. Eight registers hold a motion; a pose of seven numbers leaves the last
+/// unread.
+pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
 /// [`Tracks`], [`Bones`], [`Sampled`](super::Sampled), [`Layered`](super::Layered) or
@@ -27,32 +27,32 @@ pub(super) type Numbers<E, V> = [Register<E, V, 8>; 8];
     note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
 )]
 pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
-    /// Their name in errors, and how many locals there are for this number of models.
+    /// The name of the locals in errors, and their number, for `models` models of `joints` joints.
     ///
     /// # Errors
-    /// If what is the same for all instances, such as the offsets, is not as long as there are
-    /// joints.
+    /// If a slice that all instances share, such as the offsets, does not have one element per
+    /// joint.
     #[doc(hidden)]
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
     /// The locals of a slot; `models` are those of its instances, as far as they are known.
     #[doc(hidden)]
-    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Numbers<E, V>>;
+    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Registers<E, V>>;
 
-    /// Whether they are computed: then a kernel calls for a group of them, [`ahead`](Self::ahead).
-    /// Part of the kernel, they would take its registers, and find for each joint again what is the
-    /// same for all.
+    /// `true` if the locals are computed: then a kernel calls [`load_batch`](Self::load_batch). As
+    /// part of the kernel, the computation would take its registers, and repeat for each joint what
+    /// is the same for all.
     #[doc(hidden)]
-    const MADE: bool = false;
+    const COMPUTED: bool = false;
 
-    /// The locals of a slot and of those after it, no more than a group.
+    /// The locals of a slot and of those after it, no more than a batch.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn ahead<V: Level>(
+    fn load_batch<V: Level>(
         &self,
         level: V,
         slot: JointSlot,
-        to: &mut [Rows<Register<E, V, 8>>],
+        to: &mut [Stored<Register<E, V, 8>>],
     ) -> Option<()> {
         each(
             slot,
@@ -65,18 +65,19 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     /// A local as a motion.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
+    fn motion<V: Level>(self, local: Registers<E, V>) -> Motions<E, V> {
         batch::DualQuat::from_array(local)
     }
 
     /// parent · local
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
+    fn onto<V: Level>(self, parent: Motions<E, V>, local: Registers<E, V>) -> Motions<E, V> {
         parent * self.motion(local)
     }
 
-    /// Their place, if they are motions in memory, to be read number by number.
+    /// The motions in memory, to be read number by number; `None` if the locals are of another
+    /// form.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
@@ -88,7 +89,7 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
-/// Any motions.
+/// Motions, one for each joint.
 #[derive(Clone, Copy)]
 pub struct Poses<'s, E>(
     /// One for each joint.
@@ -102,7 +103,7 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
         E::load(level, self.0, slot.tile(), &storage::identity())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -123,7 +124,7 @@ impl<E: Element<8>> Locals<E> for InPlace {
         Ok(("poses", models))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
+    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
         E::load(level, models, slot.own_tile(), &storage::identity())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -173,8 +174,8 @@ brief!([Q, T] Tracks<'_, Q, T>: Tracks |it| {
     rotations: it.rotations.len(), translations: it.translations.len(),
 });
 
-/// Rotations, and the offset of each joint from its parent, the same for all instances: what
-/// animation clips hold, and half the memory of motions.
+/// Rotations, and an offset of each joint from its parent that is the same for all instances: the
+/// form of animation clips, with half the memory of motions.
 #[derive(Clone, Copy)]
 pub struct Bones<'s, Q: Element<4>> {
     /// One for each joint.
@@ -193,17 +194,17 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
         Ok(("rotations", self.rotations.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
         let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let [a, b, c] = slot.of_joint(level, self.offsets)?;
         Some(resized([x, y, z, w, a, b, c]))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
+    fn motion<V: Level>(self, local: Registers<E, V>) -> Motions<E, V> {
         NlerpLerp.motion(resized(local))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
+    fn onto<V: Level>(self, parent: Motions<E, V>, local: Registers<E, V>) -> Motions<E, V> {
         NlerpLerp.onto(parent, resized(local))
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
@@ -211,8 +212,7 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     }
 }
 
-/// The part that belongs to some instances, of a slice that holds `count` things for each; as many
-/// as there are.
+/// The elements of some instances in a slice that holds `count` for each; fewer if it ends before.
 pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
     let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
     slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()
@@ -228,23 +228,23 @@ pub(super) mod sealed {
     impl<Q: Element<4>> Sealed for Bones<'_, Q> {}
 }
 
-/// The numbers of a pose or a motion, as registers hold them. A pose leaves those behind its own as
-/// they are.
-pub(super) type Rows<L> = [<L as Lanes>::Array; 8];
+/// A pose or a motion of each lane in memory, in the order of registers: a row for each number. A
+/// pose of seven numbers leaves the last row as it is.
+pub(super) type Stored<L> = [<L as Lanes>::Array; 8];
 
-/// As many slots as are made at once: enough that a call for each source is little, few enough that
-/// all of them stay in the first cache.
-pub(super) const GROUP: usize = 16;
+/// The number of slots in a batch: enough that a call for each source costs little, few enough that
+/// the batch stays in the first cache.
+pub(super) const BATCH: usize = 16;
 
-/// Whether what is computed is made a group at a time. Firmware counts the bytes of its code and
-/// stack.
-pub(super) const GROUPS: bool = cfg!(not(target_os = "none"));
+/// `true` if computed locals are computed in batches. Firmware, which counts the bytes of its code
+/// and stack, computes them one by one.
+pub(super) const BATCHES: bool = cfg!(not(target_os = "none"));
 
-/// What is made of a slot and of those after it, into rows one after the other.
+/// Fills `to` with the poses of a slot and of those after it.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn each<L: Lanes, const C: usize>(
     slot: JointSlot,
-    to: &mut [Rows<L>],
+    to: &mut [Stored<L>],
     mut pose: impl FnMut(JointSlot) -> Option<[L; C]>,
 ) -> Option<()> {
     for (number, rows) in to.iter_mut().enumerate() {
@@ -253,9 +253,9 @@ pub(super) fn each<L: Lanes, const C: usize>(
     Some(())
 }
 
-/// The first rows.
+/// Loads the first `C` rows.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Rows<L>) -> [L; C] {
+pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Stored<L>) -> [L; C] {
     let mut registers = [L::splat(level, L::Real::default()); C];
     for (register, row) in registers.iter_mut().zip(from) {
         *register = L::load(level, row);
@@ -263,16 +263,16 @@ pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Rows<L>) ->
     registers
 }
 
-/// To the first rows.
+/// Stores to the first `C` rows.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Rows<L>) {
+pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Stored<L>) {
     for (register, row) in registers.iter().zip(to) {
         register.store(row);
     }
 }
 
-/// The first numbers of an array as one of another length; where there are more, they are the first
-/// one, and nobody reads them.
+/// An array of another length with the same first elements. Elements beyond them repeat the first
+/// one, and are not read.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) -> [L; B] {
     // No closure: in an inlined kernel it would be compiled without its instructions.
@@ -283,54 +283,84 @@ pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) ->
     to
 }
 
-/// A group of locals, if they are made.
-pub(super) struct Ahead<E: Element<8>, V: Level>(Option<[Rows<Register<E, V, 8>>; GROUP]>);
+/// Memory for a batch of locals; none where locals are loaded.
+pub(super) struct LocalBatch<E: Element<8>, V: Level>(Option<[Stored<Register<E, V, 8>>; BATCH]>);
 
-impl<E: Element<8>, V: Level> Ahead<E, V> {
+/// The facts that a loop over joints reads: each loop is a method. Loops copy the fields that they
+/// read into variables before the first joint, and have a parameter for each slice that they write:
+/// stores may change what a reference or a field leads to, for all that the compiler knows, so it
+/// would load that again for every joint.
+pub(super) struct Pass<'r, E: Element<8>, L, V> {
+    pub(super) level: V,
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) locals: L,
+}
+
+impl<E: Element<8>, L: Copy, V: Copy> Clone for Pass<'_, E, L, V> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn of<L: Locals<E>>(_: &L) -> Self {
-        Self(if const { L::MADE } { Some([Zeroable::zeroed(); GROUP]) } else { None })
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<E: Element<8>, L: Copy, V: Copy> Copy for Pass<'_, E, L, V> {}
+
+impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
+    /// Memory for a batch, if the locals are computed.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn batch(self) -> LocalBatch<E, V> {
+        LocalBatch(if const { L::COMPUTED } { Some([Zeroable::zeroed(); BATCH]) } else { None })
     }
 
-    /// The local of a slot; the slots of all joints of `run` are asked for one after the other.
+    /// The local of a slot. Slots must come in the order of joints, and none may be left out.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn local<L: Locals<E>>(
-        &mut self,
-        level: V,
-        run: &Run<'_, E>,
-        locals: &L,
+    pub(super) fn local(
+        &self,
+        batch: &mut LocalBatch<E, V>,
         models: &[E],
         slot: JointSlot,
-    ) -> Option<Numbers<E, V>> {
-        if const { !L::MADE } {
+    ) -> Option<Registers<E, V>> {
+        let Self { level, run, locals } = *self;
+        if const { !L::COMPUTED } {
             return locals.load(level, models, slot);
         }
-        let rows = self.0.as_mut()?;
-        let step = if slot.is_of_joints() { Register::<E, V, 8>::LANES } else { 1 };
+        let rows = batch.0.as_mut()?;
+        let step = if slot.lanes_are_joints() { Register::<E, V, 8>::LANES } else { 1 };
         let at = (slot.joint() - run.joints.start) / step;
-        if at.is_multiple_of(GROUP) {
+        if at.is_multiple_of(BATCH) {
             let all = run.joints.len().div_ceil(step);
-            locals.ahead(level, slot, rows.get_mut(..GROUP.min(all - at))?)?;
+            self.locals.load_batch(level, slot, rows.get_mut(..BATCH.min(all - at))?)?;
         }
-        Some(load(level, rows.get(at % GROUP)?))
+        Some(load(level, rows.get(at % BATCH)?))
     }
 
-    /// The locals of a slot of a block and of so many joints from it on go where their models will
-    /// be.
+    /// Computes the locals of a slot and of the joints after it, no more than a batch, and stores
+    /// them where their models will be.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn place<L: Locals<E>>(
-        &mut self,
-        level: V,
-        locals: &L,
+    pub(super) fn place(
+        &self,
+        batch: &mut LocalBatch<E, V>,
         models: &mut [E],
         slot: JointSlot,
-        joints: usize,
     ) -> Option<()> {
-        let rows = self.0.as_mut()?.get_mut(..joints)?;
-        locals.ahead(level, slot, rows)?;
+        let joints = BATCH.min(self.run.joints.end - slot.joint());
+        let rows = batch.0.as_mut()?.get_mut(..joints)?;
+        self.locals.load_batch(self.level, slot, rows)?;
         for (number, rows) in rows.iter().enumerate() {
-            E::copy(level, rows, models, slot.after(number, 1).own_tile());
+            E::copy(self.level, rows, models, slot.after(number, 1).own_tile());
         }
+        Some(())
+    }
+
+    /// Stores the local of a slot in `poses`, as a motion.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn write(
+        &self,
+        batch: &mut LocalBatch<E, V>,
+        poses: &mut [E],
+        slot: JointSlot,
+    ) -> Option<()> {
+        let local = self.local(batch, &[], slot)?;
+        E::store(self.locals.motion(local).to_array(), slot.within(poses), slot.tile());
         Some(())
     }
 }

@@ -1,6 +1,6 @@
 //! Joint hierarchies: local poses to model space and back.
 //!
-//! | item | what it is |
+//! | item | |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Skeleton`] | one that owns its parents, of any order and type, and its plan (feature `alloc`) |
@@ -22,7 +22,8 @@
 //! `[instance block][joint][component][lane]`, so that a child finds its parent in the same lane of
 //! another block, without any shuffling: the fastest way. See [`storage`](crate::storage).
 
-// From the parents to the entries of a run, its data, its loops, and what is owned.
+// In reading order: parents, skeleton, job; run, slot, locals, layers, clip, packed_clips,
+// packed_clip; forward, blocks, plain, plan, backward, chain, limb; crowd.
 mod backward;
 mod blocks;
 mod chain;
@@ -48,7 +49,7 @@ mod slot;
 pub use crate::storage::palette_entry::{MatrixOrder, PaletteEntry};
 #[cfg(feature = "alloc")]
 pub use clip::OwnedClip;
-pub use clip::{Clip, Frames, Keys, PlacedKeys, Sampled};
+pub use clip::{Clip, Sampled};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
@@ -56,13 +57,23 @@ pub use layers::{Either, Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
 #[cfg(feature = "alloc")]
 pub use packed_clip::{Deviation, PackedClip, Tolerance};
-pub use packed_clips::{PackedClips, PackedError, Playback};
+pub use packed_clips::{PackedClips, PackedError};
 pub use parents::{Hierarchy, HierarchyError};
-pub use plan::{NoPlan, Plan, PlanScratch, Plans};
-pub use run::{NoRoot, Renormalize, Root, Roots};
+pub use plan::{Plan, PlanScratch};
+pub use run::{Renormalize, Root};
 #[cfg(feature = "alloc")]
 pub use skeleton::{JointOrder, ParentIndex, Skeleton};
-pub use slot::JointSlot;
+
+/// Types and traits that signatures need and users do not: hidden, and free to change. Packages
+/// that name them pin the version of this one.
+#[doc(hidden)]
+pub use {
+    clip::{Frames, Keys, KeysAt},
+    packed_clips::Playback,
+    plan::{NoPlan, Plans},
+    run::{NoRoot, Roots},
+    slot::JointSlot,
+};
 
 #[doc(inline)]
 pub use dq8_simd::internal::TrackPlace;

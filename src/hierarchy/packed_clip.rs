@@ -1,5 +1,4 @@
-//! [`PackedClip`]: packed clips that own their bytes; how they are made of frames, and what they
-//! keep of them.
+//! [`PackedClip`]: packed clips that own their bytes; the packing of frames, and its error.
 
 use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
@@ -22,7 +21,7 @@ use dq8_simd::internal::OwnedTracks;
 /// `[x, y, z, w, tx, ty, tz]`
 type Key = [f32; 7];
 
-/// Packed clips of one skeleton, with their bytes: [`PackedClips`] says what they are.
+/// Packed clips of one skeleton, with their bytes: the owned form of [`PackedClips`].
 ///
 /// ```
 /// use dq8::hierarchy::{Clip, PackedClip, Sampled, Tolerance};
@@ -58,13 +57,13 @@ brief!([] PackedClip: PackedClip |it| {
     joints: it.clips().joints(), clips: it.clips().clips(), bytes: it.as_bytes().len(),
 });
 
-/// What a track may move in a clip and still be kept as one key.
+/// The movement up to which a track of a clip is kept as one key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// In radians. 2·10⁻⁵ unless told otherwise: less than a key of 16 bits holds.
+    /// An angle in radians, by default 2·10⁻⁵: less than a key of 16 bits holds.
     pub angle: f32,
-    /// In the unit of the translations. 10⁻⁵ unless told otherwise, a hundredth of a millimetre
-    /// in metres.
+    /// A length in the unit of the translations, by default 10⁻⁵: with metres, a hundredth of a
+    /// millimetre.
     pub length: f32,
 }
 
@@ -74,17 +73,17 @@ impl Default for Tolerance {
     }
 }
 
-/// How far points that hang from joints are from where they were before clips were packed.
+/// The distances of points that hang from joints to where they were before packing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The greatest distance.
     pub worst: f64,
-    /// 99 of 100 are no greater.
+    /// The distance that 99 of 100 points do not exceed.
     pub p99: f64,
 }
 
 impl PackedClip {
-    /// One clip of rotations and translations,
+    /// Packs one clip of rotations and translations,
     /// [`RotationTranslation`](crate::representation::RotationTranslation) or `[x, y, z, w, tx, ty,
     /// tz]`, with its rate, and looping if it loops. A clip in which a joint turns by 60° or more
     /// from one frame to the next gets so many frames between its own that none does, at most three
@@ -100,9 +99,9 @@ impl PackedClip {
         Self::library(&[clip], tolerance)
     }
 
-    /// Many clips of one skeleton, which share the range of each joint's translations: 1/65534 of
-    /// the longest side of the box that it moves in is a step. A root that walks far is better kept
-    /// apart, and given as the root of a job.
+    /// Packs many clips of one skeleton, which share the range of each joint's translations:
+    /// 1/65534 of the longest side of the box that it moves in is a step. A root that walks far is
+    /// better kept apart, and given as the root of a job.
     ///
     /// # Errors
     /// As for [`new`](Self::new), or if there is no clip, one has other joints than the first, or
@@ -181,10 +180,10 @@ impl PackedClip {
         Self::from_bytes(bytes.into())
     }
 
-    /// Of bytes that [`as_bytes`](Self::as_bytes) gave. Reads all of them once.
+    /// Packed clips from the bytes that [`as_bytes`](Self::as_bytes) gave. Reads all of them once.
     ///
     /// # Errors
-    /// If they are no packed clips: where.
+    /// If they are not a packed clip file: the first offset at which something is wrong.
     pub fn from_bytes(bytes: Box<[u8]>) -> Result<Self, PackedError> {
         PackedClips::from_bytes(&bytes)?;
         let (ranges, joints) = form::parts(&bytes)?;
@@ -210,8 +209,9 @@ impl PackedClip {
         }
     }
 
-    /// What became of the frames of a clip: of the points `distance` from each joint along its
-    /// three axes, in model space, in every frame of the clip; nothing is measured between them.
+    /// The error of packing a clip: how far the points `distance` from each joint along its three
+    /// axes are, in model space, from where the given frames have them. Nothing is measured between
+    /// frames.
     ///
     /// # Errors
     /// If there is no such clip, or it was packed of another number of frames, or the hierarchy has
@@ -296,7 +296,7 @@ fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError
     Ok(most)
 }
 
-/// The same frames with so many pieces from one to the next, by the law that plays them.
+/// The frames, and as many between as make `pieces` steps of one, by the law that plays them.
 fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     if pieces == 1 {
         return frames.into();
@@ -313,7 +313,7 @@ fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     finer.chain(last.iter().copied()).collect()
 }
 
-/// Where a joint rests, and 2⁻¹⁴ of a step of its translations.
+/// The position of a joint at rest, and 2⁻¹⁴ of a step of its translations.
 fn rest(
     clips: &[&[Key]],
     joints: usize,

@@ -1,7 +1,7 @@
 //! [`PackedClips`]: clips of a skeleton in 8 bytes for each track that moves, and frame, decoded in
 //! registers.
 
-use super::clip::{ALONE, Alone, Keys, PlacedKeys, Timing, first};
+use super::clip::{Keys, KeysAt, SINGLE, Single, Timing, first};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
 use crate::batch::vector;
@@ -71,13 +71,13 @@ const HEAD: usize = 32;
 pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 5], usize), PackedError> {
     let wrong = |offset, what| PackedError::Bytes { offset, what };
     if bytes.first_chunk() != Some(MAGIC) {
-        return Err(wrong(0, "they begin otherwise"));
+        return Err(wrong(0, "bad magic"));
     }
-    let words = bytes.get(8..HEAD).ok_or(wrong(bytes.len(), "they end too early"))?;
+    let words = bytes.get(8..HEAD).ok_or(wrong(bytes.len(), "unexpected end"))?;
     let [version, joints, clips, keys, rows] =
         core::array::from_fn(|i| word(words, i).map_or(0, |word| word as usize));
     if version != VERSION as usize {
-        return Err(wrong(8, "their version is another"));
+        return Err(wrong(8, "unsupported version"));
     }
     let lengths = [
         Some((keys, 8)),
@@ -93,14 +93,10 @@ pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 5], usize), PackedEr
         end = length
             .and_then(|(count, size): (usize, usize)| count.checked_mul(size)?.checked_add(start))
             .filter(|&end| end <= bytes.len())
-            .ok_or(wrong(bytes.len(), "they end too early"))?;
+            .ok_or(wrong(bytes.len(), "unexpected end"))?;
         *range = start..end;
     }
-    if end == bytes.len() {
-        Ok((ranges, joints))
-    } else {
-        Err(wrong(end, "something follows them"))
-    }
+    if end == bytes.len() { Ok((ranges, joints)) } else { Err(wrong(end, "bytes after the end")) }
 }
 
 fn word(bytes: &[u8], index: usize) -> Option<u32> {
@@ -122,11 +118,12 @@ pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
 const SHARED: &str = "clips have more tracks and frames than there are keys";
 
 impl<'a> PackedClips<'a> {
-    /// Of bytes that [`PackedClip::as_bytes`](super::PackedClip::as_bytes) gave, without a copy.
+    /// Packed clips in the bytes that [`PackedClip::as_bytes`](super::PackedClip::as_bytes) gave,
+    /// without a copy.
     /// Reads all of them once.
     ///
     /// # Errors
-    /// If they are no packed clips: where.
+    /// If they are not a packed clip file: the first offset at which something is wrong.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, PackedError> {
         let (ranges, joints) = parts(bytes)?;
         let [keys, rests, clips, timings, rows] =
@@ -197,13 +194,13 @@ impl<'a> PackedClips<'a> {
         Ok(())
     }
 
-    /// How many joints the skeleton has.
+    /// The number of joints of the skeleton.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.rests.len()
     }
 
-    /// How many clips there are.
+    /// The number of clips.
     #[must_use]
     pub fn clips(&self) -> usize {
         self.tracks.clips()
@@ -327,8 +324,8 @@ impl PackedClips<'_> {
         let places = [self.tracks.place(clip, frame)?];
         let playback = Keys::<R, 7>::placed(*self, &places).ok()?;
         let slot = JointSlot::of_joints(joint, 0, joints, joint + 1);
-        let t: <Aos<R> as Layout>::Register<Alone> = Lanes::splat(ALONE, t);
-        Some(first(NlerpLerp, PlacedKeys::pose(playback, ALONE, NlerpLerp, slot, t)?))
+        let t: <Aos<R> as Layout>::Register<Single> = Lanes::splat(SINGLE, t);
+        Some(first(NlerpLerp, KeysAt::pose(playback, SINGLE, NlerpLerp, slot, t)?))
     }
 }
 
@@ -391,7 +388,7 @@ pub struct Playback<'s> {
 brief!([] Playback<'_>: Playback |it| { joints: it.rests.len() });
 
 impl Playback<'_> {
-    /// Of the lanes' tracks, rotations or translations.
+    /// The numbers of a column, rotations or translations, for the lanes of a slot.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(
         self,
@@ -400,7 +397,7 @@ impl Playback<'_> {
         column: usize,
         t: L,
     ) -> Option<[L; 4]> {
-        if slot.is_of_joints() {
+        if slot.lanes_are_joints() {
             self.tracks.between_columns(level, slot.instance(), column, t)
         } else {
             self.tracks.between(level, slot.instance(), column, t)
@@ -415,7 +412,7 @@ impl Playback<'_> {
         slot: JointSlot,
     ) -> Option<([L; 4], bool)> {
         let rests = self.rests.get(slot.joint()..)?;
-        if !slot.is_of_joints() {
+        if !slot.lanes_are_joints() {
             let rest = floats(rests.first()?);
             return Some((vector::splat(level, rest.map(Into::into)), rest[3] != 0.0));
         }
@@ -439,7 +436,7 @@ fn as_they_lie<R: Scalar>(rests: &[Rest]) -> Option<&[[R; 4]]> {
     if same { bytemuck::try_cast_slice(rests).ok() } else { None }
 }
 
-/// Those of as many lanes as there may be.
+/// The rests of as many joints as there may be lanes, as numbers of `R`.
 #[cold]
 #[inline(never)]
 fn copy<R: Scalar>(rests: &[Rest]) -> [[R; 4]; MAX_LANES] {
@@ -450,7 +447,7 @@ fn copy<R: Scalar>(rests: &[Rest]) -> [[R; 4]; MAX_LANES] {
     numbers
 }
 
-impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
+impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
     fn joints(self) -> usize {
         self.rests.len()
     }
@@ -462,7 +459,7 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
         slot: JointSlot,
         t: L,
     ) -> Option<[L; 7]> {
-        if !slot.is_of_joints() {
+        if !slot.lanes_are_joints() {
             // Of the next instances.
             let last = slot.joint() + 1 == self.rests.len();
             self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint(), last);
@@ -481,7 +478,7 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
     }
 }
 
-/// What lies between keys of rotations, normalized. Neighbours are less than 60° apart, so the
+/// The mean of two keys of rotations, normalized. Neighbours are less than 60° apart, so the
 /// squared length 1 − e is near that of 1, and (1 − e)^(−½) is a polynomial of e without
 /// root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005,
 /// 0.068]). NaN if `t` is NaN, which weights that are integers would lose.
@@ -501,7 +498,7 @@ fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
 }
 
 errors! {
-    /// Frames that packed clips cannot hold, or bytes that are no packed clips.
+    /// Frames that packed clips cannot hold, or bytes that are not a packed clip file.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     PackedError {
@@ -529,8 +526,8 @@ errors! {
             => "joint {joint} in frame {frame} of clip {clip} is at {value}, which no range of translations holds";
         /// More keys than 32 bits count, or more tracks than 15 bits.
         TooLarge => "the clips have more keys than 32 bits count, or more tracks than 15 bits";
-        /// Bytes that are no packed clips of this version.
-        Bytes { offset: usize = "Where the first of them is that is wrong.", what: &'static str = "What is wrong." }
-            => "these are no packed clips: {what}, at byte {offset}";
+        /// Bytes that are not a packed clip file of this version.
+        Bytes { offset: usize = "The first byte that is wrong.", what: &'static str = "What is wrong." }
+            => "not a packed clip file: {what} at byte {offset}";
     }
 }

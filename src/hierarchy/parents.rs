@@ -65,7 +65,7 @@ impl<'a> Hierarchy<'a> {
         Ok(Self { parents })
     }
 
-    /// Of parents that have been checked.
+    /// A hierarchy of parents that have been checked.
     #[cfg(feature = "alloc")]
     pub(super) const fn of_checked(parents: &'a [u32]) -> Self {
         Self { parents }
@@ -99,8 +99,7 @@ impl<'a> Hierarchy<'a> {
 
     /// The joints whose parent is `joint`, in rising order.
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
-        // Beyond the last joint nothing has a parent, and no joint is numbered as the mark of a
-        // root.
+        // No joint has the number that marks a root, and none beyond `u32` is a parent.
         let parent = u32::try_from(joint).unwrap_or(Self::ROOT);
         let after = if parent == Self::ROOT { usize::MAX } else { joint.saturating_add(1) };
         of_parent(self.parents(), after, parent)
@@ -171,8 +170,7 @@ impl<'a> Hierarchy<'a> {
             if let Some(name) = name(joint) {
                 write!(f, " {name}")?;
             }
-            // Where the line before neither is the parent nor hangs from it, the indent does not
-            // say who is.
+            // The indent does not tell the parent if the line before is neither it nor below it.
             if let (Some(parent), Some(before)) = (self.parent(joint), joint.checked_sub(1))
                 && parent != before
                 && !self.ancestors(before).any(|of| of == parent)
@@ -217,7 +215,7 @@ errors! {
             Signed(*parent), Count(*joints, "joint");
         /// A joint is its own ancestor.
         Cycle { joint: usize = "The joint." } => "joint {joint} is its own ancestor";
-        /// A joint that there is not.
+        /// There is no such joint.
         NoJoint { joint: usize = "The joint asked for.", joints: usize = "The number of joints." }
             => "there is no joint {joint} among {}, counted from 0", Count(*joints, "joint");
         /// The joints below a joint do not lie in one range.
@@ -227,7 +225,7 @@ errors! {
         }
             => "the joints below joint {joint} are no range: joint {beyond} is one of them, and comes after others \
                 (`Skeleton::sorted` numbers subtrees in one range)";
-        /// Not as many names as joints.
+        /// The number of names is not the number of joints.
         Names { names: usize = "The number of names.", joints: usize = "The number of joints." }
             => "{} for {}: each needs one", Count(*names, "name"), Count(*joints, "joint");
         /// A joint has the name of an earlier one.
@@ -238,7 +236,7 @@ errors! {
     }
 }
 
-/// What is said of a joint and its parent.
+/// The text about a joint whose parent does not come before it.
 struct NotBefore {
     joint: usize,
     parent: u32,
@@ -257,7 +255,7 @@ impl fmt::Display for NotBefore {
     }
 }
 
-/// A negative number that came as a `u32`; nothing, of others.
+/// The text about a parent that is a negative number in a `u32`; empty for others.
 struct Signed(i128);
 
 impl fmt::Display for Signed {

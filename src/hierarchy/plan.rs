@@ -3,23 +3,22 @@
 
 use super::Hierarchy;
 use super::chain::product;
-use super::locals::{Ahead, Locals};
-use super::run::{Epilogue, Renormalize, Run};
+use super::locals::{Locals, Pass};
+use super::run::{Epilogue, Forward, Renormalize, Run};
 use super::slot::JointSlot;
 use crate::backend::{Backend, Kernel};
 use crate::macros::brief;
 use crate::number::Scalar;
 use crate::scalar::DualQuat;
-use crate::storage::motions;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Number, Source};
+use crate::storage::{Element, Layout, Number, Source, motions};
 use core::cmp::Reverse;
 use dq8_simd::Level;
 use dq8_simd::internal::CheckedSchedule;
 
-/// From this many joints on, a chain is cut into segments: on every target, because that decides
-/// the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by one 4.9,
-/// 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
+/// The number of joints from which a chain is cut into segments: on every target, because that
+/// decides the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by
+/// one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
 const MIN_CHAIN: usize = 24;
 
 /// The order in which one instance of a hierarchy is computed, found once, in memory of the
@@ -54,12 +53,13 @@ pub struct Plan<'a> {
 
 brief!([] Plan<'_>: Plan |it| { joints: it.parents.len() });
 
-/// A [`Job`](super::Job) without a plan: whoever has no memory for one links no code of plans.
+/// A [`Job`](super::Job) without a plan. A program that has no memory for plans links no code of
+/// them.
 #[derive(Clone, Copy, Debug)]
 pub struct NoPlan;
 
-/// What a job knows of the order in which one instance is computed: a [`Plan`], or
-/// [nothing](NoPlan). Sealed.
+/// The order in which a job computes one instance: that of a [`Plan`], or [the order of
+/// joints](NoPlan). Sealed.
 pub trait Plans: sealed::Sealed {
     #[doc(hidden)]
     fn plan(&self) -> Option<Plan<'_>>;
@@ -112,7 +112,7 @@ impl<'a> Plan<'a> {
     /// The plan of an order that [`new`](Self::new) wrote for the same parents: to keep an order
     /// where a plan cannot borrow it, such as a constant in flash.
     ///
-    /// What has no memory of its own cannot see all that may be wrong: an order in which joints
+    /// Without memory of its own this cannot see all that may be wrong: an order in which joints
     /// have changed places, or one stands for another, is taken, and models are then wrong.
     ///
     /// # Errors
@@ -144,7 +144,7 @@ impl<'a> Plan<'a> {
         models: &mut [DualQuat<R>],
     ) {
         match self.order {
-            Some(order) => backend.run(Walk { order, locals, models }),
+            Some(order) => backend.run(InOrder { order, locals, models }),
             None => backend.scan(locals, models),
         }
     }
@@ -156,20 +156,20 @@ pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
     order.split_at_checked(roots).unwrap_or_default()
 }
 
-/// Whether every joint hangs from the one before it, and the chain is long.
+/// `true` if every joint hangs from the one before it, and the chain is long.
 pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
-    // The mark of the root is what comes before 0.
+    // `ROOT` is 0 − 1.
     let links = |(joint, &pair): (u32, &[u32; 2])| pair == [joint, joint.wrapping_sub(1)];
     order.len() >= MIN_CHAIN && (0..).zip(order).all(links)
 }
 
-struct Walk<'p, 's, R> {
+struct InOrder<'p, 's, R> {
     order: Order<'p>,
     locals: Source<'s, DualQuat<R>>,
     models: &'s mut [DualQuat<R>],
 }
 
-impl<R: Scalar> Kernel for Walk<'_, '_, R> {
+impl<R: Scalar> Kernel for InOrder<'_, '_, R> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -204,51 +204,50 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
     }
 }
 
-/// `true` if the plan knows this run: one whole instance of single things, nothing normalized on
-/// the way.
-pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
-    E::Layout::THINGS == 1
-        && models == run.parents.len()
-        && run.joints == (0..models)
-        && run.renormalize == Renormalize::Never
-}
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
+    /// `true` if a plan can order this: one whole instance of single things, nothing normalized on
+    /// the way.
+    #[inline]
+    pub(super) fn is_one_instance(&self) -> bool {
+        let joints = self.models.len();
+        E::Layout::THINGS == 1
+            && joints == self.run.parents.len()
+            && self.run.joints == (0..joints)
+            && self.run.renormalize == Renormalize::Never
+    }
 
-/// Locals as motions in place of the models, roots on what they stand on, the plan, the epilogue:
-/// each joint is multiplied onto its parent by the product of all other runs, so a tree has the
-/// same bits.
-pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
-    backend: Backend,
-    plan: Plan<'_>,
-    run: &Run<'_, E>,
-    locals: L,
-    models: &mut [E],
-    epilogue: &mut X,
-) {
-    let root = run.root_of(0);
-    // Motions that lie in memory are read where they are. All else, and roots that stand on
-    // something, is written to the models first and multiplied in place: the plan knows one form
-    // only.
-    let from = match locals.motions() {
-        Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
-        _ => {
-            backend.run(Begin { run, locals, models: &mut *models, root });
-            None
-        }
-    };
-    if let Some(models) = E::plain_mut(models) {
-        let models: &mut [DualQuat<Number<E, 8>>] = bytemuck::must_cast_slice_mut(models);
-        let source = match from {
-            Some(locals) => Source::Slice(bytemuck::must_cast_slice(locals)),
-            None => Source::Output,
+    /// Stores the locals as motions in place of the models, multiplies roots onto their base, then
+    /// each joint onto its parent in the order of the plan, and runs the epilogue. The product is
+    /// that of all other runs, so a tree has the same bits.
+    #[inline]
+    pub(super) fn in_order_of(self, plan: Plan<'_>) {
+        let Self { run, locals, models, mut epilogue } = self;
+        let (backend, root) = (run.backend, run.root_of(0));
+        // Motions that lie in memory are read where they are. All else, and roots that stand on
+        // something, is written to the models first and multiplied in place: the plan knows one
+        // form only.
+        let from = match locals.motions() {
+            Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
+            _ => {
+                backend.run(Begin { run, locals, models: &mut *models, root });
+                None
+            }
         };
-        plan.run(backend, source, models);
-    }
-    if const { X::ACTIVE } {
-        backend.run(End { models, epilogue });
+        if let Some(models) = E::plain_mut(models) {
+            let models: &mut [DualQuat<Number<E, 8>>] = bytemuck::must_cast_slice_mut(models);
+            let source = match from {
+                Some(locals) => Source::Slice(bytemuck::must_cast_slice(locals)),
+                None => Source::Output,
+            };
+            plan.run(backend, source, models);
+        }
+        if const { X::ACTIVE } {
+            backend.run(End { models, epilogue: &mut epilogue });
+        }
     }
 }
 
-/// Writes the locals, those of roots onto `root`.
+/// The loop that writes the locals, those of roots multiplied onto `root`.
 struct Begin<'r, 's, E: Element<8>, L> {
     run: &'r Run<'r, E>,
     locals: L,
@@ -266,11 +265,13 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
         let joints = run.parents.len();
         // What lies there already stays.
         if !matches!(locals.motions(), Some(Source::Output)) {
-            let mut ahead = Ahead::of(&locals);
+            let pass = Pass { level, run, locals };
+            let mut batch = pass.batch();
             for start in (0..joints).step_by(E::Layout::records::<V>()) {
                 let slot = JointSlot::of_joints(start, 0, joints, joints);
-                let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
-                E::store(locals.motion(local).to_array(), models, slot.own_tile());
+                if pass.write(&mut batch, models, slot).is_none() {
+                    return;
+                }
             }
         }
         // Then a root is the root transform times its local, and the plan needs none.
@@ -283,7 +284,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
     }
 }
 
-/// The epilogue of all joints.
+/// The loop that runs the epilogue of all joints.
 struct End<'s, E, X> {
     models: &'s [E],
     epilogue: &'s mut X,
@@ -306,7 +307,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     }
 }
 
-/// The number of other joints that are begun before a joint whose parent is being computed. A
+/// The number of other products that begin between that of a parent and that of its child. A
 /// product of a plan takes about four times as long as until the next one can begin.
 ///
 /// Measured on skeletons of 21 and 64 joints, with other values here, by
@@ -314,7 +315,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 /// plain level order takes a twentieth longer, depth first half as long again.
 const BETWEEN: u32 = 4;
 
-/// No joint: the end of a list of children.
+/// The end of a list of children.
 const NONE: u32 = Hierarchy::ROOT;
 
 /// The facts about one joint, and one place in each of two queues, while an order is looked for.
@@ -326,37 +327,44 @@ pub struct PlanScratch {
     /// A list of its children, in their order.
     first_child: u32,
     next_sibling: u32,
-    /// A joint whose parent is done: these are a binary heap, the one to begin first on top.
-    able: u32,
-    /// A joint whose parent has begun, and from when on it may: these are a queue.
-    soon: u32,
-    when: u32,
+    /// Place in a binary heap of joints whose parents are done: the one to begin first is on top.
+    ready: u32,
+    /// Place in a queue of joints whose parents have begun, each with the time from which it may.
+    pending: u32,
+    ready_at: u32,
 }
 
 impl Default for PlanScratch {
     fn default() -> Self {
-        Self { height: 0, first_child: NONE, next_sibling: NONE, able: NONE, soon: NONE, when: 0 }
+        Self {
+            height: 0,
+            first_child: NONE,
+            next_sibling: NONE,
+            ready: NONE,
+            pending: NONE,
+            ready_at: 0,
+        }
     }
 }
 
 /// Writes the joints of a hierarchy into `order`, each with its parent: first those that have none,
 /// and then the others, as they should be computed. Both slices have an element per joint.
 ///
-/// Of the joints whose parent is done, the one with the longest way down comes first: it decides
+/// Among joints whose parents are done, the one with the longest way down comes first: it decides
 /// how long the whole takes. The others fill the time in which it waits for its parent.
 ///
 /// This is list scheduling by the critical path, for one unit that begins a product per time step
 /// and returns it [`BETWEEN`] steps later:
 ///
 /// ```text
-/// able = roots
+/// ready = roots
 /// at each time step:
-///     able += those of `soon` whose time has come
-///     begin the joint of `able` with the greatest height (the first, among equals)
-///     soon += its children, BETWEEN steps from now
+///     ready += those of `pending` whose time has come
+///     begin the joint of `ready` with the greatest height (the first, among equals)
+///     pending += its children, BETWEEN steps from now
 /// ```
 ///
-/// Times only rise, so `soon` is a queue and needs no sorting; a step with nothing to begin is
+/// Times only rise, so `pending` is a queue and needs no sorting; a step with nothing to begin is
 /// skipped. All memory is the caller's, so that a microcontroller can have plans; nothing here can
 /// panic.
 pub(super) fn schedule(
@@ -365,7 +373,7 @@ pub(super) fn schedule(
     scratch: &mut [PlanScratch],
 ) {
     scratch.fill(PlanScratch::default());
-    let mut search = Search { of: scratch, able: 0, begin: 0, end: 0 };
+    let mut search = Search { of: scratch, ready: 0, begin: 0, end: 0 };
     let mut roots = 0;
     // Parents come before their children, so one sweep from the last joint finds all heights.
     for (joint, &parent) in hierarchy.parents().iter().enumerate().rev() {
@@ -387,21 +395,21 @@ pub(super) fn schedule(
     let mut time = 0_u32;
     // Each joint is pushed once and popped once: as a root above, or when the time of its parent's
     // product has come.
-    while search.able > 0 || search.begin < search.end {
-        if search.able == 0 {
+    while search.ready > 0 || search.begin < search.end {
+        if search.ready == 0 {
             // All there is waits for its parent.
-            time = time.max(search.at(search.begin).when);
+            time = time.max(search.at(search.begin).ready_at);
         }
-        while search.begin < search.end && search.at(search.begin).when <= time {
-            search.push(search.at(search.begin).soon);
+        while search.begin < search.end && search.at(search.begin).ready_at <= time {
+            search.push(search.at(search.begin).pending);
             search.begin += 1;
         }
         let joint = search.pop();
         // Its children may begin when its product is done.
         let mut child = search.at(joint as usize).first_child;
         while child != NONE {
-            let when = time.saturating_add(BETWEEN);
-            search.change(search.end, |of| (of.soon, of.when) = (child, when));
+            let ready_at = time.saturating_add(BETWEEN);
+            search.change(search.end, |of| (of.pending, of.ready_at) = (child, ready_at));
             search.end += 1;
             child = search.at(child as usize).next_sibling;
         }
@@ -419,7 +427,7 @@ pub(super) fn schedule(
 struct Search<'s> {
     of: &'s mut [PlanScratch],
     /// The number in the heap.
-    able: usize,
+    ready: usize,
     /// The begin and the end of the queue. Each joint is in it once, so it never begins again at 0.
     begin: usize,
     end: usize,
@@ -439,20 +447,20 @@ impl Search<'_> {
     /// `true` if the joint at `a` of the heap begins before that at `b`.
     fn before(&self, a: usize, b: usize) -> bool {
         let rank = |joint| (self.at(joint as usize).height, Reverse(joint));
-        rank(self.at(a).able) > rank(self.at(b).able)
+        rank(self.at(a).ready) > rank(self.at(b).ready)
     }
 
     fn swap(&mut self, a: usize, b: usize) {
-        let (of_a, of_b) = (self.at(a).able, self.at(b).able);
-        self.change(a, |at| at.able = of_b);
-        self.change(b, |at| at.able = of_a);
+        let (of_a, of_b) = (self.at(a).ready, self.at(b).ready);
+        self.change(a, |at| at.ready = of_b);
+        self.change(b, |at| at.ready = of_a);
     }
 
     fn push(&mut self, joint: u32) {
         // At the end of the heap, then up past every joint that begins later.
-        let mut at = self.able;
-        self.change(at, |last| last.able = joint);
-        self.able += 1;
+        let mut at = self.ready;
+        self.change(at, |last| last.ready = joint);
+        self.ready += 1;
         while at > 0 && self.before(at, (at - 1) / 2) {
             self.swap(at, (at - 1) / 2);
             at = (at - 1) / 2;
@@ -462,14 +470,14 @@ impl Search<'_> {
     fn pop(&mut self) -> u32 {
         // The last joint takes the place of the first, then sinks below every one that begins
         // sooner.
-        let top = self.at(0).able;
-        self.able = self.able.saturating_sub(1);
-        self.swap(0, self.able);
+        let top = self.at(0).ready;
+        self.ready = self.ready.saturating_sub(1);
+        self.swap(0, self.ready);
         let mut at = 0;
         loop {
             let (left, right) = (2 * at + 1, 2 * at + 2);
-            let best = if right < self.able && self.before(right, left) { right } else { left };
-            if best >= self.able || !self.before(best, at) {
+            let best = if right < self.ready && self.before(right, left) { right } else { left };
+            if best >= self.ready || !self.before(best, at) {
                 return top;
             }
             self.swap(at, best);

@@ -2,6 +2,7 @@
 //! [`Root`], when to [`Renormalize`], and the [`Epilogue`] of each model, such as a palette.
 
 use super::slot::JointSlot;
+use crate::backend::Backend;
 use crate::batch;
 use crate::scalar::DualQuat;
 use crate::storage::{self, Element, Layout, MatrixOrder, Motions, Number, PaletteEntry, Tile};
@@ -18,9 +19,11 @@ pub(super) fn grain(joints: usize) -> usize {
     GRAIN.div_ceil(joints)
 }
 
-/// The hierarchy, which joints of it, what they stand on, and when they are normalized.
+/// The facts that all loops read: the hierarchy, the range of joints, the base of roots, when
+/// models are normalized, and the instructions and threads. Lengths have been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Run<'a, E: Element<8>> {
+    pub(super) backend: Backend,
     pub(super) parents: &'a [u32],
     pub(super) joints: Range<usize>,
     pub(super) root: Root<'a, E>,
@@ -30,17 +33,17 @@ pub(super) struct Run<'a, E: Element<8>> {
 /// The base that root joints stand on.
 #[derive(Clone, Debug)]
 pub enum Root<'a, E: Element<8>> {
-    /// Nothing: their local pose is their model pose.
+    /// No base: the local pose of a root is its model pose.
     None,
-    /// The same motion for every instance.
+    /// One motion for all instances.
     Same(DualQuat<Number<E, 8>>),
     /// A motion for each instance, one element for each instance (block).
     Each(&'a [E]),
 }
 
 impl<E: Element<8>> Root<'_, E> {
-    /// The base of the root of `instance` (block); of so many instances as there are lanes where
-    /// records are single things.
+    /// The base of the root of `instance` (block); of as many instances as there are lanes where
+    /// elements are single things.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn load<V: Level>(
         &self,
@@ -69,9 +72,16 @@ impl<E: Element<8>> Root<'_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
-    /// The same for some of the instances (blocks).
+    /// The run for some of the instances (blocks).
     pub(super) fn part(&self, instances: Range<usize>) -> Self {
         Self { root: self.root.part(instances), ..self.clone() }
+    }
+
+    /// `true` if there is work for more threads than the one that calls.
+    #[cfg(feature = "rayon")]
+    #[inline]
+    pub(super) fn many(&self) -> bool {
+        self.backend.many() && !self.parents.is_empty()
     }
 
     /// The base of the root of one instance, where records are single things.
@@ -85,7 +95,7 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// A [`Job`](super::Job) whose roots stand on nothing: their local pose is their model pose.
+/// A [`Job`](super::Job) without a base for roots: their local pose is their model pose.
 #[derive(Clone, Copy, Debug)]
 pub struct NoRoot;
 
@@ -94,7 +104,7 @@ pub struct NoRoot;
 pub trait Roots<E: Element<8>>: sealed::Sealed {
     #[doc(hidden)]
     fn root(&self) -> Root<'_, E>;
-    /// Their number, where each instance has its own.
+    /// The number of roots, where each instance has its own.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None
@@ -180,12 +190,11 @@ pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
     /// `true` if there is anything to do.
     const ACTIVE: bool;
     fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
-    /// That of the models before number `at`, and that of the others.
-    #[cfg_attr(not(feature = "rayon"), expect(dead_code, reason = "threads take parts"))]
+    /// The epilogue of the models before number `at`, and that of the others.
     fn split(self, at: usize) -> (Self, Self);
 }
 
-/// Nothing.
+/// The epilogue that computes nothing.
 pub(super) struct NoEpilogue;
 
 impl<E: Element<8>> Epilogue<E> for NoEpilogue {
@@ -217,8 +226,7 @@ where
         };
         slot.prefetch(level, self.entries, E::Layout::records::<V>());
         let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
-        // Not one store of either order: where the two ways join, the compiler would move twelve
-        // registers.
+        // *Kept apart* (docs/measured.md): a store of each order, not one for both.
         match self.order {
             MatrixOrder::Rows => {
                 M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());
@@ -233,4 +241,21 @@ where
         let of = |entries| Self { entries, ..self };
         (of(begin), of(end))
     }
+}
+
+/// Models to compute, of whole instances, and what the epilogue makes of each.
+pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) locals: L,
+    pub(super) models: &'s mut [E],
+    pub(super) epilogue: X,
+}
+
+/// A palette to compute without its models, which go through `scratch`.
+pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) locals: L,
+    pub(super) instances: usize,
+    pub(super) scratch: &'s mut [E],
+    pub(super) epilogue: X,
 }

@@ -16,7 +16,7 @@ use core::fmt;
 use core::ops::{Deref, Range};
 use dq8_simd::internal::CheckedSchedule;
 
-/// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
+/// A hierarchy that owns its parents, to be stored in a struct, such as an engine's rig.
 ///
 /// A [`Hierarchy`] borrows its parents; this holds them, and the [`Plan`](super::Plan) of them,
 /// with which its [`job`](Self::job) is faster for one instance in a plain slice.
@@ -52,7 +52,7 @@ pub struct Skeleton {
     /// Checked: every parent comes before its children.
     parents: Box<[u32]>,
     plan: OwnedPlan,
-    /// One for each joint, or none.
+    /// A name for each joint, or no names at all.
     names: Box<[Box<str>]>,
 }
 
@@ -70,13 +70,14 @@ pub struct Skeleton {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointOrder {
-    /// Of each joint of the skeleton, its number in the file; and the other way round.
+    /// The number in the file of each joint of the skeleton, and in the skeleton of each joint of
+    /// the file.
     old: Vec<usize>,
     new: Vec<usize>,
 }
 
 impl JointOrder {
-    /// What a file lists for its joints, in the order of the skeleton.
+    /// Sorts what a file lists for its joints into the order of the skeleton.
     ///
     /// # Errors
     /// If there are not as many things as joints.
@@ -106,7 +107,7 @@ impl Deref for JointOrder {
 brief!([] Skeleton: Skeleton |it| { joints: it.parents.len(), names: it.names.len() });
 
 impl Skeleton {
-    /// Of parents that come before their children.
+    /// A skeleton of parents that come before their children.
     ///
     /// # Errors
     /// As [`Hierarchy::new`]; [`sorted`](Self::sorted) takes any order.
@@ -128,11 +129,11 @@ impl Skeleton {
         Ok(Self { parents: indices, plan, names: Box::default() })
     }
 
-    /// Of parents in any order, and the [order](JointOrder) of its joints: joint `j` is number
-    /// `order[j]` of `parents`. All else that a file lists by joint (names, inverse binds, the pose
-    /// at rest, tracks, joints of vertices) is in the order of the file still, and follows by
-    /// [`JointOrder::gather`] and [`JointOrder::of`]. Each joint is followed by all that hang from
-    /// it, so that every [`subtree`](Self::subtree) is a range; brothers stay in their order.
+    /// A skeleton of parents in any order, and the [order](JointOrder) of its joints: joint `j` is
+    /// number `order[j]` of `parents`. All else that a file lists by joint (names, inverse binds,
+    /// the pose at rest, tracks, joints of vertices) is in the order of the file still, and follows
+    /// by [`JointOrder::gather`] and [`JointOrder::of`]. Each joint is followed by all that hang
+    /// from it, so that every [`subtree`](Self::subtree) is a range; siblings stay in their order.
     ///
     /// # Errors
     /// If a parent is not a joint, joints are their own ancestors, or there are more than a `u32`
@@ -155,9 +156,8 @@ impl Skeleton {
             return Err(HierarchyError::TooManyJoints { joints });
         }
         let old: Vec<u32> = parents.iter().map(|&parent| index(parent)).collect();
-        // Of each joint its first child and its next brother, in their order; the roots are
-        // children of nobody.
-        let (mut child, mut brother) = (vec![NONE; joints], vec![NONE; joints]);
+        // The first child and the next sibling of each joint, in their order.
+        let (mut child, mut sibling) = (vec![NONE; joints], vec![NONE; joints]);
         let mut root = NONE;
         for (joint, &parent) in old.iter().enumerate().rev() {
             let first = if parent == NONE {
@@ -167,22 +167,21 @@ impl Skeleton {
                     HierarchyError::ParentOutOfRange { joint, parent: parent.into(), joints };
                 child.get_mut(parent as usize).ok_or_else(|| as_written(error, parents))?
             };
-            brother[joint] = core::mem::replace(first, joint as u32);
+            sibling[joint] = core::mem::replace(first, joint as u32);
         }
         let (mut order, mut sorted) = (Vec::with_capacity(joints), Vec::with_capacity(joints));
         // What comes next, and the new number of its parent.
         let mut waiting = vec![[root, NONE]];
         while let Some([joint, parent]) = waiting.pop() {
             if joint != NONE {
-                waiting.push([brother[joint as usize], parent]);
+                waiting.push([sibling[joint as usize], parent]);
                 waiting.push([child[joint as usize], order.len() as u32]);
                 sorted.push(parent);
                 order.push(joint as usize);
             }
         }
         if order.len() < joints {
-            // Whoever is reached from no root hangs below a circle: as many steps up as there are
-            // joints lead into it.
+            // An unreached joint hangs below a cycle: `joints` steps up are sure to end in it.
             let mut reached = vec![false; joints];
             order.iter().for_each(|&joint| reached[joint] = true);
             let lost = reached.iter().position(|reached| !reached).unwrap_or(0);
@@ -199,8 +198,8 @@ impl Skeleton {
     /// [`sorted`](Self::sorted), with the names of a file, which are in the order of its parents.
     ///
     /// # Errors
-    /// As there, and as [`with_names`](Self::with_names), whose error counts names as they are
-    /// sorted.
+    /// As [`sorted`](Self::sorted), and as [`with_names`](Self::with_names), whose error numbers
+    /// names in the order of the skeleton.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -223,7 +222,7 @@ impl Skeleton {
         Ok((skeleton.with_names(names)?, order))
     }
 
-    /// With a name for each joint; empty where it has none.
+    /// Gives each joint a name; an empty text is no name.
     ///
     /// # Errors
     /// If there are not as many names as joints, or two joints have the same.
@@ -316,12 +315,12 @@ impl Skeleton {
     /// As [`Hierarchy::subtree`].
     ///
     /// # Errors
-    /// If there is no such joint, or what hangs from it does not lie in one range.
+    /// If there is no such joint, or the joints below it do not lie in one range.
     pub fn subtree(&self, joint: usize) -> Result<Range<usize>, HierarchyError> {
         self.hierarchy().subtree(joint)
     }
 
-    /// The same parents, borrowed.
+    /// The skeleton's parents as a borrowed hierarchy.
     #[must_use]
     pub fn hierarchy(&self) -> Hierarchy<'_> {
         Hierarchy::of_checked(&self.parents)
@@ -346,7 +345,7 @@ impl Skeleton {
     }
 }
 
-/// The same parents and names.
+/// Equal if parents and names are.
 impl PartialEq for Skeleton {
     fn eq(&self, other: &Self) -> bool {
         (&self.parents, &self.names) == (&other.parents, &other.names)
@@ -391,7 +390,7 @@ impl OwnedPlan {
         Self { roots: roots.into(), others: Some(others) }
     }
 
-    /// Of the same parents.
+    /// The plan, for the parents that it was made of.
     #[inline]
     pub(super) fn borrowed<'a>(&'a self, parents: &'a [u32]) -> Plan<'a> {
         let others = self.others.as_ref();
@@ -411,7 +410,7 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// Not the number of a joint, and not the mark of a root.
+/// The index that stands for a parent that is no joint; it is not the mark of a root either.
 const BEYOND: u32 = u32::MAX - 1;
 
 /// The number by which a hierarchy knows a parent; [`BEYOND`] if that is no joint.

@@ -1,15 +1,16 @@
+//! [`JointSlot`]: the joints and instances in the lanes of a register, and their place in memory.
+
 use crate::batch::vector;
 use crate::number::Scalar;
 use crate::storage::{Tile, aos, identity};
 use dq8_simd::{Lanes, Level, Records};
 
-/// The number of joints ahead for which memory is asked that will be written. For 1,000 skeletons
-/// whose palettes exceed the second cache it saves a seventh of the time, in that cache next to
-/// nothing; 4 is as good.
-const AHEAD: usize = 2;
+/// The number of joints that are prefetched ahead. For 1,000 skeletons whose palettes exceed the
+/// second cache it saves a seventh of the time, in that cache next to nothing; 4 is as good.
+const PREFETCH_DISTANCE: usize = 2;
 
-/// The content of the lanes of a kernel over hierarchies: one joint of several instances, or
-/// several joints of one instance.
+/// The joints and instances in the lanes of a register: one joint of several instances, or several
+/// joints of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
     /// The joint, or the first one.
@@ -19,38 +20,38 @@ pub struct JointSlot {
     register: usize,
     /// The instance of the first lane.
     instance: usize,
-    /// From one lane to the next.
+    /// The distance of two lanes in elements, where lanes are instances.
     stride: Option<usize>,
-    /// `true` if lanes are joints; then, where the joints end that are computed.
+    /// The end of the range of joints, where lanes are joints of one instance.
     end: Option<usize>,
 }
 
 impl JointSlot {
-    /// A joint of the instances in one register of a block; `first` is the block of joint 0,
-    /// `instance` the first in the register.
+    /// The slot of a joint of the instances in one register of a block; `first` is the block of
+    /// joint 0, `instance` the first in the register.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
         Self { joint, first, register, instance, stride: None, end: None }
     }
 
-    /// A joint of as many instances, `joints` apart, as there are lanes.
+    /// The slot of a joint of as many instances as there are lanes, `joints` elements apart.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: Some(joints), end: None }
     }
 
-    /// As many joints of one instance as there are lanes, up to the joint `end`.
+    /// A slot of as many joints of one instance as there are lanes, up to the joint `end`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joints(joint: usize, instance: usize, joints: usize, end: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
-    /// A later slot of the same instances, with so many lanes.
+    /// The slot of the same instances that comes `slots` slots later, of so many lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
-        let joints = if self.is_of_joints() { slots * lanes } else { slots };
+        let joints = if self.lanes_are_joints() { slots * lanes } else { slots };
         Self { joint: self.joint + joints, ..self }
     }
 
@@ -68,17 +69,17 @@ impl JointSlot {
 
     /// `true` if lanes are joints of one instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn is_of_joints(self) -> bool {
+    pub(super) fn lanes_are_joints(self) -> bool {
         self.end.is_some()
     }
 
-    /// Its place among all elements.
+    /// The slot's place among all elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn tile(self) -> Tile {
         Tile { element: self.first + self.joint, register: self.register, stride: self.stride }
     }
 
-    /// Its place among the elements of its own instances.
+    /// The slot's place among the elements of its own instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn own_tile(self) -> Tile {
         Tile { element: self.joint, register: self.register, stride: self.stride }
@@ -93,19 +94,19 @@ impl JointSlot {
         }
     }
 
-    /// Asks for where a later joint lies among all elements of `memory`, which will be written
-    /// soon, if lanes are instances that lie apart. So many places at once the CPU does not
-    /// foresee, and it reads a line before it writes a part of it.
+    /// Prefetches the place of a later joint among all elements of `memory`, where lanes are
+    /// strided instances. A CPU reads a cache line before it writes a part of it, and foresees only
+    /// a few streams at once.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         if let Some(stride) = self.stride
-            && let Some(soon) = memory.get(self.first + self.joint + AHEAD..)
+            && let Some(soon) = memory.get(self.first + self.joint + PREFETCH_DISTANCE..)
         {
             level.prefetch_every(soon, stride, lanes);
         }
     }
 
-    /// The same among the elements of its own instances.
+    /// [`prefetch`](Self::prefetch) among the elements of its own instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch_own<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         Self { first: 0, ..self }.prefetch(level, memory, lanes);
@@ -118,7 +119,7 @@ impl JointSlot {
         level: L::Level,
         records: &[[L::Real; C]],
     ) -> Option<[L; C]> {
-        if self.is_of_joints() {
+        if self.lanes_are_joints() {
             aos::load(level, records, Tile::at(self.joint, 0), &identity())
         } else {
             Some(vector::splat(level, *records.get(self.joint)?))

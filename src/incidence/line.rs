@@ -37,7 +37,8 @@ impl<R: Real> Line<R> {
     /// let floor = Plane { normal: [0.0_f32, 0.0, 1.0], offset: 2.0 };
     /// let wall = Plane { normal: [0.0, 1.0, 0.0], offset: 3.0 };
     /// let edge = Line::from_planes(wall, floor)?;
-    /// assert_eq!((edge.direction, edge.closest_point_to_origin()), ([1.0, 0.0, 0.0], [0.0, 3.0, 2.0]));
+    /// assert_eq!(edge.direction, [1.0, 0.0, 0.0]);
+    /// assert_eq!(edge.closest_point_to_origin(), [0.0, 3.0, 2.0]);
     /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn from_planes(first: Plane<R>, second: Plane<R>) -> Result<Self, IncidenceError> {
@@ -170,8 +171,10 @@ impl<R: Real> Line<R> {
     /// |---|---|---|---|
     /// | skew | along l₁ × l₂ | apart | θ + εd |
     /// | intersecting | along l₁ × l₂ | one point | θ + ε0 |
-    /// | parallel, antiparallel | from the first to the second, d > 0 | those nearest to the origin | 0 + εd, π + εd |
-    /// | identical, opposite | any perpendicular | those nearest to the origin | 0 + ε0, π + ε0 |
+    /// | parallel | from the first to the second, d > 0 | nearest to the origin | 0 + εd |
+    /// | antiparallel | the same | nearest to the origin | π + εd |
+    /// | identical | any perpendicular | nearest to the origin | 0 + ε0 |
+    /// | opposite | any perpendicular | nearest to the origin | π + ε0 |
     ///
     /// All cases give an answer. Lines are identical when their distance is within the rounding of
     /// their moments.
@@ -256,7 +259,7 @@ fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Per
     (n, [first, second], vector::dot(way, n))
 }
 
-/// Of all between parallel unit lines, the one in the plane through the origin.
+/// The perpendicular of parallel unit lines that lies in the plane through the origin.
 fn between_parallel<R: Real>(a: Line<R>, b: Line<R>) -> Result<Perpendicular<R>, IncidenceError> {
     let feet = [a, b].map(Line::closest_point_to_origin);
     let way = vector::sub(feet[1], feet[0]);

@@ -2,9 +2,11 @@
 //!
 //! ```
 //! use dq8::{DualQuat, Quat};
-//! let map = glam::Affine3A::from_rotation_translation(glam::Quat::from_rotation_x(0.5), [1.0, 2.0, 3.0].into());
+//! let turn = glam::Quat::from_rotation_x(0.5);
+//! let map = glam::Affine3A::from_rotation_translation(turn, [1.0, 2.0, 3.0].into());
 //! let motion = DualQuat::try_from(map)?;
-//! assert!(motion.abs_diff_eq(DualQuat::from((Quat::from_rotation_x(0.5), [1.0, 2.0, 3.0])), 1e-6));
+//! let expected = DualQuat::from((Quat::from_rotation_x(0.5), [1.0, 2.0, 3.0]));
+//! assert!(motion.abs_diff_eq(expected, 1e-6));
 //! assert!(map.abs_diff_eq(motion.into(), 1e-6));
 //! assert_eq!(glam::Quat::from(Quat::IDENTITY), glam::Quat::IDENTITY);
 //! # Ok::<(), dq8::scalar::MatrixError>(())

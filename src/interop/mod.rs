@@ -3,20 +3,20 @@
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `serde` | `Serialize` and `Deserialize` of the plain types: quaternions as arrays in the order of memory, others by the names of their fields |
-//! | `rkyv_08` | `Archive`, `Serialize` and `Deserialize` of rkyv 0.8 for [`Quat`], [`DualQuat`], [`Twist`] and [`RotationTranslation`] |
-//! | `mint_05` | `From` and `Into` of mint 0.5: quaternions, and matrices by rows or columns |
-//! | `glam_034` | `From` and `Into` of glam 0.34: quaternions, affine maps and matrices; slices by cast |
-//! | `nalgebra_035` | `From` and `Into` of nalgebra 0.35: (dual) quaternions, isometries, matrices; slices by cast |
+//! | `serde` | `Serialize` and `Deserialize` of the plain types (quaternions as arrays) |
+//! | `rkyv_08` | rkyv 0.8 for [`Quat`], [`DualQuat`], [`Twist`] and [`RotationTranslation`] |
+//! | `mint_05` | mint 0.5: quaternions, and matrices by rows or columns |
+//! | `glam_034` | glam 0.34: quaternions, affine maps and matrices; slices by cast |
+//! | `nalgebra_035` | nalgebra 0.35: (dual) quaternions, isometries, matrices; slices by cast |
 //! | `approx_05` | `abs_diff_eq!`, `relative_eq!` and `ulps_eq!` of approx 0.5 |
 //! | `rand_010` | uniform rotations and poses for rand 0.10 |
 //! | `arbitrary` | any bits, for fuzzers |
 //! | `proptest` | strategies for unit rotations and motions (implies `std`) |
-//! | `defmt` | `Format`, for logs of firmware: motions, rotations and twists, results of searches, and all errors |
+//! | `defmt` | `Format`: motions, rotations, twists, results of searches, all errors |
 //!
-//! A matrix becomes a motion only through `TryFrom`, which wants it rigid within √ε of its
-//! numbers (3·10⁻⁴ in `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`]
-//! takes another tolerance.
+//! Conversions are `From` and `Into`. A matrix becomes a motion only through `TryFrom`, which wants
+//! it rigid within √ε of its numbers (3·10⁻⁴ in `f32`, 1.5·10⁻⁸ in `f64`);
+//! [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
 
 #[cfg(feature = "approx_05")]
 mod approx_05;

@@ -1,5 +1,4 @@
-//! What the scalar reference computes with: [`Real`] numbers, whose functions have the same bits
-//! everywhere.
+//! Numbers of the scalar reference, [`Real`], whose functions have the same bits everywhere.
 
 mod real;
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -3,7 +3,7 @@
 
 #[cfg(any(feature = "std", feature = "libm"))]
 use super::sine;
-use crate::everyday::Quick;
+use crate::quick::Quick;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -53,7 +53,7 @@ pub trait Real:
     const PI: Self;
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;
-    /// Not a number: what unchecked operations return where the result does not exist.
+    /// NaN, the answer of unchecked operations where the result does not exist.
     const NAN: Self;
 
     /// The nearest number of this type.
@@ -103,8 +103,8 @@ pub trait Real:
     #[must_use]
     fn ln(self) -> Self;
 
-    /// What operations ask for before they compute by the book: the module `everyday`. Not part of
-    /// the interface.
+    /// The answer of the module `quick`, which operations ask before they compute the textbook
+    /// form. Not part of the interface.
     #[doc(hidden)]
     #[inline(always)]
     fn quick<Q: Quick<Self>>(_operation: Q) -> Option<Q::Output> {

@@ -45,7 +45,7 @@ fn of_quarter(k: u32, r: Precise) -> f32 {
     if k & 2 == 0 { value } else { -value }
 }
 
-/// How many quarter turns are nearest to x, modulo 4, and the rest. NaN unless x is finite.
+/// The number of quarter turns nearest to x, modulo 4, and the rest. NaN unless x is finite.
 ///
 /// Inlined with its callers, so that a sine and a cosine of one angle share it.
 ///
@@ -73,8 +73,8 @@ fn reduce(x: f32) -> (u32, Precise) {
     if !x.is_finite() {
         return (0, Precise { number: f32::NAN, missing: 0.0 });
     }
-    // |x| = m · 2ᵏ, −24 ≤ k ≤ 104. Bits of 2/π that m · 2ᵏ makes multiples of four turn nothing: of the
-    // others the next 96 are enough.
+    // The number is m · 2ᵏ, −24 ≤ k ≤ 104. Bits of 2/π that it makes multiples of 4 are
+    // whole turns; of the others the next 96 are enough.
     let bits = x.to_bits();
     let m = u64::from(bits & 0x7f_ffff | 0x80_0000);
     let skip = ((bits >> 23) & 0xff).wrapping_sub(150 - 30);

@@ -15,11 +15,17 @@ errors! {
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     ParseError {
         /// The entry at this place of the list is not a number.
-        NotANumber { index: usize = "Its place among the numbers, from 0 on." }
-            => "element {index} of the list is not a number";
+        NotANumber {
+            /// Its place among the numbers, from 0 on.
+            index: usize,
+        } => "element {index} of the list is not a number";
         /// The list has the wrong length.
-        Count { found: usize = "Their number.", expected: usize = "The number that there must be." }
-            => "the list has {} where {expected} are needed", Count(*found, "number");
+        Count {
+            /// Their number.
+            found: usize,
+            /// The number that there must be.
+            expected: usize,
+        } => "the list has {} where {expected} are needed", Count(*found, "number");
     }
 }
 

@@ -11,14 +11,13 @@ crate::macros::pod! {
     /// # Why a dual quaternion cannot
     ///
     /// For any σ = p + εq, unit or not, σ(1 + εv)σ⋄ = pp* + ε(pvp* + qp* − pq*). The real
-    /// part is the number
-    /// |p|², and the only term with v is pvp*: |p|² times a rotation. As a point, real part 1, it is that
-    /// rotation and a translation, so *every* σ with p ≠ 0 keeps distances and handedness. A
-    /// dual part that is not divided scales uniformly, by the factor of Arends ch. 5 §6.1, but
-    /// with a real part other than 1 it is not a point any more. Nor does any other single product
-    /// avb of quaternions: |avb| =
-    /// |a||v||b| lengthens all vectors alike, so it neither scales directions differently nor shears. A reflection is
-    /// one with another sign, nvn ([`reflection`](Self::reflection)).
+    /// part is the number |p|², and the only term with v is pvp*: a rotation times |p|². As a
+    /// point, with the real part 1, it is that rotation and a translation, so *every* σ with p ≠
+    /// 0 keeps distances and handedness. A dual part that is not divided scales uniformly, by the
+    /// factor of Arends ch. 5 §6.1, but with a real part other than 1 it is not a point any more.
+    /// Nor does any other single product avb of quaternions: its norm is the product of the norms,
+    /// so it lengthens all vectors alike, and neither scales directions differently nor shears. A
+    /// reflection is one with another sign, nvn ([`reflection`](Self::reflection)).
     ///
     /// *Sums* of products do all of it, as sums avb are all linear maps of the quaternions. Arends'
     /// own eq. 8, ½(v ∓ eve⁻¹) for what is across and along e, scales along e with a factor

@@ -100,9 +100,9 @@ impl<R: Real> Quat<R> {
     }
 
     /// The least turn that takes the direction of `from` to that of `to`, two vectors of any
-    /// length:
-    /// |a + b|/2 + n |b − a|/2 of the unit vectors, n along a × b (after Kahan 2006). Where they are
-    /// opposite there are many; this takes the axis most across `from`. NaN for a zero vector.
+    /// length: with unit vectors a and b, and n along a × b, it is |a + b|/2 + n |b − a|/2
+    /// (after Kahan 2006). Where they are opposite there are many; this takes the axis most across
+    /// `from`. NaN for a zero vector.
     ///
     /// The sum and the difference keep what a·b has lost, both of the smallest angles and near
     /// half a turn.

@@ -175,7 +175,7 @@ impl<R: Real> Quat<R> {
     }
 }
 
-/// In which order Euler angles turn about which axes: 24 in all, [`EulerOrder::ALL`].
+/// The axes of Euler angles, in the order of the turns: 24 in all, [`EulerOrder::ALL`].
 ///
 /// Kenwright (§3.3) says twelve and prints eleven, three of them twice. There are six with three
 /// different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler
@@ -198,9 +198,9 @@ pub struct EulerOrder {
 /// Whose axes the turns are about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EulerFrame {
-    /// Of the turning body: each turn moves the axes of the later ones, R = R₁R₂R₃.
+    /// The axes of the turning body: each turn moves the axes of the later ones, R = R₁R₂R₃.
     Intrinsic,
-    /// Of the space around: the axes stay, R = R₃R₂R₁.
+    /// The axes of the space around: they stay, R = R₃R₂R₁.
     Extrinsic,
 }
 

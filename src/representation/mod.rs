@@ -9,11 +9,14 @@
 //! |---|---|---|
 //! | Euler angles, 24 orders | [`EulerAngles::to_quat`] | [`Quat::to_euler`] |
 //! | axis and angle | [`Quat::from_axis_angle`] | [`Quat::to_axis_angle`] |
-//! | directions: coordinate axes, an arc, forward and up | [`Quat::from_rotation_x`], [`Quat::from_rotation_arc`], [`Quat::look_to`] | [`Quat::rotate`] |
+//! | a coordinate axis | [`Quat::from_rotation_x`] and others | |
+//! | an arc, forward and up | [`Quat::from_rotation_arc`], [`Quat::look_to`] | [`Quat::rotate`] |
 //! | axis times angle | [`Quat::from_scaled_axis`] | [`Quat::to_scaled_axis`] |
-//! | 3×3 matrix | [`Quat::from_matrix3`], [`Quat::try_from_matrix3`], [`Polar`] | [`Quat::to_matrix3`] |
-//! | 3×4, 4×4 matrix | [`DualQuat::from_matrix3x4`], [`DualQuat::try_from_matrix4`] | [`DualQuat::to_matrix3x4`], [`DualQuat::to_matrix4`] |
-//! | rotation and translation | `DualQuat::from(`[`RotationTranslation`]`)` | `RotationTranslation::from` |
+//! | 3×3 matrix, near a rotation | [`Quat::try_from_matrix3`] | [`Quat::to_matrix3`] |
+//! | 3×3 matrix, any | [`Polar`] | |
+//! | 3×4 matrix | [`DualQuat::try_from_matrix3x4`] | [`DualQuat::to_matrix3x4`] |
+//! | 4×4 matrix | [`DualQuat::try_from_matrix4`] | [`DualQuat::to_matrix4`] |
+//! | rotation and translation | `DualQuat::from` | [`RotationTranslation`]`::from` |
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
 //! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under
@@ -42,19 +45,30 @@ errors! {
     OrthonormalError {
         /// An element is not finite, or one of the stretch overflows.
         NotFinite {
-            row: usize = "The row of the element.",
-            column: usize = "Its column; 3 is the translation.",
-            value: f64 = "The element."
-        }
-            => "not finite: the element in row {row} and column {column} is {value}";
+            /// The row of the element.
+            row: usize,
+            /// Its column; 3 is the translation.
+            column: usize,
+            /// The element.
+            value: f64,
+        } => "not finite: the element in row {row} and column {column} is {value}";
         /// A column lies in the span of those before it, or is zero.
-        Dependent { column: usize = "The column.", sine: f64 = "The sine of the angle between it and that span." }
-            => "no rotation: column {column} lies in the span of those before it (the sine of the angle is {sine})";
+        Dependent {
+            /// The column.
+            column: usize,
+            /// The sine of the angle between it and that span.
+            sine: f64,
+        } => "no rotation: column {column} lies in the span of those before it (the sine of the angle is {sine})";
         /// The matrix mirrors.
-        Mirrors { determinant: f64 = "The determinant of its columns, each divided by its length." }
-            => "no rotation: the determinant of the normalized columns is {determinant}";
+        Mirrors {
+            /// The determinant of its columns, each divided by its length.
+            determinant: f64,
+        } => "no rotation: the determinant of the normalized columns is {determinant}";
         /// The matrix squeezes space into a line or a point: many rotations are as near.
-        Ambiguous { gap: f64 = "(σ₂ + σ₃)/(σ₁ + σ₂ + σ₃) of the singular values σ₁ ≥ σ₂ ≥ σ₃." }
-            => "no nearest rotation: the two smaller singular values are {gap} of the sum of all";
+        Ambiguous {
+            /// (σ₂ + σ₃)/(σ₁ + σ₂ + σ₃) of the singular values σ₁ ≥ σ₂ ≥
+            /// σ₃.
+            gap: f64,
+        } => "no nearest rotation: the two smaller singular values are {gap} of the sum of all";
     }
 }

@@ -15,7 +15,8 @@ crate::macros::pod! {
     /// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
     /// let pose = RotationTranslation { rotation: quarter, translation: [1.0, 2.0, 3.0] };
     /// let same = DualQuat::from(pose);
-    /// let off = same.transform_point([4.0, 0.0, 0.0])[1] - pose.transform_point([4.0, 0.0, 0.0])[1];
+    /// let point = [4.0, 0.0, 0.0];
+    /// let off = same.transform_point(point)[1] - pose.transform_point(point)[1];
     /// assert!(off.abs() < 1e-14);
     /// ```
     #[derive(Clone, Copy, Debug, PartialEq)]

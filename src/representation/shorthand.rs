@@ -140,7 +140,8 @@ impl<R: Real> DualQuat<R> {
     /// ```
     /// use dq8::DualQuat;
     /// let turn = DualQuat::from_rotation_z(1.0_f64);
-    /// assert_eq!(turn.with_translation([2.0, 0.0, 0.0]).transform_point([0.0; 3]), [2.0, 0.0, 0.0]);
+    /// let moved = turn.with_translation([2.0, 0.0, 0.0]);
+    /// assert_eq!(moved.transform_point([0.0; 3]), [2.0, 0.0, 0.0]);
     /// ```
     #[inline]
     #[must_use]

@@ -1,9 +1,9 @@
 //! Linear blending, and the intrinsic mean of motions, which starts from it.
 
 use super::{DualQuat, Quat, vector};
-use crate::everyday;
 use crate::geometry::{DualVector, Mean};
 use crate::number::Real;
+use crate::quick;
 
 impl<R: Real> Quat<R> {
     /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, normalized (Shoemake
@@ -35,7 +35,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[doc(alias("lerp"))]
     pub fn nlerp(self, other: Self, t: R) -> Self {
-        if let Some(sum) = R::quick(everyday::Lerp(self.to_array(), other.to_array(), t)) {
+        if let Some(sum) = R::quick(quick::Lerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(sum).normalize();
         }
         let near = other.toward(self);
@@ -96,7 +96,7 @@ impl<R: Real> DualQuat<R> {
         Some(sum.normalize())
     }
 
-    /// Of σ and −σ, the same motion, the one on the side of `pivot`.
+    /// σ or −σ, the same motion: the one on the side of `pivot`.
     #[inline]
     pub(super) fn toward(self, pivot: Self) -> Self {
         if self.real().dot(pivot.real()) < R::ZERO { -self } else { self }

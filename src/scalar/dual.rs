@@ -2,7 +2,7 @@
 //! its own derivative.
 
 use super::error::{InverseError, Normed};
-use crate::contract::{power, sums};
+use crate::contract::{power, sums_by_part};
 use crate::number::Real;
 use core::fmt;
 use core::ops::{Div, Mul};
@@ -178,7 +178,7 @@ impl<R: Real> Dual<R> {
     }
 }
 
-sums! {
+sums_by_part! {
     /// (a + εb) + (c + εd) = (a + c) + ε(b + d) (Jia eq. 5).
     [R: Real] #[inline] Dual<R>: (real) (dual)
 }
@@ -203,7 +203,7 @@ impl<R: Real> Div for Dual<R> {
     }
 }
 
-/// Those that dual numbers have anyway.
+/// Functions that dual numbers have anyway.
 macro_rules! functions {
     ($($name:ident($($x:ident)?))*) => {$(
         fn $name(self $(, $x: Self)?) -> Self {

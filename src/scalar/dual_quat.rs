@@ -1,8 +1,8 @@
 use super::{Dual, Quat};
-use crate::contract::sums;
-use crate::everyday;
+use crate::contract::sums_by_part;
 use crate::geometry::DualVector;
 use crate::number::Real;
+use crate::quick;
 use core::ops::Mul;
 
 crate::macros::pod! {
@@ -47,11 +47,10 @@ impl<R: Real> DualQuat<R> {
         Self([R::NAN; 8])
     }
 
-    /// The same, number by number, in a place of its own. A function that is not inlined takes and
-    /// returns motions in memory; where it is called, this keeps them in registers on the other
-    /// way.
+    /// A spilled copy: a function that is not inlined takes and returns it in memory, and the
+    /// original stays in registers (`docs/measured.md`, *What keeps loops in registers*).
     #[inline(always)]
-    pub(super) fn apart(self) -> Self {
+    pub(super) fn spilled_copy(self) -> Self {
         let [px, py, pz, pw, qx, qy, qz, qw] = self.0;
         Self([px, py, pz, pw, qx, qy, qz, qw])
     }
@@ -223,7 +222,7 @@ impl<R: Real> DualQuat<R> {
         DualQuat(self.0.map(|component| S::from_f64(component.into())))
     }
 
-    /// Of σ and −σ the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive:
+    /// σ or −σ, the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive:
     /// both are the same motion. So half a turn has one axis, whichever of the two is given, and
     /// logarithms, powers and screws repeat to the last bit. (It is the rule of SciPy's
     /// `as_quat(canonical=True)`.)
@@ -249,7 +248,7 @@ impl<R> AsMut<[R; 8]> for DualQuat<R> {
     }
 }
 
-sums! {
+sums_by_part! {
     /// Component by component (Jia eq. 13).
     [R: Real] #[inline] DualQuat<R>: (real()) (dual())
 }
@@ -262,7 +261,7 @@ impl<R: Real> Mul for DualQuat<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        if let Some(product) = R::quick(everyday::Product(self.0, other.0)) {
+        if let Some(product) = R::quick(quick::Product(self.0, other.0)) {
             return Self(product);
         }
         Self::new(

@@ -79,24 +79,39 @@ errors! {
         /// Rows `row` and `column` of the rotation are not orthonormal: their product is `value`
         /// where the identity has 0 or 1.
         NotOrthonormal {
-            row: usize = "The first of the two rows.",
-            column: usize = "The second of the two rows.",
-            value: f64 = "Their scalar product."
-        }
-            => "not a rotation: the product of rows {row} and {column} is {value} (non-uniform scale and shear are not \
+            /// The first of the two rows.
+            row: usize,
+            /// The second of the two rows.
+            column: usize,
+            /// Their scalar product.
+            value: f64,
+        } => "not a rotation: the product of rows {row} and {column} is {value} (non-uniform scale and shear are not \
                 rigid motions: Affine::try_decompose takes them apart)";
         /// A rotation times a number: the matrix scales by the same factor in every direction.
-        Scales { factor: f64 = "The factor, negative if the matrix mirrors as well." }
-            => "not a rotation: the matrix scales by {factor}, which no motion does \
+        Scales {
+            /// The factor, negative if the matrix mirrors as well.
+            factor: f64,
+        } => "not a rotation: the matrix scales by {factor}, which no motion does \
                 (Affine::try_decompose takes the scale and the motion apart)";
         /// The rotation mirrors: its determinant is negative.
-        Mirrors { determinant: f64 = "The determinant." } => "not a rotation: the determinant is {determinant}";
+        Mirrors {
+            /// The determinant.
+            determinant: f64,
+        } => "not a rotation: the determinant is {determinant}";
         /// An element of the translation is not finite.
-        NotFinite { row: usize = "The row of the element.", value: f64 = "The element." }
-            => "the translation is not finite: element {row} is {value}";
+        NotFinite {
+            /// The row of the element.
+            row: usize,
+            /// The element.
+            value: f64,
+        } => "the translation is not finite: element {row} is {value}";
         /// The last row of a 4×4 matrix is not 0 0 0 1.
-        NotAffine { column: usize = "The column of the element that differs.", value: f64 = "The element." }
-            => "not affine: element {column} of the last row is {value}, which must be 0 0 0 1 (a matrix given by \
+        NotAffine {
+            /// The column of the element that differs.
+            column: usize,
+            /// The element.
+            value: f64,
+        } => "not affine: element {column} of the last row is {value}, which must be 0 0 0 1 (a matrix given by \
                 columns, as by glam, nalgebra and glTF, is for try_from_cols_array_2d)";
     }
 }

@@ -5,8 +5,8 @@
 //! dual numbers. With u = x·x = ω·ω + 2ε ω·v:
 //!
 //! ```text
-//! J_l(x) y   = y +   A x×y + B x×(x×y)     A = (1 − cos √u)/u,  B = (√u − sin √u)/√u³
-//! J_l⁻¹(x) y = y − ½ x×y   + C x×(x×y)     C = (1 − (√u/2) cot(√u/2))/u
+//! J_l(x) y   = y +   A x×y + B x×(x×y),  A = (1 − cos √u)/u, B = (√u − sin √u)/√u³
+//! J_l⁻¹(x) y = y − ½ x×y   + C x×(x×y),  C = (1 − (√u/2) cot(√u/2))/u
 //! ```
 
 use super::{Dual, DualQuat, vector};

@@ -2,8 +2,8 @@
 
 use super::error::MatrixError;
 use super::{DualQuat, Quat, vector};
-use crate::everyday;
 use crate::number::Real;
+use crate::quick;
 
 impl<R: Real> Quat<R> {
     /// The rows of the rotation matrix of a unit quaternion, columns r e r* for the axes e.
@@ -126,7 +126,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
         crate::scalar::must_be_unit::motions("DualQuat::to_matrix3x4", [self]);
-        if let Some(rows) = R::quick(everyday::Matrix3x4(self.to_array())) {
+        if let Some(rows) = R::quick(quick::Matrix3x4(self.to_array())) {
             return rows;
         }
         let [[a, b, c], [d, e, f], [g, h, i]] = self.real().to_matrix3();
@@ -152,7 +152,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn from_matrix3x4(rows: [[R; 4]; 3]) -> Self {
-        let (rotation, translation) = apart(rows);
+        let (rotation, translation) = rotation_and_translation(rows);
         Self::from_rotation_translation(Quat::from_matrix3(rotation), translation)
     }
 
@@ -172,7 +172,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     pub fn try_from_matrix3x4(rows: [[R; 4]; 3], tolerance: R) -> Result<Self, MatrixError> {
-        let (rotation, translation) = apart(rows);
+        let (rotation, translation) = rotation_and_translation(rows);
         let rotation = Quat::try_from_matrix3(rotation, tolerance)?;
         for (row, value) in translation.into_iter().enumerate() {
             if !value.is_finite() {
@@ -288,6 +288,6 @@ fn transpose<R: Real, const N: usize>(matrix: [[R; N]; N]) -> [[R; N]; N] {
 
 /// The left 3×3 part and the last column.
 #[inline]
-fn apart<R: Real>(rows: [[R; 4]; 3]) -> ([[R; 3]; 3], [R; 3]) {
+fn rotation_and_translation<R: Real>(rows: [[R; 4]; 3]) -> ([[R; 3]; 3], [R; 3]) {
     (rows.map(|[x, y, z, _]| [x, y, z]), rows.map(|[.., t]| t))
 }

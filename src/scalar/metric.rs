@@ -1,4 +1,4 @@
-//! How far two motions are apart.
+//! Distances between motions.
 
 use super::{DualQuat, Quat, vector};
 use crate::number::Real;
@@ -34,7 +34,7 @@ impl<R: Real> DualQuat<R> {
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
-    /// let turn = |angle| DualQuat::from_rotation(Quat::from_axis_angle([1.0_f32, 0.0, 0.0], angle));
+    /// let turn = |angle: f32| DualQuat::from_rotation(Quat::from_rotation_x(angle));
     /// assert_eq!(turn(0.0).angle_to(turn(1e-20)), 1e-20);
     /// assert_eq!(turn(0.0).angle_to(-turn(1e-20)), 1e-20);
     /// ```

@@ -10,7 +10,7 @@ use crate::number::Real;
 const PLAINLY: f64 = 0.1;
 const JUDGES: bool = cfg!(all(dq8_debug_assert_unit, debug_assertions));
 
-/// Of dual quaternions p + εq: |p| = 1 and p·q = 0.
+/// Checks dual quaternions p + εq: |p| = 1 and p·q = 0.
 #[track_caller]
 #[inline(always)]
 pub(crate) fn motions<R: Real, const N: usize>(operation: &str, motions: [impl AsRef<[R; 8]>; N]) {
@@ -27,7 +27,7 @@ pub(crate) fn motions<R: Real, const N: usize>(operation: &str, motions: [impl A
     }
 }
 
-/// Of quaternions: |q| = 1.
+/// Checks quaternions: |q| = 1.
 #[track_caller]
 #[inline(always)]
 pub(crate) fn rotations<R: Real, const N: usize>(
@@ -42,7 +42,7 @@ pub(crate) fn rotations<R: Real, const N: usize>(
     }
 }
 
-/// Of an axis: |l| = 1.
+/// Checks an axis: |l| = 1.
 #[track_caller]
 #[inline(always)]
 pub(crate) fn axis<R: Real>(operation: &str, axis: [R; 3]) {

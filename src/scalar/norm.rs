@@ -2,8 +2,8 @@
 
 use super::error::{InverseError, NormalizeError, Normed};
 use super::{Dual, DualQuat, Quat, vector};
-use crate::everyday;
 use crate::number::Real;
+use crate::quick;
 
 impl<R: Real> Quat<R> {
     /// q⁻¹ = q*/|q|² of any q ≠ 0, unit or not: every component is NaN where q is zero or not
@@ -11,7 +11,8 @@ impl<R: Real> Quat<R> {
     ///
     /// ```
     /// use dq8::Quat;
-    /// assert_eq!(Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse().to_array(), [0.0, 0.0, -0.5, 0.0]);
+    /// let inverse = Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse();
+    /// assert_eq!(inverse.to_array(), [0.0, 0.0, -0.5, 0.0]);
     /// ```
     #[inline]
     #[doc(alias("inv"))]
@@ -57,10 +58,10 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn normalize(self) -> Self {
-        if let Some(unit) = R::quick(everyday::Unit(self.to_array())) {
+        if let Some(unit) = R::quick(quick::Unit(self.to_array())) {
             return Self::from_array(unit);
         }
-        self.apart().unit_of_any_size().unwrap_or(Self::nan()).apart()
+        self.spilled_copy().unit_of_any_size().unwrap_or(Self::nan()).spilled_copy()
     }
 
     /// Exact normalization in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
@@ -87,11 +88,11 @@ impl<R: Real> DualQuat<R> {
     /// target without double precision a library call even where nobody asks.
     #[inline]
     fn unit(self) -> Result<Self, R> {
-        if let Some(unit) = R::quick(everyday::Unit(self.to_array())) {
+        if let Some(unit) = R::quick(quick::Unit(self.to_array())) {
             let failed = unit[0].is_nan();
             return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(unit)) };
         }
-        self.apart().unit_of_any_size()
+        self.spilled_copy().unit_of_any_size()
     }
 
     /// Out of line, because floats come here only if they are very large, very small or no numbers.
@@ -135,10 +136,10 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[doc(alias("inv"))]
     pub fn inverse(self) -> Self {
-        if let Some(inverse) = R::quick(everyday::Inverse(self.to_array())) {
+        if let Some(inverse) = R::quick(quick::Inverse(self.to_array())) {
             return Self::from_array(inverse);
         }
-        self.apart().reciprocal_of_any_size().unwrap_or(Self::nan()).apart()
+        self.spilled_copy().reciprocal_of_any_size().unwrap_or(Self::nan()).spilled_copy()
     }
 
     /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹ (Jia §4), p⁻¹ = p*/|p|².
@@ -161,11 +162,11 @@ impl<R: Real> DualQuat<R> {
     /// The same, or the norm of the real part: see `unit`.
     #[inline]
     fn reciprocal(self) -> Result<Self, R> {
-        if let Some(inverse) = R::quick(everyday::Inverse(self.to_array())) {
+        if let Some(inverse) = R::quick(quick::Inverse(self.to_array())) {
             let failed = inverse[0].is_nan();
             return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(inverse)) };
         }
-        self.apart().reciprocal_of_any_size()
+        self.spilled_copy().reciprocal_of_any_size()
     }
 
     #[inline(never)]

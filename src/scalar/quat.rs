@@ -1,7 +1,7 @@
 use super::error::{NormalizeError, Normed};
 use super::vector::{self, Length};
-use crate::everyday;
 use crate::number::Real;
+use crate::quick;
 use core::ops::{Add, Mul, Neg, Sub};
 
 crate::macros::pod! {
@@ -75,9 +75,9 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
     }
 
-    /// As [`DualQuat::apart`](super::DualQuat).
+    /// As [`DualQuat::spilled_copy`](super::DualQuat).
     #[inline(always)]
-    pub(super) fn apart(self) -> Self {
+    pub(super) fn spilled_copy(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([x, y, z, w])
     }
@@ -128,7 +128,7 @@ impl<R: Real> Quat<R> {
         [self.0[0], self.0[1], self.0[2]]
     }
 
-    /// Whether −q is the [canonical](crate::DualQuat::canonical) one of ±q.
+    /// `true` if −q is the [canonical](crate::DualQuat::canonical) one of ±q.
     #[inline]
     pub(crate) fn points_back(self) -> bool {
         let [x, y, z, w] = self.0;
@@ -212,10 +212,10 @@ impl<R: Real> Quat<R> {
     /// The same, or |q|.
     #[inline]
     pub(super) fn unit(self) -> Result<Self, R> {
-        if let Some(unit) = R::quick(everyday::QuaternionUnit(self.0)) {
+        if let Some(unit) = R::quick(quick::QuaternionUnit(self.0)) {
             return Ok(Self(unit));
         }
-        self.apart().unit_of_any_size()
+        self.spilled_copy().unit_of_any_size()
     }
 
     #[inline(never)]
@@ -236,7 +236,7 @@ impl<R: Real> Quat<R> {
     #[doc(alias("apply", "mul_vec3", "transform_vector"))]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
         crate::scalar::must_be_unit::rotations("Quat::rotate", [self]);
-        if let Some(turned) = R::quick(everyday::Rotate(self.0, v)) {
+        if let Some(turned) = R::quick(quick::Rotate(self.0, v)) {
             return turned;
         }
         let r = self.xyz();
@@ -284,7 +284,7 @@ impl<R: Real> Mul for Quat<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        if let Some(product) = R::quick(everyday::QuaternionProduct(self.0, other.0)) {
+        if let Some(product) = R::quick(quick::QuaternionProduct(self.0, other.0)) {
             return Self(product);
         }
         let [ax, ay, az, aw] = self.0;

@@ -1,8 +1,8 @@
 //! Rotation and translation, in and out.
 
 use super::{DualQuat, Quat, vector};
-use crate::everyday;
 use crate::number::Real;
+use crate::quick;
 
 impl<R: Real> DualQuat<R> {
     /// The pure rotation r + ε0 (Kenwright §7.1). `rotation` must be unit.
@@ -85,7 +85,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn translation(self) -> [R; 3] {
         crate::scalar::must_be_unit::motions("DualQuat::translation", [self]);
-        if let Some(translation) = R::quick(everyday::Translation(self.to_array())) {
+        if let Some(translation) = R::quick(quick::Translation(self.to_array())) {
             return translation;
         }
         (self.dual() * self.real().conjugate()).scale(R::TWO).xyz()

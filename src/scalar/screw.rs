@@ -1,9 +1,9 @@
 //! Screws: parameters, logarithm, exponential, powers and screw interpolation.
 
 use super::{DualQuat, Quat, vector};
-use crate::everyday;
 use crate::geometry::{DualVector, Line, Screw};
 use crate::number::Real;
+use crate::quick;
 
 impl<R: Real> DualQuat<R> {
     /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the
@@ -85,7 +85,7 @@ impl<R: Real> DualQuat<R> {
     #[doc(alias("ln"))]
     pub fn log(self) -> DualVector<R> {
         crate::scalar::must_be_unit::motions("DualQuat::log", [self]);
-        if let Some(log) = R::quick(everyday::Log(self.to_array())) {
+        if let Some(log) = R::quick(quick::Log(self.to_array())) {
             return log;
         }
         self.canonical().log_without_flip()
@@ -122,14 +122,15 @@ impl<R: Real> DualQuat<R> {
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::DualVector};
-    /// let half_turn = DualVector { real: [0.0, 0.0, core::f64::consts::FRAC_PI_2], dual: [0.0; 3] };
+    /// let quarter = core::f64::consts::FRAC_PI_2;
+    /// let half_turn = DualVector { real: [0.0, 0.0, quarter], dual: [0.0; 3] };
     /// let [x, y, _] = DualQuat::exp(half_turn).transform_point([1.0, 0.0, 0.0]);
     /// assert!((x + 1.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```
     #[inline]
     #[must_use]
     pub fn exp(log: DualVector<R>) -> Self {
-        if let Some(exp) = R::quick(everyday::Exp(log)) {
+        if let Some(exp) = R::quick(quick::Exp(log)) {
             return Self::from_array(exp);
         }
         let h = vector::norm(log.real);
@@ -162,10 +163,10 @@ impl<R: Real> DualQuat<R> {
     #[doc(alias("powf"))]
     pub fn pow(self, t: R) -> Self {
         crate::scalar::must_be_unit::motions("DualQuat::pow", [self]);
-        if let Some(power) = R::quick(everyday::Pow(self.to_array(), t)) {
+        if let Some(power) = R::quick(quick::Pow(self.to_array(), t)) {
             return Self::from_array(power);
         }
-        self.apart().pow_by_the_book(t).apart()
+        self.spilled_copy().pow_by_the_book(t).spilled_copy()
     }
 
     #[cold]
@@ -182,7 +183,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sqrt(self) -> Self {
         crate::scalar::must_be_unit::motions("DualQuat::sqrt", [self]);
-        if let Some(root) = R::quick(everyday::Sqrt(self.to_array())) {
+        if let Some(root) = R::quick(quick::Sqrt(self.to_array())) {
             return Self::from_array(root);
         }
         self.pow(R::HALF)
@@ -209,10 +210,10 @@ impl<R: Real> DualQuat<R> {
     #[doc(alias("lerp_slerp", "screw_interpolation", "interpolate"))]
     pub fn sclerp(self, other: Self, t: R) -> Self {
         crate::scalar::must_be_unit::motions("DualQuat::sclerp", [self, other]);
-        if let Some(between) = R::quick(everyday::Sclerp(self.to_array(), other.to_array(), t)) {
+        if let Some(between) = R::quick(quick::Sclerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(between);
         }
-        self.apart().sclerp_by_the_book(other.apart(), t).apart()
+        self.spilled_copy().sclerp_by_the_book(other.spilled_copy(), t).spilled_copy()
     }
 
     #[inline(never)]

@@ -2,8 +2,8 @@
 //! squad, smooth motion through key poses.
 
 use super::{DualQuat, Quat, vector};
-use crate::everyday;
 use crate::number::Real;
+use crate::quick;
 
 impl<R: Real> Quat<R> {
     /// Spherical linear interpolation of unit quaternions by the shorter way: turns from `self` to
@@ -30,10 +30,10 @@ impl<R: Real> Quat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn slerp(self, other: Self, t: R) -> Self {
         crate::scalar::must_be_unit::rotations("Quat::slerp", [self, other]);
-        if let Some(turned) = R::quick(everyday::Slerp(self.to_array(), other.to_array(), t)) {
+        if let Some(turned) = R::quick(quick::Slerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(turned);
         }
-        self.apart().slerp_by_the_book(other.apart(), t).apart()
+        self.spilled_copy().slerp_by_the_book(other.spilled_copy(), t).spilled_copy()
     }
 
     #[inline(never)]

@@ -1,9 +1,9 @@
-//! What a unit dual quaternion does to points, directions, lines and planes.
+//! Points, directions, lines and planes, moved by a unit dual quaternion.
 
 use super::{DualQuat, vector};
-use crate::everyday;
 use crate::geometry::{Line, Plane};
 use crate::number::Real;
+use crate::quick;
 
 impl<R: Real> DualQuat<R> {
     /// The point Rv + t, which is σ(1 + εv)σ⋄ (Jia eq. 25). σ must be unit.
@@ -13,7 +13,7 @@ impl<R: Real> DualQuat<R> {
     #[doc(alias("transform_point3", "apply", "act"))]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
         crate::scalar::must_be_unit::motions("DualQuat::transform_point", [self]);
-        if let Some(moved) = R::quick(everyday::Point(self.to_array(), point)) {
+        if let Some(moved) = R::quick(quick::Point(self.to_array(), point)) {
             return moved;
         }
         vector::add(self.real().rotate(point), self.translation())

@@ -1,8 +1,8 @@
 use super::vector::{self, Length};
 use super::{DualQuat, Quat};
-use crate::everyday;
 use crate::macros::errors;
 use crate::number::Real;
+use crate::quick;
 
 errors! {
     /// A limb that [`TwoBone`](crate::ik::TwoBone) cannot bend.
@@ -10,11 +10,21 @@ errors! {
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     LimbError {
         /// A bone of negative or infinite length, or NaN.
-        Length { bone: usize = "The bone, 0 for the one at the root.", value: f64 = "Its length." }
-            => "bone {bone} cannot have the length {value}";
+        Length {
+            /// The bone, 0 for the one at the root.
+            bone: usize,
+            /// Its length.
+            value: f64,
+        } => "bone {bone} cannot have the length {value}";
         /// A coordinate that is not finite.
-        NotFinite { what: &'static str = "Of what.", index: usize = "The axis.", value: f64 = "The coordinate." }
-            => "the {what} is not finite: coordinate {index} is {value}";
+        NotFinite {
+            /// Of what.
+            what: &'static str,
+            /// The axis.
+            index: usize,
+            /// The coordinate.
+            value: f64,
+        } => "the {what} is not finite: coordinate {index} is {value}";
     }
 }
 
@@ -28,7 +38,7 @@ errors! {
 ///
 /// ```
 /// use dq8::ik::{Span, TwoBone};
-/// // A leg of 0.4 and 0.4 under a hip at height 0.8, with its foot on a step; the knee bends forward, +y.
+/// // A leg of 0.4 and 0.4 under a hip at height 0.8, its foot on a step; the knee bends to +y.
 /// let hip = [0.0_f64, 0.0, 0.8];
 /// let leg = TwoBone::reach(hip, [0.4, 0.4], [0.0, 0.2, 0.2], [0.0, 1.0, 0.0])?;
 /// assert_eq!(leg.span, Span::Within);
@@ -47,13 +57,13 @@ pub struct TwoBone<R> {
     pub lower: Quat<R>,
     /// The angle of the hinge, 0 for a stretched limb and π for a folded one.
     pub bend: R,
-    /// How the target lies to the limb.
+    /// The reach of the limb against the target.
     pub span: Span,
-    /// How far the end is from the target: zero but for rounding if that is [`Span::Within`].
+    /// The distance of the end from the target: zero but for rounding within [`Span::Within`].
     pub missed: R,
 }
 
-/// How far from the root a target is.
+/// The distance of a target from the root, as the limb can reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Span {
     /// As far as the bones can reach.
@@ -95,7 +105,7 @@ impl<R: Real> TwoBone<R> {
         pole: [R; 3],
     ) -> Result<Self, LimbError> {
         Self::check(root, lengths, target, pole)?;
-        let Some((turns, [bend, beyond])) = R::quick(everyday::Limb(root, lengths, target, pole))
+        let Some((turns, [bend, beyond])) = R::quick(quick::Limb(root, lengths, target, pole))
         else {
             return Ok(Self::by_the_book(root, lengths, target, pole));
         };
@@ -131,7 +141,7 @@ impl<R: Real> TwoBone<R> {
         check_each(root, lengths, target, pole)
     }
 
-    /// By angles, as the formulas have them.
+    /// The textbook form: by angles, as the formulas have them.
     fn by_the_book(root: [R; 3], [a, b]: [R; 2], target: [R; 3], pole: [R; 3]) -> Self {
         let way = vector::sub(target, root);
         let wanted = vector::norm(way);

@@ -56,7 +56,7 @@ pub(crate) struct Length<R> {
 }
 
 impl<R: Real> Length<R> {
-    /// Of the components that have the length `norm`.
+    /// The length of components that have the norm `norm`.
     #[inline]
     pub(crate) fn of<const N: usize>(components: [R; N], norm: R) -> Self {
         match stretch(norm) {

@@ -12,52 +12,80 @@ errors! {
         NoInfluences => "a vertex must have at least one influence";
         /// There is no such joint.
         JointOutOfRange {
-            vertex: usize = "The vertex.",
-            influence: usize = "The number of the influence.",
-            joint: u32 = "The joint.",
-            joints: usize = "The number of joints."
-        }
-            => "vertex {vertex}: influence {influence} is joint {joint}, and there is no such one among {}, counted from 0",
+            /// The vertex.
+            vertex: usize,
+            /// The number of the influence.
+            influence: usize,
+            /// The joint.
+            joint: u32,
+            /// The number of joints.
+            joints: usize,
+        } => "vertex {vertex}: influence {influence} is joint {joint}, but there {} only {}", if *joints == 1 { "is" } else { "are" },
             Count(*joints, "joint");
         /// A weight is negative, infinite or not a number.
         Weight {
-            vertex: usize = "The vertex.",
-            influence: usize = "The number of the influence.",
-            value: f64 = "The weight."
-        }
-            => "vertex {vertex}: the weight of influence {influence} is {value}";
+            /// The vertex.
+            vertex: usize,
+            /// The number of the influence.
+            influence: usize,
+            /// The weight.
+            value: f64,
+        } => "vertex {vertex}: the weight of influence {influence} is {value}, which must be finite and not negative";
         /// The weights of a vertex should sum to one, and are farther from that than by a factor of
         /// 1024 ([`Skin::WEIGHT_RANGE`](super::Skin::WEIGHT_RANGE)); or, where the last is implied,
         /// the others exceed one by more than rounding to eight bits.
-        Total { vertex: usize = "The vertex.", total: f64 = "The sum." }
-            => "vertex {vertex}: the weights sum to {total}, which should be 1";
+        Total {
+            /// The vertex.
+            vertex: usize,
+            /// The sum.
+            total: f64,
+        } => "vertex {vertex}: the weights sum to {total}, which must be about 1";
         /// A share of a mix is not in [0, 1].
-        Share { vertex: usize = "The vertex.", value: f64 = "The share." }
-            => "vertex {vertex}: the share is {value}, which must be from 0 to 1";
-        /// Three numbers from `first` on do not lie in a vertex of `stride` numbers, or lie in
+        Share {
+            /// The vertex.
+            vertex: usize,
+            /// The share.
+            value: f64,
+        } => "vertex {vertex}: the share is {value}, which must be from 0 to 1";
+        /// A field of three numbers does not fit into a vertex of `stride` numbers, or overlaps
         /// another field.
         Field {
-            what: &'static str = "The buffer, `rest` or `posed`.",
-            first: usize = "The begin of the field.",
-            stride: usize = "The number of numbers of a vertex."
-        }
-            => "{what}: three numbers from {first} on do not lie in a vertex of {}, or lie in another field",
+            /// The buffer, `rest` or `posed`.
+            what: &'static str,
+            /// The begin of the field.
+            first: usize,
+            /// The number of numbers of a vertex.
+            stride: usize,
+        } => "{what}: the field at {first} does not fit into a vertex of {}, or overlaps another field",
             Count(*stride, "number");
-        /// The influences of a vertex do not lie in it: so many elements from `first` on, where a
-        /// vertex has `stride`.
+        /// The influences of a vertex do not fit into it: they begin at `first`, and a vertex has
+        /// `stride` elements.
         InfluenceField {
-            what: &'static str = "Their name, `joints` or `weights`.",
-            first: usize = "Their begin.",
-            stride: usize = "The number of elements of a vertex.",
-            influences: usize = "The number of influences it should have."
-        }
-            => "{what}: {} from {first} on {} not lie in a vertex of {}", Count(*influences, "element"),
+            /// Their name, `joints` or `weights`.
+            what: &'static str,
+            /// Their begin.
+            first: usize,
+            /// The number of elements of a vertex.
+            stride: usize,
+            /// The number of influences it should have.
+            influences: usize,
+        } => "{what}: {} at {first} {} not fit into a vertex of {}", Count(*influences, "element"),
             if *influences == 1 { "does" } else { "do" }, Count(*stride, "element");
         /// An element of a joint's matrix is not finite.
-        NotFinite { joint: usize = "The joint.", value: f64 = "The value." }
-            => "joint {joint}: an element of its matrix is {value}";
+        NotFinite {
+            /// The joint.
+            joint: usize,
+            /// The value.
+            value: f64,
+        } => "joint {joint}: an element of its matrix is {value}, which must be finite";
         /// The last row of a joint's matrix is not 0 0 0 1. Columns given as rows look like this.
-        NotAffine { joint: usize = "The joint.", column: usize = "The column of that row.", value: f64 = "The value." }
-            => "joint {joint}: element {column} of the last row is {value}, which must be 0 0 0 1 (columns given as rows?)";
+        NotAffine {
+            /// The joint.
+            joint: usize,
+            /// The column of that row.
+            column: usize,
+            /// The value.
+            value: f64,
+        } => "joint {joint}: element {column} of the last row is {value}, which must be 0 0 0 1 (columns given as rows?)";
     }
 }

@@ -115,7 +115,8 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
     /// // Positions and texture coordinates.
     /// let rest = [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 3.0, 0.1, 0.9];
     /// let (fields, mut posed) = (VertexFields::positions(5), rest);
-    /// skin.job().pose_interleaved(DualBlend::new(&palette), (&rest, fields), (&mut posed, fields))?;
+    /// let blend = DualBlend::new(&palette);
+    /// skin.job().pose_interleaved(blend, (&rest, fields), (&mut posed, fields))?;
     /// assert_eq!(posed, [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 7.0, 0.1, 0.9]);
     /// # Ok::<(), dq8::skinning::SkinningError>(())
     /// ```

@@ -1,4 +1,5 @@
-//! Meshes at rest and posed: a slice for each field, or vertices that are records of several fields.
+//! Meshes at rest and posed: a slice for each field, or vertices that are records of several
+//! fields.
 
 use super::SkinningError;
 use super::blender::PlainPoints;
@@ -32,8 +33,8 @@ pub struct Vertices<S> {
 /// ```
 pub type Surface<'s, P> = Vertices<&'s [P]>;
 
-/// The memory that a posed mesh goes to, made like a [`Surface`]. It has normals and tangents if the
-/// mesh at rest has.
+/// The memory that a posed mesh goes to, made like a [`Surface`]. It has normals and tangents if
+/// the mesh at rest has.
 pub type SurfaceMut<'s, P> = Vertices<&'s mut [P]>;
 
 impl<S> Vertices<S> {

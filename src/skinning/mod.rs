@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | [`Linear`] | 3×4 matrices | Σ wᵢMᵢv: for any matrix; collapses where joints twist |
 //! | [`DualBlend`] | motions | Σ ±wᵢσᵢ, normalized: keeps volume; bulges where joints bend |
-//! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
+//! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
 #![doc = include_str!("twist.svg")]

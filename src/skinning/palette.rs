@@ -39,7 +39,8 @@ impl Split {
 /// use dq8::hierarchy::MatrixOrder;
 /// use dq8::skinning::matrix_palette;
 /// // Columns, as in glTF: the translation comes last.
-/// let model = [[1.0_f32, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [5.0, 0.0, 0.0, 1.0]];
+/// let mut model = [[0.0_f32; 4]; 4];
+/// (model[0][0], model[1][1], model[2][2], model[3]) = (1.0, 1.0, 1.0, [5.0, 0.0, 0.0, 1.0]);
 /// let mut palette = [[[0.0; 4]; 3]];
 /// matrix_palette(&[model], &[model], MatrixOrder::Columns, &mut palette)?;
 /// assert_eq!(palette[0][0], [1.0, 0.0, 0.0, 10.0]);

@@ -21,7 +21,9 @@ use dq8_simd::internal::{CheckedIndices, Index, PickRows, PickedInPlace, Picks};
 /// let weights = [1.0_f32, 0.0, 0.5, 0.5];
 /// assert_eq!(Skin::new(3, 2, &[0_u16, 0, 1, 2], &weights)?.vertices(), 2);
 /// let error = Skin::new(2, 2, &[0_u16, 0, 1, 2], &weights).unwrap_err();
-/// assert_eq!(error, SkinningError::JointOutOfRange { vertex: 1, influence: 1, joint: 2, joints: 2 });
+/// let (vertex, influence) = (1, 1);
+/// let expected = SkinningError::JointOutOfRange { vertex, influence, joint: 2, joints: 2 };
+/// assert_eq!(error, expected);
 /// # Ok::<(), SkinningError>(())
 /// ```
 #[derive(Clone, Copy)]
@@ -357,14 +359,14 @@ pub(super) const GROUP: usize = dq8_simd::internal::RECORDS_PER_LANE;
 /// joints and weights in memory. Influences that are not there have weight 0.
 #[derive(Debug)]
 pub(super) struct Influences<'a, R, J> {
-    /// For each lane the joints, in the memory of the skin, and here where they do not lie there in
-    /// order.
+    /// The joints of each lane in the memory of the skin, if they lie there in order.
     pub(super) in_place: Option<PickRows<'a, J>>,
+    /// The joints of each lane, copied, if they do not.
     pub(super) joints: Picks<'a, J>,
-    /// For each lane the weights, in the same way.
+    /// The weights of each lane, in the same way.
     pub(super) weights_in_place: Option<&'a [[R; GROUP]; MAX_LANES]>,
     pub(super) weights: Aligned<[[R; GROUP]; MAX_LANES]>,
-    /// For each lane, first, the joint of greatest weight, if these are not all.
+    /// The joint of greatest weight, first in each lane, if a vertex has more than one group.
     pub(super) pivots: Option<Picks<'a, J>>,
 }
 
@@ -372,7 +374,7 @@ pub(super) struct Influences<'a, R, J> {
 #[derive(Debug)]
 pub struct Scratch<'a, R, J> {
     pub(super) influences: Influences<'a, R, J>,
-    /// For each lane the twelve numbers of the weighted sum of matrices; in `f32` in one cache
+    /// The twelve numbers of the weighted sum of matrices, for each lane; in `f32` in one cache
     /// line.
     pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
 }
@@ -383,8 +385,8 @@ pub struct Scratch<'a, R, J> {
 pub(super) struct Aligned<T>(pub(super) T);
 
 impl<R: Scalar, J: Index> Influences<'_, R, J> {
-    /// For each lane the joints: in one of two places, a choice that must not be made again for
-    /// each index.
+    /// The joints of each lane. They lie in one of two places: the choice is settled once, and not
+    /// for each index.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> PickRows<'_, J> {
         *settled(&self.in_place.unwrap_or_else(
@@ -393,17 +395,17 @@ impl<R: Scalar, J: Index> Influences<'_, R, J> {
         ))
     }
 
-    /// For each lane the weights, in the same way.
+    /// The weights of each lane, settled in the same way.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn weights(&self) -> &[[R; GROUP]; MAX_LANES] {
         settled(self.weights_in_place.unwrap_or(&self.weights.0))
     }
 }
 
-/// A fence: what has been written is in memory, to be read in other pieces. Otherwise the compiler
-/// takes vectors apart number by number, to put them together again without memory; or it reads
-/// more at once than was written at once, which CPUs do not forward from stores to loads. Either
-/// doubles the time.
+/// The value, settled in memory, to be read in other pieces than it was written
+/// (`docs/measured.md`, *What keeps loops in registers*). Without this the compiler moves vectors
+/// number by number, or reads more at once than was written at once, which CPUs do not forward from
+/// stores to loads. Either doubles the time.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn settled<T>(written: &T) -> &T {
     black_box(written)

@@ -21,10 +21,11 @@ errors! {
         Shape(error: ShapeError) => "{error}";
         /// A matrix is no rigid motion.
         NotRigid {
-            index: usize = "The first one; in blocks, things are counted one after the other.",
-            error: MatrixError = "The fault."
-        }
-            => "matrix {index}: {error}";
+            /// The first one; in blocks, things are counted one after the other.
+            index: usize,
+            /// The fault.
+            error: MatrixError,
+        } => "matrix {index}: {error}";
     }
 }
 

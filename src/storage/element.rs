@@ -48,8 +48,8 @@ struct Identity<R, const C: usize>(PhantomData<R>);
 
 impl<R: Scalar, const C: usize> Identity<R, C> {
     const RECORD: [R; C] = {
-        // Ones lie this far apart, from this place on.
-        let (mut one, apart) = match C {
+        // Ones begin at `one`, with this stride.
+        let (mut one, stride) = match C {
             4 | 7 | 8 => (3, C),
             12 | 16 => (0, 5),
             _ => (C, 1),
@@ -57,7 +57,7 @@ impl<R: Scalar, const C: usize> Identity<R, C> {
         let mut record = [R::ZERO; C];
         while one < C {
             record[one] = R::ONE;
-            one += apart;
+            one += stride;
         }
         record
     };

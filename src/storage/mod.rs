@@ -1,4 +1,4 @@
-//! How things lie in memory, and the one way from there into registers and back.
+//! Layouts of things in memory, and the one way from there into registers and back.
 //!
 //! A *record* is the `C` numbers of one thing: a motion has 8, a point 3. A slice holds records one
 //! after the other ([`Aos`], array of structures), or in [`Block`]s of `N` ([`AoSoA`], array of
@@ -17,12 +17,14 @@
 //! | 6 | a line, `[lx, ly, lz, mx, my, mz]` | [`Line<R>`](crate::Line) |
 //! | 6 | a twist, `[ωx, ωy, ωz, vx, vy, vz]` | [`Twist<R>`](crate::Twist) |
 //! | 6 | a twist, `[vx, vy, vz, ωx, ωy, ωz]` | [`LinearFirst<R>`](LinearFirst) |
-//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | [`RotationTranslation<R>`](crate::representation::RotationTranslation) |
+//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | [`RotationTranslation<R>`] |
 //! | 8 | a motion, `[px, py, pz, pw, qx, qy, qz, qw]` | [`DualQuat<R>`](crate::DualQuat) |
 //! | 12 | a 3×4 matrix | `[[R; 4]; 3]` |
 //! | 16 | a 4×4 matrix | `[[R; 4]; 4]` |
 //! | 36 | a 6×6 matrix of twists, a covariance, angular first | `[[R; 6]; 6]` |
 //! | 36 | the same, linear first | `[`[`LinearFirst<R>`](LinearFirst)`; 6]` |
+//!
+//! [`RotationTranslation<R>`]: crate::representation::RotationTranslation
 //!
 //! `[R; C]` is a record of any number of components, and [`Block<R, N, C>`](Block) holds `N` of
 //! them. [`Element<C>`](Element) is the one bound that generic code needs: it says what a slice is

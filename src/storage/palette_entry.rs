@@ -4,7 +4,7 @@ use super::element::Element;
 use crate::batch;
 use dq8_simd::Lanes;
 
-/// In which order the numbers of a matrix lie in memory.
+/// The order in which the numbers of a matrix lie in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MatrixOrder {
     /// Row after row: HLSL `row_major`, C arrays, `[[R; 4]; 3]` as used everywhere in this crate.

@@ -10,56 +10,89 @@ errors! {
     ShapeError {
         /// A slice does not hold a whole number of instances.
         NotWhole {
-            what: &'static str = "The name of the slice.",
-            length: usize = "Its length.",
-            joints: usize = "The joints of one instance."
-        }
-            => "{what} holds {}, which is not a multiple of the {}", Count(*length, "element"), Count(*joints, "joint");
+            /// The name of the slice.
+            what: &'static str,
+            /// Its length.
+            length: usize,
+            /// The joints of one instance.
+            joints: usize,
+        } => "{what} holds {}, which is not a multiple of the {}", Count(*length, "element"), Count(*joints, "joint");
         /// A slice holds nothing where something is needed.
-        Empty { what: &'static str = "The name of the slice." } => "{what} holds no element";
+        Empty {
+            /// The name of the slice.
+            what: &'static str,
+        } => "{what} holds no element";
         /// A slice has the wrong length.
         Length {
-            what: &'static str = "The name of the slice.",
-            length: usize = "Its length.",
-            expected: usize = "The length it must have."
-        }
-            => "{what} holds {} where {expected} {} needed", Count(*length, "element"), if *expected == 1 { "is" } else { "are" };
+            /// The name of the slice.
+            what: &'static str,
+            /// Its length.
+            length: usize,
+            /// The length it must have.
+            expected: usize,
+        } => "{what} holds {} where {expected} {} needed", Count(*length, "element"), if *expected == 1 { "is" } else { "are" };
         /// A range of joints that is not a range of this hierarchy.
-        Joints { range: Range<usize> = "The range.", joints: usize = "The number of joints." }
-            => "joints {range:?} are not a range of a hierarchy of {}", Count(*joints, "joint");
+        Joints {
+            /// The range.
+            range: Range<usize>,
+            /// The number of joints.
+            joints: usize,
+        } => "joints {range:?} are not a range of a hierarchy of {}", Count(*joints, "joint");
         /// A joint of a range, whose parent is not in it: models that go through scratch are not
         /// kept for it.
-        NoParent { joint: usize = "The joint.", parent: usize = "Its parent." }
-            => "the parent of joint {joint}, joint {parent}, is not among those that are computed";
+        NoParent {
+            /// The joint.
+            joint: usize,
+            /// Its parent.
+            parent: usize,
+        } => "joint {joint} is computed, but its parent, joint {parent}, is not";
         /// A pair of an order that is not a joint and its parent, or comes before the last root:
         /// the order was made for other parents, or not at all.
-        NotOrder { place: usize = "The number of the pair." } => "pair {place} of the order is not one of these parents";
+        NotOrder {
+            /// The number of the pair.
+            place: usize,
+        } => "pair {place} of the order is not a joint of this hierarchy and its parent";
         /// A job was given the plan of other parents than its own.
-        OtherPlan => "the plan is of other parents than the job";
+        OtherPlan => "the plan was made for another hierarchy than the job";
         /// A link that a robot (crate `dq8-robot`) does not have.
-        NoLink { link: usize = "The link asked for.", links: usize = "The number of links." }
-            => "there is no link {link}: the mechanism has {links}, counted from 0";
+        NoLink {
+            /// The link asked for.
+            link: usize,
+            /// The number of links.
+            links: usize,
+        } => "there is no link {link}: the mechanism has {links}, counted from 0";
         /// A pose that a crowd does not have.
         NoPose {
-            instance: usize = "The instance asked for.",
-            joint: usize = "The joint asked for.",
-            instances: usize = "The number of instances.",
-            joints: usize = "The number of joints."
-        }
-            => "no joint {joint} of instance {instance} among {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
+            /// The instance asked for.
+            instance: usize,
+            /// The joint asked for.
+            joint: usize,
+            /// The number of instances.
+            instances: usize,
+            /// The number of joints.
+            joints: usize,
+        } => "there is no joint {joint} of instance {instance}: the crowd has {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
         /// A frame that a clip does not have, or that no frame follows.
         NoFrame {
-            instance: usize = "The instance that is to be there.",
-            frame: usize = "The frame asked for.",
-            frames: usize = "The number of frames."
-        }
-            => "instance {instance} lies after frame {frame}, and none follows it among {}", Count(*frames, "frame");
+            /// The instance that is to be there.
+            instance: usize,
+            /// The frame asked for.
+            frame: usize,
+            /// The number of frames.
+            frames: usize,
+        } => "instance {instance} is sampled after frame {frame}, the last or beyond: the clip has {}", Count(*frames, "frame");
         /// A place that packed clips do not have: it was made of others.
-        NoPlace { instance: usize = "The instance that is to be there." }
-            => "instance {instance} lies at a place of other clips than these";
+        NoPlace {
+            /// The instance that is to be there.
+            instance: usize,
+        } => "instance {instance} is sampled at a place in other clips than these";
         /// So few poses that no window of this length lies in them.
-        NoWindow { poses: usize = "The number of poses.", window: usize = "The length of the window." }
-            => "{} {} no window of {window}", Count(*poses, "pose"), if *poses == 1 { "holds" } else { "hold" };
+        NoWindow {
+            /// The number of poses.
+            poses: usize,
+            /// The length of the window.
+            window: usize,
+        } => "a window of {window} does not fit into {}", Count(*poses, "pose");
     }
 }
 

@@ -1,4 +1,4 @@
-//! What kernels read: a slice, or what their output still holds; and motions from it.
+//! The input of kernels: a slice, or what their output still holds; and motions from it.
 
 use super::element::{Element, Register, Tile, identity};
 use crate::batch;

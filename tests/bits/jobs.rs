@@ -10,8 +10,8 @@ use dq8::hierarchy::{
     RotationsTranslations, Sampled,
 };
 use dq8::ik::Limb;
-use dq8::law::{Nlerp, NlerpLerp, Sclerp};
 use dq8::internal::{for_each_kernel, record};
+use dq8::law::{Nlerp, NlerpLerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
 use dq8::{Backend, DualQuat, Hierarchy};

@@ -6,6 +6,7 @@ pub(crate) fn list() -> String {
     for (entry, title) in [
         ("scalar", "**Functions**, scalar and, where there are, on lanes"),
         ("job", "**Jobs and kernels**"),
+        ("trajectory", "**Trajectories**, which need a heap"),
         ("example", "**The example**"),
     ] {
         let of_entry = |line: &&str| line.starts_with(&format!("f32\t{entry}\t"));

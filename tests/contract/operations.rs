@@ -4,7 +4,8 @@
 //! `tests/bits` reads the same table.
 //!
 //! ```text
-//! name(kind of argument and where in a Case it is, …) -> kind of answer, scale of the error, [bounds];
+//! name(kind of argument and where in a Case it is, …) -> kind of answer, scale of the error,
+//!     [bounds];
 //! ```
 //!
 //! Arguments that are `unit` must be unit, `any` may be any dual quaternion; of an operation that

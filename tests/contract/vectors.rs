@@ -163,7 +163,8 @@ impl Vector {
     }
 }
 
-/// |t| of σ with w first, however long σ is; none without a real part, or the scale would be infinite
+/// |t| of σ with w first, for σ of any length; none without a real part: the scale would be
+/// infinite
 /// and no error seen.
 pub fn translation(sigma: &[f64]) -> f64 {
     let t = 2.0 * length(&sigma[4..]) / length(&sigma[..4]);

@@ -41,7 +41,10 @@ fn one_is_singular_and_all_other_numbers_are_plural() {
         "things holds 2 elements, which is not a multiple of the 0 joints",
     );
     let mut crowd = Crowd::<f32, 4>::new(1, 1);
-    says(crowd.set(1, 0, two[0]), "no joint 0 of instance 1 among 1 instance of 1 joint");
+    says(
+        crowd.set(1, 0, two[0]),
+        "there is no joint 0 of instance 1: the crowd has 1 instance of 1 joint",
+    );
     says(
         Skeleton::new(&[-1_i32, 7]),
         "joint 1 has parent 7, which is none of 2 joints, counted from 0 (the parent of a root is −1)",
@@ -52,11 +55,11 @@ fn one_is_singular_and_all_other_numbers_are_plural() {
     says(none, "there is no joint 1 among 1 joint, counted from 0");
     says(
         Skin::new(1, 1, &[3_u16], &[1.0_f32]),
-        "vertex 0: influence 0 is joint 3, and there is no such one among 1 joint, counted from 0",
+        "vertex 0: influence 0 is joint 3, but there is only 1 joint",
     );
     let field: Result<(), _> =
         Err(SkinningError::InfluenceField { what: "weights", first: 4, stride: 1, influences: 1 });
-    says(field, "weights: 1 element from 4 on does not lie in a vertex of 1 element");
+    says(field, "weights: 1 element at 4 does not fit into a vertex of 1 element");
     says("1".parse::<Quat<f32>>(), "the list has 1 number where 4 are needed");
 }
 
@@ -65,8 +68,8 @@ fn poses_that_hold_no_window_say_so() {
     let (poses, mut means) = ([DualQuat::<f32>::IDENTITY; 5], [DualQuat::IDENTITY; 1]);
     let mut windows =
         |poses: &[_]| Backend::PORTABLE.dib_windows(poses, &[1.0; 7], 1e-6, 8, &mut means);
-    says(windows(&poses), "5 poses hold no window of 7");
-    says(windows(&poses[..1]), "1 pose holds no window of 7");
+    says(windows(&poses), "a window of 7 does not fit into 5 poses");
+    says(windows(&poses[..1]), "a window of 7 does not fit into 1 pose");
     says(windows(&[poses[0]; 9]), "means holds 1 element where 3 are needed");
     assert_eq!(Backend::PORTABLE.dib_windows(&poses, &[1.0; 7], 1e-6, 8, &mut []), Ok(0));
 }

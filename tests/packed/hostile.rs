@@ -101,10 +101,10 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
         Err(PackedError::Bytes { offset, what }) => (offset, what),
         other => panic!("{other:?}"),
     };
-    assert_eq!(wrong(longer), (bytes.len(), "something follows them"));
+    assert_eq!(wrong(longer), (bytes.len(), "bytes after the end"));
     let mut other = bytes.to_vec();
     other[8] = 1;
-    assert_eq!(wrong(other), (8, "their version is another"));
+    assert_eq!(wrong(other), (8, "unsupported version"));
     let mut other = bytes.to_vec();
     other[32 + 7] = 0x40;
     assert_eq!(wrong(other), (32, "rotations of a joint are not unit, or 60° apart"));

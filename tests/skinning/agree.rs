@@ -273,7 +273,8 @@ fn all_cores_give_every_bit_that_one_gives() {
 
 #[test]
 fn a_blend_of_motions_at_right_angles_does_not_depend_on_the_other_vertices() {
-    // |p|² has room in f32, the product of three does not: times the dot product at right angles, 0, it is NaN.
+    // |p|² has room in f32, the product of three has not: times the dot product at right
+    // angles, 0, it is NaN.
     let large = 1e7;
     let palette = [[0.0, 0.0, 0.0, large], [-large, 0.0, 0.0, 0.0]]
         .map(|[x, y, z, w]| DualQuat::from_array([x, y, z, w, 0.0, 0.0, 0.0, 0.0_f32]));

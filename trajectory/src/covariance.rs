@@ -10,7 +10,7 @@
 //! | memory | order |
 //! |---|---|
 //! | `[R; 36]`, `[[R; 6]; 6]`, blocks of 36 rows | angular first |
-//! | `[LinearFirst<R>; 6]` | linear first: rows and columns (Barfoot, Solà, Sophus, the messages of ROS) |
+//! | `[LinearFirst<R>; 6]` | linear first: rows and columns (Barfoot, Solà, Sophus, ROS) |
 //!
 //! Elsewhere the error stands on the *left*, σ = exp(ζ)σ̄: in the axes of the world and about
 //! its origin (Barfoot and Furgale 2014). As ζ = Ad ξ, [`carry_covariances`] by σ̄ makes the
@@ -38,7 +38,8 @@ use dq8::{Backend, Kernel, Lanes, Level, ShapeError};
 /// ```
 /// use dq8::{Backend, DualQuat};
 /// use dq8_trajectory::covariance::carry_covariances;
-/// // A robot ten metres ahead is not sure of its yaw: in the world that turns about the origin, and moves along y.
+/// // A robot ten metres ahead is not sure of its yaw. In the world that turns about the origin,
+/// // and moves along y.
 /// let robot = [DualQuat::from_translation([10.0, 0.0, 0.0])];
 /// let mut unsure = [[[0.0_f64; 6]; 6]];
 /// unsure[0][2][2] = 0.01;

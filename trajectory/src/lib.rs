@@ -4,16 +4,16 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`Trajectory`] | stamps and poses in the caller's memory, checked once; screw motion between neighbours |
-//! | [`OwnedTrajectory`] | the same with memory of its own; made of unsorted stamps, or of one constant velocity |
-//! | [`Spline`] | a cubic B-spline by control poses, or Catmull and Rom's through them; twists, accelerations, Jacobians |
-//! | [`Job`] | a run over many times, with options: clock, frame, what is outside the stamps, instructions, threads |
+//! | [`Trajectory`] | stamps and poses in the caller's memory; screw motion between neighbours |
+//! | [`OwnedTrajectory`] | the same with memory of its own, also of unsorted stamps or one velocity |
+//! | [`Spline`] | a cubic B-spline by control poses, or Catmull and Rom's through them |
+//! | [`Job`] | a run over many times, with a clock, a frame, a rule outside the stamps, and threads |
 //! | [`Frame`] | the frame that poses and points come out in |
 //! | [`Outside`] | what happens before the first stamp and after the last |
 //! | [`Time`] | the numbers that times of points may be |
-//! | [`Frames`] | a tree of frames, a trajectory or a fixed pose on each edge: where one is in another, at many times |
+//! | [`Frames`] | a tree of frames: the pose of one in another at many times |
 //! | [`covariance`] | covariances of poses in another frame, of inverses and of products |
-//! | [`compare`] | an estimate against a reference: pairs, alignment, absolute and relative errors |
+//! | [`compare`] | errors of an estimate against a reference, after pairing and alignment |
 //! | `files` | trajectories in text files: TUM, EuRoC, KITTI (feature `std`) |
 //!
 //! Poses and stamps are `f64`. A pose is first taken relative to the wanted frame and only then
@@ -27,7 +27,8 @@
 //! let stamps = [100.0, 100.1];
 //! let poses = [0.0, 2.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
 //! let path = Trajectory::new(&stamps, &poses)?;
-//! // It sees one wall five times, each time nearer; the times of the points count from the beginning of the scan.
+//! // It sees one wall five times, each time nearer. The times of the points count from the
+//! // beginning of the scan.
 //! let points = [10.0_f32, 9.5, 9.0, 8.5, 8.0].map(|x| [x, 0.0, 0.0]);
 //! let times = [0.0_f32, 0.025, 0.05, 0.075, 0.1];
 //! let mut moved = points;

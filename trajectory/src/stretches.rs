@@ -34,7 +34,9 @@ pub(crate) fn stretches(
         let way = pair[0].twist_to(pair[1]);
         let velocity = Twist::from_array(way.to_array().map(|number| number / length));
         let [x, y, z] = way.angular;
-        let parts = parts(Real::sqrt(x * x + y * y + z * z));
+        // The shorter way turns by π at most. Of poses that are not unit it may turn by anything,
+        // which must not become that much memory.
+        let parts = parts(Real::sqrt(x * x + y * y + z * z).min(core::f64::consts::PI));
         for part in 0..parts {
             let start = stamps[0] + length * (part as f64 / parts as f64);
             // The start is rounded, and the pose is the one at the rounded start.

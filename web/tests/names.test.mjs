@@ -6,6 +6,7 @@ import { test } from "node:test";
 
 const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
 const BORROWED = "C keeps what it has made itself", WHOLE = "Python has whole arrays, and no frame to keep within", NAMED = "made from arrays in one call";
+const RECORDED = "robots and cars record trajectories and scans, and pages get them when they are put right";
 /** A reason instead of a name. */
 const none = (reason) => ({ reason });
 /** Rust's file and name; JavaScript; C; Python. */
@@ -40,7 +41,14 @@ const TABLE = [
   ["robot/src/ik/job.rs", "solve", "reach", "mechanism_reach", "reach"],
   ["robot/src/ik/job.rs", "solve_in", none("a page has one target at a time"), "reach", "reach"],
   ["src/scalar/blend.rs", "dib", none("of clips, blend has the mean of two"), "motion_mean", "mean"],
+  ["trajectory/src/job.rs", "sample", none("clips are sampled by their frames"), "trajectory_sample", "sample"],
   ["trajectory/src/job.rs", "sample", none("clips are sampled by their frames"), "resample", "resample"],
+  ["trajectory/src/path.rs", "new", none(RECORDED), none("C passes stamps and poses to each call"), "class Trajectory"],
+  ["trajectory/src/job.rs", "deskew", none(RECORDED), "trajectory_deskew", "deskew"],
+  ["trajectory/src/job.rs", "skew", none(RECORDED), "trajectory_skew", "skew"],
+  ["trajectory/src/spline/job.rs", "sample", none("a page has squad and clips"), "spline_poses", "class Spline"],
+  ["trajectory/src/compare/pairs.rs", "absolute", none(RECORDED), none("a comparison ends in text, not in arrays"), "compare"],
+  ["src/fit.rs", "rigid", none(RECORDED), none("fits are not in the C interface yet"), "fit_pairs"],
   ["src/storage/mod.rs", null, "floats", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/storage/mod.rs", null, "motions", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/hierarchy/skeleton.rs", null, "free", none(BORROWED), none("Python collects what is not needed")],

@@ -1,4 +1,4 @@
-//! What a C function takes: arrays, and numbers passed by themselves.
+//! The arguments of a C function: arrays, and numbers that are passed by value.
 
 use crate::element::Element;
 use dq8_capi::Status;
@@ -9,7 +9,7 @@ use std::any::Any;
 use std::marker::PhantomData;
 use std::rc::Rc;
 
-/// What is passed for it.
+/// The value of an argument in a call.
 #[derive(Clone)]
 pub(crate) enum Value {
     Pointer(*mut u8),
@@ -67,24 +67,24 @@ pub(crate) enum Kind {
     Scalar(Scalar),
 }
 
-/// A number, any of some, and those that are refused.
+/// A number: the values that a call may have, and the ones that are refused.
 pub(crate) struct Scalar {
     pub(crate) values: Vec<Value>,
     pub(crate) wrong: Vec<(Value, Status)>,
 }
 
-/// What an array holds before the call.
+/// The contents of an array before the call.
 pub(crate) enum Contents<'r> {
-    /// What [`Element::sample`] or the table says, by the number of the argument.
+    /// The contents that [`Element::sample`] or the table makes of the number of the argument.
     Sample(usize),
-    /// Anything, but where the function judges it.
+    /// Random contents, except for what the function checks.
     Random(&'r mut Random),
 }
 
 type Fill = Rc<dyn Fn(*mut u8, Contents<'_>)>;
 type Change = Rc<dyn Fn(*mut u8)>;
 
-/// Contents that are refused, and the index that is named.
+/// Contents that are refused, and the index that the function returns.
 pub(crate) struct Fault {
     pub(crate) status: Status,
     pub(crate) index: Option<usize>,
@@ -95,19 +95,19 @@ pub(crate) struct Array {
     pub(crate) bytes: usize,
     pub(crate) align: usize,
     pub(crate) writes: bool,
-    /// Of an output: the input that it may be, if it is exactly that.
+    /// The input that this output may be, if it is exactly the same array.
     pub(crate) over: Option<&'static str>,
-    /// Of an output: it may lie anywhere in inputs, for they are read before.
+    /// True for an output that may overlap inputs, because these are read before it is written.
     pub(crate) free: bool,
-    /// Of an output: what comes of it is not told.
+    /// True for an output whose contents after the call are unspecified.
     pub(crate) untold: bool,
-    /// Of an output: written even if the call is refused.
+    /// True for an output that may be written even if the call is refused.
     pub(crate) scratch: bool,
-    /// Of an output: set to the index that is wrong, if one is.
+    /// True for an output that is set to the index that is wrong, if one is.
     pub(crate) names: bool,
-    /// It may be null, if all of this number are.
+    /// The group of arrays that may be null together.
     pub(crate) group: Option<u8>,
-    /// Memory that something in it points to.
+    /// The memory that its elements point to.
     pub(crate) keeps: Vec<(*mut u8, usize)>,
     pub(crate) fill: Fill,
     pub(crate) bits: Rc<dyn Fn(*const u8) -> Vec<u64>>,
@@ -130,7 +130,7 @@ pub(crate) struct Of<T, V> {
     marker: PhantomData<(T, V)>,
 }
 
-/// How the Rust function sees it.
+/// The two ways in which the Rust function borrows an array.
 pub(crate) struct Read;
 pub(crate) struct Written;
 
@@ -138,7 +138,7 @@ fn array<T: Element, V>(count: usize, writes: bool) -> Of<T, V> {
     let fill = move |start: *mut u8, contents: Contents<'_>| {
         let start = start.cast::<T>();
         match contents {
-            // As C has it: not initialized.
+            // C need not initialize an output.
             // SAFETY: the array has so many elements, here and below.
             Contents::Sample(_) if writes => unsafe { start.write_bytes(0x3f, count) },
             Contents::Sample(seed) => fill_by(start, count, |at| T::sample(at, seed)),
@@ -188,7 +188,7 @@ pub(crate) fn writes<T: Element>(count: usize) -> Of<T, Written> {
     array(count, true)
 }
 
-/// Set to the index that is wrong.
+/// An output that is set to the index that is wrong.
 pub(crate) fn names() -> Of<usize, Written> {
     let mut names = writes(1).unless_null(u8::MAX);
     names.array.names = true;
@@ -196,7 +196,7 @@ pub(crate) fn names() -> Of<usize, Written> {
 }
 
 impl<T: Element, V> Of<T, V> {
-    /// What it holds, unless it holds anything.
+    /// Sets the contents of samples; random calls have random contents.
     pub(crate) fn of(self, of: impl Fn(usize) -> T + 'static) -> Self {
         let (count, any) = (self.count, self.array.fill);
         let fill = move |start: *mut u8, contents: Contents<'_>| match contents {
@@ -205,13 +205,13 @@ impl<T: Element, V> Of<T, V> {
         };
         Self { array: Array { fill: Rc::new(fill), ..self.array }, ..self }
     }
-    /// What it holds, always.
+    /// Sets the contents of all calls.
     pub(crate) fn only(self, of: impl Fn(usize) -> T + 'static) -> Self {
         let count = self.count;
         let fill = move |start: *mut u8, _: Contents<'_>| fill_by(start.cast(), count, &of);
         Self { array: Array { fill: Rc::new(fill), ..self.array }, ..self }
     }
-    /// Such contents, if there are any, are refused.
+    /// Adds contents that are refused, if there are elements.
     pub(crate) fn fault(
         mut self,
         status: Status,
@@ -301,7 +301,7 @@ pub(crate) struct Passed<T> {
     marker: PhantomData<T>,
 }
 
-/// Any of these.
+/// A number that may be any of these values.
 pub(crate) fn one_of<T: 'static>(values: impl IntoIterator<Item = T>) -> Passed<T> {
     let values = values.into_iter().map(|value| Value::Scalar(Rc::new(value))).collect();
     Passed { scalar: Scalar { values, wrong: Vec::new() }, marker: PhantomData }
@@ -320,7 +320,7 @@ pub(crate) fn count(count: usize) -> Passed<usize> {
 pub(crate) fn lanes<R>(lanes: usize) -> Passed<usize> {
     let none = [0, 5, size_of::<R>() * 2 - 4, usize::MAX];
     let passed = none.into_iter().fold(passes(lanes), |all, none| all.wrong(none, Status::Lanes));
-    // Those of the other number type.
+    // Blocks of the other number type may have these.
     passed.wrong(if size_of::<R>() == 4 { 4 } else { 16 }, Status::Lanes)
 }
 

@@ -1,5 +1,5 @@
-//! What every function of the table keeps to, of a call that is right: the tests are these, for all
-//! of them.
+//! The rules that every function of the table keeps. Each takes a call that is right; the tests try
+//! all rules with all functions.
 
 use crate::argument::{Array, Value};
 use crate::function::Function;
@@ -9,8 +9,8 @@ use dq8_fixtures::random::Random;
 use std::collections::BTreeSet;
 use std::ptr::null_mut;
 
-/// It says and writes what the Rust function does, number for number, and nothing else: whatever is
-/// null that may be, whichever number is passed, and in place.
+/// The C function returns and writes what the Rust function does, bit by bit, and writes nothing
+/// else. This holds with null for what may be null, with all allowed numbers, and in place.
 pub(crate) fn agrees(call: &Call<'_>) {
     let function = call.function;
     same(call, |_| (), "as it is", true);
@@ -100,7 +100,7 @@ fn refused(call: &Call<'_>, status: Status, index: Option<usize>, what: &str) {
     assert!(function.kept() == before.1, "{name}, {what}: what is kept was written");
 }
 
-/// What may be wrong with a call, by the number of the argument and of the way.
+/// The faults of a call, with the number of the argument, and of its own faults.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Wrong {
     Null(usize),
@@ -160,8 +160,8 @@ pub(crate) fn refuses(call: &Call<'_>, wrong: Wrong) {
     }
 }
 
-/// Outputs lie apart from all inputs, from each other, and from what inputs point to; where a
-/// function says so, on an input, or anywhere.
+/// Outputs must not overlap inputs, each other, or memory that inputs point to. A function may
+/// allow that an output is exactly an input, or that it overlaps inputs.
 pub(crate) fn lies_apart(call: &Call<'_>) {
     let function = call.function;
     let arrays = || function.arrays().filter(|(_, array)| array.bytes > 0);
@@ -179,7 +179,7 @@ pub(crate) fn lies_apart(call: &Call<'_>) {
     }
 }
 
-/// From just before an output to just behind it.
+/// Tries each place of an output relative to another array, from just before that to just after it.
 fn slides(call: &Call<'_>, (other, array): (usize, &Array), (output, to): (usize, &Array)) {
     let (function, over) = (call.function, call.function.over(to));
     let [own, bytes, step] = [array.bytes, to.bytes, array.align].map(|bytes| bytes as isize);
@@ -216,7 +216,7 @@ fn slides(call: &Call<'_>, (other, array): (usize, &Array), (output, to): (usize
     }
 }
 
-/// Where there is nothing to read or to write, pointers may be null.
+/// Pointers to arrays without elements may be null.
 pub(crate) fn may_lie_nowhere(call: &Call<'_>) {
     let nothing = || call.function.arrays().filter(|(_, array)| array.bytes == 0);
     let nowhere = |call: &mut Call<'_>| nothing().for_each(|(at, _)| call.pass(at, null_mut()));

@@ -1,4 +1,4 @@
-//! What arrays hold: what it is by default, at random, and in bits.
+//! The elements of arrays: a sample, a random one, and their bits.
 
 use dq8::simd::{Block, Row};
 use dq8::{DualQuat, Quat, Real, Twist};
@@ -7,15 +7,16 @@ use dq8_capi::joint::Joint;
 use dq8_capi::mechanism::{Mechanism, Step};
 use dq8_capi::reach::{Goal, ReachOptions, ReachReport};
 use dq8_capi::skin::Skin;
+use dq8_capi::trajectory::Options;
 use dq8_fixtures::random::Random;
 use std::fmt::Debug;
 
 pub(crate) trait Element: Copy + 'static {
-    /// Number `at` of an array; arrays of different seeds have nothing in common.
+    /// Element `at` of an array. Arrays with different seeds have nothing in common.
     fn sample(at: usize, seed: usize) -> Self;
-    /// Any numbers.
+    /// A random element.
     fn random(random: &mut Random) -> Self;
-    /// Equal if the two are, to the bit; but all NaN are one.
+    /// Appends the bits, in which all NaN are the same.
     fn bits(&self, to: &mut Vec<u64>);
 }
 
@@ -26,7 +27,8 @@ pub(crate) fn wave<R: Real>(at: usize, seed: usize) -> R {
 /// The first seed of motions that are not unit.
 pub(crate) const SCALED: usize = 100;
 
-/// Of eight numbers a unit motion, of seven a rotation and a translation, of four a rotation.
+/// A record for its number of components: a unit motion for eight, a rotation and a translation for
+/// seven, a rotation for four.
 pub(crate) fn record<R: Real, const C: usize>(at: usize, seed: usize) -> [R; C] {
     let mut all = std::array::from_fn(|c| wave(at * 19 + c, seed));
     if let Some((rotation, rest)) = all.split_first_chunk_mut::<4>()
@@ -156,6 +158,7 @@ things! {
     [] [u32; 2], |pair| pair;
     [] [u32; 6], |scratch| scratch;
     [] Place, |place| place;
+    [] Options, |options| options;
     [] Clips, |made| (made.joints, made.clips);
     [R] Joint<R>, |joint| joint;
     [R] Step<R>, |_step| ();

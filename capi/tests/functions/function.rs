@@ -6,9 +6,9 @@ use dq8_capi::Status;
 type Run<S> = Box<dyn Fn(&[Value]) -> S>;
 
 pub(crate) struct Function {
-    /// In C.
+    /// The name in C.
     pub(crate) name: &'static str,
-    /// In Rust.
+    /// The path in Rust.
     pub(crate) path: &'static str,
     pub(crate) arguments: Vec<Argument>,
     pub(crate) c: Run<Status>,
@@ -34,7 +34,7 @@ impl Function {
     pub(crate) fn scalar(&self, at: usize) -> &Scalar {
         self.scalars().find(|(other, _)| *other == at).expect("a number").1
     }
-    /// What is in the memory that something in an argument points to.
+    /// The contents of the memory that elements of arguments point to.
     pub(crate) fn kept(&self) -> Vec<Vec<u8>> {
         self.arrays().flat_map(|(_, array)| array.kept()).collect()
     }
@@ -45,7 +45,7 @@ impl Function {
     }
 }
 
-/// What becomes of a Rust function.
+/// The result of a Rust function, as the status of its C function.
 pub(crate) trait Says {
     fn says(self) -> Result<(), Status>;
 }
@@ -62,8 +62,8 @@ impl<T, E: Into<Status>> Says for Result<T, E> {
     }
 }
 
-/// Rows of the table:
-/// `the name in C, path in Rust = (argument: what it is, …) => the Rust function of the arguments;`.
+/// Adds rows to the table:
+/// `name in C, path in Rust = (argument: its role, …) => the Rust function of the arguments;`.
 macro_rules! functions {
     ($to:ident: $($name:expr, $c:path = ($($argument:ident: $role:expr),* $(,)?) => $rust:expr;)+) => {$({
         #[allow(unused_imports, reason = "not all functions have all of them")]

@@ -1,15 +1,15 @@
-//! Every C function keeps to what the header says of all of them. [`table`] says of each what its
-//! arguments are and which Rust function it stands for; from that follow
-//! - calls: it says and writes what the Rust function does, number for number, and writes nothing
-//!   else;
-//! - calls that are wrong in every way: each has an error of its own and names the index that is
+//! Every C function keeps what the head of the header promises of all functions. [`table`] has the
+//! arguments of each and its Rust function, from which the tests make
+//! - calls that are right: the function returns and writes what the Rust function does, bit by bit,
+//!   and writes nothing else;
+//! - calls that are wrong in every way: each has an error of its own and sets the index that is
 //!   wrong, and nothing is written;
-//! - random calls. Arrays have just the length that is said, so that the address sanitizer sees a
-//!   number read or written beyond:
+//! - random calls. Arrays have exactly the length that is passed, so the address sanitizer notices
+//!   a read or a write beyond their end:
 //!
 //! ```text
-//! RUSTC_BOOTSTRAP=1 RUSTFLAGS=-Zsanitizer=address DQ8_FUZZ_SECONDS=60 cargo test --release -p dq8-capi \
-//!   --test functions --target x86_64-unknown-linux-gnu
+//! RUSTC_BOOTSTRAP=1 RUSTFLAGS=-Zsanitizer=address DQ8_FUZZ_SECONDS=60 \
+//!   cargo test --release -p dq8-capi --test functions --target x86_64-unknown-linux-gnu
 //! ```
 
 #[macro_use]
@@ -27,7 +27,7 @@ use shape::Shape;
 use std::collections::BTreeSet;
 use table::table;
 
-/// Of a call of each function that is right, for arrays of several lengths.
+/// Calls `check` with a right call of each function, for arrays of several lengths.
 fn of_all(check: impl Fn(&Call<'_>)) {
     let functions = Shape::all().iter().flat_map(table).collect::<Vec<_>>();
     functions.iter().for_each(|function| check(&Call::new(function, None)));
@@ -82,7 +82,7 @@ fn the_table_has_every_function_of_the_header() {
     let declared: BTreeSet<_> = header
         .split("static inline")
         .enumerate()
-        // What is written out in the header is no function of the library.
+        // Functions that are defined in the header itself are not in the library.
         .flat_map(|(at, text)| {
             if at == 0 { text } else { text.split_once("\n}\n").expect("an end").1 }.lines()
         })

@@ -11,11 +11,10 @@ use std::ptr::null_mut;
 /// A cache line: no array is aligned to more.
 const LINE: usize = 64;
 
-/// Behind an array of a call that is not random: as much as a wrong length may say that it has
-/// more.
+/// The bytes after an array of a call that is not random: as many as a wrong length may add.
 const BEHIND: usize = 4096;
 
-/// So many bytes, and memory before them, or around.
+/// The memory of an array of `bytes` bytes, with memory before it, and perhaps after it.
 struct Room {
     layout: Layout,
     base: *mut u8,
@@ -61,7 +60,7 @@ impl Drop for Room {
 pub(crate) struct Call<'f> {
     pub(crate) function: &'f Function,
     pub(crate) given: Vec<Value>,
-    /// Of each argument; of numbers, nothing.
+    /// The memory of each argument that is an array.
     rooms: Vec<Option<Room>>,
 }
 
@@ -73,13 +72,12 @@ impl<'f> Call<'f> {
             given[at] = scalar.values.first().expect("a number").clone();
         }
         for (at, array) in function.arrays() {
-            // As much is before an array as it is aligned to: it is aligned no more than that.
+            // There are as many bytes before an array as its alignment, so it has no greater one.
             let behind = if random.is_some() { 0 } else { BEHIND };
             let room = Room::new(array.align, array.bytes, behind);
             let contents = random.as_deref_mut().map_or(Contents::Sample(at), Contents::Random);
             (array.fill)(room.start, contents);
-            // What may be null is null where there is nothing: how long it is, another argument
-            // says.
+            // An optional array without elements is passed as null.
             let is_there = array.bytes > 0 || array.group.is_none();
             given[at] = Value::Pointer(if is_there { room.start } else { null_mut() });
             rooms[at] = Some(room);
@@ -98,12 +96,12 @@ impl<'f> Call<'f> {
     fn room(&self, at: usize) -> &Room {
         self.rooms[at].as_ref().expect("an array")
     }
-    /// Where the array begins, whatever is passed for it.
+    /// The start of the array, whatever pointer is passed for it.
     pub(crate) fn start(&self, at: usize) -> *mut u8 {
         self.room(at).start
     }
-    /// What is around the array of each argument; of a call with one slid, nothing: that lies
-    /// around another.
+    /// The memory before and after the array of each argument. It is empty for a call in which one
+    /// array has been moved onto another.
     pub(crate) fn around(&self) -> Vec<[Vec<u8>; 2]> {
         if self.function.arrays().any(|(at, _)| self.rooms[at].is_none()) {
             return Vec::new();
@@ -116,7 +114,7 @@ impl<'f> Call<'f> {
         };
         self.rooms.iter().map(around).collect()
     }
-    /// What is in the memory of each argument, and around it.
+    /// The contents of the memory of each argument, and of what is around it.
     pub(crate) fn now(&self) -> Vec<Vec<u8>> {
         let all =
             |room: &Option<Room>| room.as_ref().map_or(Vec::new(), |room| room.all().to_vec());

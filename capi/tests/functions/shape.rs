@@ -1,4 +1,4 @@
-//! How long the arrays are that functions are called with.
+//! The lengths of the arrays that functions are called with.
 
 use crate::element::record;
 use dq8::DualQuat;
@@ -7,22 +7,23 @@ use dq8_robot::{Joint, JointKind};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Shape {
-    /// Things in an array.
+    /// The number of elements of an array.
     pub(crate) count: usize,
-    /// Of a hierarchy.
+    /// The parents of a hierarchy.
     pub(crate) parents: Vec<i32>,
-    /// Of a hierarchy; configurations of a mechanism.
+    /// The instances of a hierarchy, and the configurations of a mechanism.
     pub(crate) instances: usize,
-    /// Of a trajectory.
+    /// The times of a trajectory.
     pub(crate) times: Vec<f64>,
-    /// Of a mechanism.
+    /// The joints of a mechanism.
     pub(crate) joints: Vec<Joint<f64>>,
-    /// Of a search.
+    /// The number of goals of a search.
     pub(crate) goals: usize,
-    /// Of a skin.
+    /// The number of vertices of a skin.
     pub(crate) vertices: usize,
     pub(crate) influences: usize,
-    /// Whether a vertex has them, and in which order matrices are.
+    /// True if a vertex has normals. The next two are the same for tangents, and the order of the
+    /// numbers of a matrix.
     pub(crate) normals: bool,
     pub(crate) tangents: bool,
     pub(crate) order: i32,
@@ -166,7 +167,7 @@ impl Shape {
         }
     }
 
-    /// Of all instances.
+    /// The number of poses of all instances.
     pub(crate) fn poses(&self) -> usize {
         self.parents.len() * self.instances
     }

@@ -193,14 +193,14 @@ impl<'py, R: Number> Input<'py, R> {
     }
 
     /// Whether its memory is part of that of `other`.
-    fn overlaps(&self, other: &Bound<'py, PyArrayDyn<R>>) -> bool {
+    fn overlaps<S: Number>(&self, other: &Bound<'py, PyArrayDyn<S>>) -> bool {
         let own = self.array.data().addr()..self.array.data().addr() + bytes(&self.array);
         let (low, high) = extent(other);
         own.start < high && low < own.end
     }
 
     /// The same numbers elsewhere, if they lie where `out` is about to be written.
-    pub fn apart_from(self, out: &Output<'py, R>) -> PyResult<Self> {
+    pub fn apart_from<S: Number>(self, out: &Output<'py, S>) -> PyResult<Self> {
         let Some(given) = out.given() else { return Ok(self) };
         if !self.overlaps(given) {
             return Ok(self);

@@ -18,6 +18,9 @@ before.
 (`Mechanism.reach`; `Mechanism.solutions` for all ways of an arm of six hinges). `skin` lets a mesh follow joints.
 `PackedClip` is an animation in a quarter of its memory.
 
+`Trajectory` is poses at stamps: sampled at any times, and clouds of points moved by the pose at each point's time (`deskew`).
+`Spline` is a smooth one by control poses; `compare` gives evo's figures for two.
+
 Time is the first dimension of a clip ``(frames, joints, 8)``; ``axis=`` says where it is another. Columns of Arrow are
 taken as arrays of rows (`from_arrow`, `to_arrow`). ``dq8.dask`` has the functions for arrays of Dask.
 
@@ -36,6 +39,8 @@ from ._core import (
     Mechanism,
     PackedClip,
     ReachReport,
+    Spline,
+    Trajectory,
     adjoint,
     angle_to,
     backend,
@@ -83,7 +88,7 @@ from ._core import (
     translation,
 )
 from ._core import forget_threads as _forget_threads
-from ._fits import fit, hand_eye
+from ._fits import Fit, fit, hand_eye
 from . import _mechanisms as _methods
 from ._outcome import Outcome
 from ._rigid_transform import RigidTransform, identity
@@ -103,10 +108,13 @@ from ._rotations import (
     to_wxyz,
 )
 from ._solutions import Solutions
+from ._trajectories import Comparison, Statistics, compare, deskew, skew
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Comparison",
+    "Fit",
     "Hierarchy",
     "Mechanism",
     "Outcome",
@@ -114,14 +122,19 @@ __all__ = [
     "ReachReport",
     "RigidTransform",
     "Solutions",
+    "Spline",
+    "Statistics",
+    "Trajectory",
     "adjoint",
     "allclose",
     "angle_to",
     "backend",
     "chain_products",
     "coadjoint",
+    "compare",
     "compose",
     "conjugate",
+    "deskew",
     "dib_windows",
     "distance_to",
     "distance_weighted",
@@ -162,6 +175,7 @@ __all__ = [
     "sclerp",
     "set_num_threads",
     "set_reproducible",
+    "skew",
     "skin",
     "squad",
     "squad_control",

@@ -9,12 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from ._solutions import Solutions
+from ._trajectories import Frame, Outside
 
 _Floats = NDArray[Any]
 """float32 or float64."""
 
 _Rotations = ArrayLike | Rotation
 """Quaternions; SciPy's class has them."""
+
+_Format = Literal["tum", "euroc", "kitti"]
+"""Of text files with a pose on each line."""
 
 _Values = ArrayLike | Mapping[str, ArrayLike]
 """Configurations; columns with names are put in order."""
@@ -59,6 +63,19 @@ def point_error(a: ArrayLike, b: ArrayLike, points: ArrayLike, *, out: _Floats |
 # End of what is generated.
 def resample(
     times: ArrayLike, poses: ArrayLike, at: ArrayLike, *, axis: int = 0, out: _Floats | None = None
+) -> _Floats: ...
+def compare(
+    reference: Trajectory,
+    estimate: Trajectory,
+    align: str | None,
+    tolerance: float,
+    interpolated: bool,
+    frames: int | None,
+    metres: float | None,
+    seconds: float | None,
+) -> tuple[list[NDArray[np.float64]], list[list[float]], NDArray[np.float64], float]: ...
+def fit_pairs(
+    points: ArrayLike, moved: ArrayLike, weights: ArrayLike, about: list[float] | None, scale: bool
 ) -> _Floats: ...
 def chain_products(motions: ArrayLike, *, axis: int = 0, out: _Floats | None = None) -> _Floats: ...
 def from_matrix(matrices: ArrayLike, *, check: bool = True, out: _Floats | None = None) -> _Floats: ...
@@ -274,6 +291,109 @@ class Mechanism:
         restarts: bool = True,
         out: _Floats | None = None,
     ) -> tuple[_Floats, ReachReport]: ...
+
+class Trajectory:
+    def __new__(cls, stamps: ArrayLike, poses: ArrayLike) -> Trajectory: ...
+    @staticmethod
+    def sorted(stamps: ArrayLike, poses: ArrayLike) -> tuple[Trajectory, int]: ...
+    @staticmethod
+    def of_twist(twist: ArrayLike, start: float, end: float) -> Trajectory: ...
+    @staticmethod
+    def from_file(path: str | PathLike[str], format: _Format | None = None) -> Trajectory: ...
+    def to_file(self, path: str | PathLike[str], format: _Format = "tum") -> None: ...
+    @property
+    def stamps(self) -> NDArray[np.float64]: ...
+    @property
+    def poses(self) -> NDArray[np.float64]: ...
+    @property
+    def range(self) -> tuple[float, float]: ...
+    def __len__(self) -> int: ...
+    def at(self, time: float) -> NDArray[np.float64]: ...
+    def sample(
+        self,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        frame: Frame | None = None,
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> NDArray[np.float64]: ...
+    def twists(
+        self,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> NDArray[np.float64]: ...
+    def deskew(
+        self,
+        points: ArrayLike,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        frame: Frame | None = None,
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> _Floats: ...
+    def skew(
+        self,
+        points: ArrayLike,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        frame: Frame | None = None,
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> _Floats: ...
+
+class Spline:
+    def __new__(
+        cls,
+        control: ArrayLike,
+        every: float = 1.0,
+        start: float = 0.0,
+        *,
+        basis: Literal["smooth", "through"] = "smooth",
+    ) -> Spline: ...
+    @property
+    def control(self) -> NDArray[np.float64]: ...
+    @property
+    def range(self) -> tuple[float, float]: ...
+    def at(self, time: float) -> NDArray[np.float64]: ...
+    def sample(
+        self,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        frame: Frame | None = None,
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> NDArray[np.float64]: ...
+    def twists(
+        self,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> NDArray[np.float64]: ...
+    def accelerations(
+        self,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> NDArray[np.float64]: ...
+    def jacobians(
+        self,
+        times: ArrayLike,
+        *,
+        clock: tuple[float, float] = (0.0, 1.0),
+        outside: Outside = "hold",
+        out: _Floats | None = None,
+    ) -> NDArray[np.float64]: ...
 
 class ReachReport:
     def __new__(

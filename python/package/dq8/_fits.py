@@ -2,36 +2,88 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import floats
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 
-def fit(points: ArrayLike, moved: ArrayLike, weights: ArrayLike | None = None) -> NDArray[Any]:
+class Fit(NamedTuple):
+    """What `fit` found of each problem, and how well the points tell it."""
+
+    motions: NDArray[Any]
+    """Unit dual quaternions, shape (..., 8); NaN where many rotations fit equally well, or a number is not finite."""
+    scales: NDArray[Any]
+    """Pure numbers, shape (...), with which points are multiplied before they are moved; 1 unless `scale` asked for them."""
+    rms: NDArray[Any]
+    """``√(Σ wᵢ|yᵢ − σ(xᵢ)|²/Σ wᵢ)``, shape (...): lengths."""
+    ranks: NDArray[Any]
+    """Shape (...): 3 of points in space, 2 in a plane, 1 on a line, 0 in a point."""
+    conditions: NDArray[Any]
+    """How many times more stiffly the points hold against the turn that they hold against most than against the one that they
+    hold against least, shape (...)."""
+
+
+@overload
+def fit(
+    points: ArrayLike,
+    moved: ArrayLike,
+    weights: ArrayLike | None = None,
+    *,
+    about: ArrayLike | None = None,
+    scale: bool = False,
+    full: Literal[False] = False,
+) -> NDArray[Any]: ...
+@overload
+def fit(
+    points: ArrayLike,
+    moved: ArrayLike,
+    weights: ArrayLike | None = None,
+    *,
+    about: ArrayLike | None = None,
+    scale: bool = False,
+    full: Literal[True],
+) -> Fit: ...
+def fit(
+    points: ArrayLike,
+    moved: ArrayLike,
+    weights: ArrayLike | None = None,
+    *,
+    about: ArrayLike | None = None,
+    scale: bool = False,
+    full: bool = False,
+) -> NDArray[Any] | Fit:
     """The motions σ that bring points to points best: ``Σ wᵢ|σ(xᵢ) − yᵢ|²`` is least.
 
     Parameters
     ----------
     points, moved : array_like, shape (..., n, 3)
-        Points xᵢ, and where they went, yᵢ: lengths. Leading dimensions broadcast. Points on one line leave the turn
-        about it open, and one of the best is returned.
+        Points xᵢ, and where they went, yᵢ: lengths. Leading dimensions broadcast.
     weights : array_like, shape (..., n) or (n,), optional
         Not negative; equal ones by default. A problem with a number that is not finite is answered with NaN.
+    about : array_like, shape (3,), optional
+        Of the rotations only those about this direction, such as ``[0, 0, 1]`` for the yaw.
+    scale : bool, optional
+        Points are multiplied by the best scale before they are moved, which only `full` gives.
+    full : bool, optional
+        How well it fits and how well the points tell it, too. Without, it is a ValueError where many rotations fit equally
+        well, as of points on one line; with it, NaN.
 
     Returns
     -------
-    ndarray, shape (..., 8)
+    ndarray, shape (..., 8), or Fit
         Unit dual quaternions; float32 if all arrays are.
 
     References
     ----------
-    W. Kabsch, "A solution for the best rotation to relate two sets of vectors", Acta Cryst. A32 (1976).
+    S. Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE Trans. Pattern
+    Analysis and Machine Intelligence 13 (1991).
 
     Examples
     --------
@@ -39,6 +91,9 @@ def fit(points: ArrayLike, moved: ArrayLike, weights: ArrayLike | None = None) -
     >>> points, motion = np.eye(3), dq8.random(rng=1)
     >>> dq8.allclose(dq8.fit(points, dq8.transform_points(motion, points)), motion)
     True
+    >>> found = dq8.fit(points, 2.5 * points, scale=True, full=True)
+    >>> float(found.scales.round(9)), int(found.ranks), bool(found.rms < 1e-15)
+    (2.5, 2, True)
     """
     x, y = floats("points", points, (3,)), floats("moved", moved, (3,))
     if x.ndim < 2 or y.ndim < 2 or x.shape[-2] != y.shape[-2] or not x.shape[-2]:
@@ -46,23 +101,26 @@ def fit(points: ArrayLike, moved: ArrayLike, weights: ArrayLike | None = None) -
     w = np.ones(x.shape[-2], np.result_type(x, y)) if weights is None else floats("weights", weights, x.shape[-2:-1])
     if (w < 0).any():
         raise ValueError(f"Expected `weights` not to be negative, got {w.min()}.")
-    total = w.sum(axis=-1)[..., np.newaxis]
-    if (total == 0).any():
+    if (w.sum(axis=-1) == 0).any():
         raise ValueError("Expected `weights` not to be all zero.")
-    share = (w / total)[..., np.newaxis]
-    middle_x, middle_y = (share * x).sum(axis=-2), (share * y).sum(axis=-2)
-    spread = np.swapaxes(share * (x - middle_x[..., np.newaxis, :]), -1, -2) @ (y - middle_y[..., np.newaxis, :])
-    # What is not finite stays in its problem.
-    known = np.isfinite(spread).all(axis=(-1, -2)) & np.isfinite(middle_x + middle_y).all(axis=-1)
-    u, _, vt = np.linalg.svd(np.where(known[..., np.newaxis, np.newaxis], spread, 0))
-    turn = np.swapaxes(u @ vt, -1, -2)
-    # The nearest that mirrors is no motion: the smallest direction is turned round.
-    vt[..., 2, :] *= np.where(np.linalg.det(turn) < 0, -1, 1)[..., np.newaxis]
-    matrices = np.zeros((*spread.shape[:-2], 3, 4), spread.dtype)
-    matrices[..., :3] = np.swapaxes(u @ vt, -1, -2)
-    matrices[..., 3] = middle_y - (matrices[..., :3] @ middle_x[..., np.newaxis])[..., 0]
-    matrices[~known] = np.nan
-    return _core.from_matrix(matrices, check=False)
+    axis = None if about is None else [float(it) for it in floats("about", about, (3,))]
+    if axis is not None and (scale or not np.isfinite(axis).all() or not any(axis)):
+        raise ValueError(f"Expected `about` to be a direction, and no `scale` with it, got {axis}.")
+    leading = np.broadcast_shapes(x.shape[:-2], y.shape[:-2], w.shape[:-1])
+    x, y = (np.broadcast_to(it, (*leading, *it.shape[-2:])) for it in (x, y))
+    w = np.broadcast_to(w, (*leading, w.shape[-1]))
+    numbers = _core.fit_pairs(x, y, w, axis, scale)
+    found = Fit(numbers[..., :8], numbers[..., 8], numbers[..., 9], numbers[..., 10], numbers[..., 11])
+    if full:
+        return found
+    if np.isinf(found.conditions).any():
+        index = tuple(int(i) for i in np.argwhere(np.isinf(found.conditions))[0])
+        where = f" in problem {index}" if index else ""
+        raise ValueError(
+            f"Expected `points` and `moved` to say how they turned{where}, but many rotations fit equally well: their rank is "
+            f"{int(found.ranks[index])}."
+        )
+    return np.ascontiguousarray(found.motions)
 
 
 def hand_eye(hands: ArrayLike, eyes: ArrayLike) -> NDArray[Any]:

@@ -2,7 +2,7 @@
 
 ``dq8.dask.mul(a, b)`` is ``dq8.mul`` of arrays of which at least one is a ``dask.array.Array``, and so are all functions
 that compute each result from one element of each argument. `poses`, `jacobian`, `reach` and `skin` take the robot or the
-mesh as well. Nothing is computed to learn shapes and dtypes: a result is float32 where all arrays are, otherwise
+mesh as well, `deskew` and `skew` the trajectory. Nothing is computed to learn shapes and dtypes: a result is float32 where all arrays are, otherwise
 float64. Dimensions of one element become one chunk each; leading ones broadcast and keep their chunks.
 
     >>> import dask.array as da
@@ -24,7 +24,7 @@ import dask.array
 import numpy as np
 
 from . import __all__ as _public
-from . import _core
+from . import _core, _trajectories
 from ._core import Mechanism
 from ._signatures import SIGNATURES, Shape
 
@@ -50,8 +50,18 @@ class _Task:
         return self.compute(*arrays, *self.after, **self.options)
 
 
-def _lazy(task: _Task, arguments: Sequence[Any], cores: Sequence[Shape], result: Shape, also: Sequence[Any] = ()) -> Any:
-    """A task for each chunk of leading dimensions, which are numbered from the first; then come those of elements."""
+def _lazy(
+    task: _Task,
+    arguments: Sequence[Any],
+    cores: Sequence[Shape],
+    result: Shape,
+    also: Sequence[Any] = (),
+    by: Sequence[Any] | None = None,
+) -> Any:
+    """A task for each chunk of leading dimensions, which are numbered from the first; then come those of elements.
+
+    The dtype is decided by the arguments and what is there `also`, or `by` others.
+    """
     arrays: list[Any] = [it if isinstance(it, (int, float)) else da.asanyarray(it) for it in arguments]
     leading = max((it.ndim - len(core) for it, core in zip(arrays, cores) if hasattr(it, "ndim")), default=0)
     number, given = itertools.count(leading), []
@@ -64,7 +74,7 @@ def _lazy(task: _Task, arguments: Sequence[Any], cores: Sequence[Shape], result:
             raise ValueError(f"{task.__name__}: expected shape (..., {', '.join(map(str, core))}), got {array.shape}.")
         given += [array, (*range(leading - own, leading), *itertools.islice(number, len(core)))]
     made = {next(number): size for size in result}
-    dtype = _dtype([*arrays, *also])
+    dtype = _dtype([*arrays, *also] if by is None else by)
     return da.blockwise(
         task,
         (*range(leading), *made),
@@ -93,7 +103,7 @@ def _function(name: str) -> Callable[..., Any]:
 
 __all__ = [name for name in SIGNATURES if name in _public]
 globals().update({name: _function(name) for name in __all__})
-__all__ += ["jacobian", "poses", "reach", "skin"]
+__all__ += ["deskew", "jacobian", "poses", "reach", "skew", "skin"]
 
 
 def poses(mechanism: Mechanism, values: Any, links: Any = None) -> Any:
@@ -120,6 +130,23 @@ def reach(mechanism: Mechanism, targets: Any, values: Any, link: str | int, **op
     count = len(mechanism.values)
     both = _lazy(_Task("reach", compute, link, **options), [targets, values], [(8,), (count,)], (count + 1,))
     return both[..., :-1], both[..., -1] != 0
+
+
+def _moved(compute: Callable[..., Any], points: Any, times: Any, stamps: Any, poses: Any, options: dict[str, Any]) -> Any:
+    points = da.asanyarray(points)
+    task = _Task(compute.__name__, compute, np.asarray(stamps), np.asarray(poses), **options)
+    record = points.shape[-1:]
+    return _lazy(task, [points, times], [record, ()], record, by=[points])
+
+
+def deskew(points: Any, times: Any, stamps: Any, poses: Any, **options: Any) -> Any:
+    """Lazy `dq8.deskew` of points (..., c), each moved by the pose at its own time; stamps and poses are arrays of NumPy."""
+    return _moved(_trajectories.deskew, points, times, stamps, poses, options)
+
+
+def skew(points: Any, times: Any, stamps: Any, poses: Any, **options: Any) -> Any:
+    """Lazy `dq8.skew`, the inverse of `deskew`."""
+    return _moved(_trajectories.skew, points, times, stamps, poses, options)
 
 
 def _skin(palette: Any, points: Any, joints: Any, weights: Any, **options: Any) -> Any:

@@ -1,5 +1,12 @@
-//! Poses at times.
+//! Poses at times: trajectories, clouds of points that are each moved by the pose at their own
+//! time, splines, comparisons; and the fits by which trajectories are laid over each other.
 
+pub mod compare;
+pub mod fit;
+mod options;
+mod pieces;
 pub mod resample;
+pub mod spline;
+pub mod trajectory;
 
 use dq8_python_arrays::{argument, axis, call, error, number, output, shape, threads};

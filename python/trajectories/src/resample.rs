@@ -9,7 +9,7 @@ use crate::output::Output;
 use crate::shape::{EIGHT, NUMBER};
 use crate::threads::{GRAIN, Threads};
 use dq8::DualQuat;
-use dq8_trajectory::{Time, Trajectory, TrajectoryError};
+use dq8_trajectory::{Trajectory, TrajectoryError};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -66,7 +66,7 @@ pub fn resample<'py>(
     }
 }
 
-fn typed<'py, R: Number + Time>(
+fn typed<'py, R: Number>(
     [times, poses, at]: &[Argument<'py>; 3],
     axis: Axis,
     out: Option<&Bound<'py, PyAny>>,
@@ -89,9 +89,9 @@ fn typed<'py, R: Number + Time>(
         let poses = poses.in_full()?.apart_from(&output)?;
         let at = at.in_full()?.apart_from(&output)?;
 
-        let (instants, samples) = (times.records::<1>(), at.records::<1>());
-        let samples = samples.as_flattened();
-        let stamps: Vec<f64> = instants.as_flattened().iter().map(|&time| time.into()).collect();
+        let doubles = |numbers: &[R]| numbers.iter().map(|&number| number.into()).collect();
+        let (stamps, samples): (Vec<f64>, Vec<f64>) =
+            (doubles(times.numbers()), doubles(at.numbers()));
         let poses: Vec<_> = { poses.records::<8>().iter() }
             .map(|pose| DualQuat::<f64>::from_array(pose.map(Into::into)))
             .collect();

@@ -15,12 +15,12 @@
 //!                 axis 4, axis 6       the rest of the rotation
 //!
 //! three parallel axes
-//! for each of 2 shoulders so that the wrist is at its height
-//! for each of 2 wrists so that axis 6 has its angle to axis 2
-//! axis 6 so that axis 2 has its direction
-//! for each of 2 elbows so that axis 4 is at its distance from axis 2
-//! the upper arm so that axis 4 is at its place
-//! axis 4 the rest of the rotation
+//!     for each of 2 shoulders          so that the wrist is at its height
+//!         for each of 2 wrists         so that axis 6 has its angle to axis 2
+//!             axis 6                   so that axis 2 has its direction
+//!             for each of 2 elbows     so that axis 4 is at its distance from axis 2
+//!                 the upper arm        so that axis 4 is at its place
+//!                 axis 4               the rest of the rotation
 //! ```
 //!
 //! Each equation has two solutions, or one, or any angle solves it. The last angle of each group
@@ -34,17 +34,19 @@ use dq8::batch::{DualQuat, atan2, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::{Float, Lanes};
 
-/// The part of the arm's size by which a target may be out of reach, in units of roundoff; poses
-/// are computed to some ten.
+/// The distance by which a target may be out of reach, in units of roundoff of the arm's size. A
+/// computed pose is off by some ten.
 const REACH_SLACK: f64 = 64.0;
-/// The part of the arm's size from the edge of the reach within which two solutions are one.
+/// The distance from the edge of the reach within which two solutions count as one, in the same
+/// units.
 const MERGE_SLACK: f64 = 16.0;
-/// The sine between axes that count as parallel, in units of roundoff.
+/// The sine of the angle between axes that count as parallel, in units of roundoff.
 const PARALLEL_SLACK: f64 = 32.0;
-/// The square of half the angle between two solutions that count as singular, in units of roundoff.
+/// The square of half the angle between two solutions that make each other singular, in units of
+/// roundoff.
 const SINGULAR_SLACK: f64 = 4096.0;
 
-/// The four of them on lanes, the first two as lengths.
+/// The four limits on lanes, the first two as lengths.
 #[derive(Clone, Copy)]
 struct Slack<L> {
     reach: L,
@@ -179,7 +181,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// Puts the wrist into place by a shoulder, and two links in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn parallel_elbow(&self, places: &mut [Branch<L>; 4]) {
-        let to_wrist = self.from_base(self.vector(self.geometry.wrist));
+        let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
         let shoulder = self.shoulder(to_wrist);
         let mut rest = places.iter_mut();
         for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
@@ -200,7 +202,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// The same if the first two axes cross: the distance from the crossing, then the direction.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn crossing_shoulder(&self, places: &mut [Branch<L>; 4]) {
-        let to_wrist = self.from_base(self.vector(self.geometry.wrist));
+        let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
         let [upper, lower] =
             [self.vector(self.geometry.upper_arm), self.vector(self.geometry.lower_arm)];
         let distance = vector::dot(to_wrist, to_wrist).sqrt();
@@ -238,7 +240,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
-        let to_wrist = self.from_base(self.vector(self.geometry.wrist));
+        let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
         let shoulder = self.shoulder(to_wrist);
         let last = self.product.transform_vector(self.axis(5));
         let rotation = self.product.rotation();
@@ -351,7 +353,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
 
     /// The vector from the base to a point of the tool.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn from_base(&self, point: [L; 3]) -> [L; 3] {
+    fn relative_to_base(&self, point: [L; 3]) -> [L; 3] {
         vector::sub(self.product.transform_point(point), self.vector(self.geometry.base))
     }
 

@@ -43,8 +43,8 @@ use dq8::{Real, ShapeError};
 #[non_exhaustive]
 pub enum Family {
     /// The last three axes meet in a point, and the second and third are parallel, or the first two
-    /// meet: a shoulder, an elbow, and a spherical wrist (PUMA, and most of what welds, paints and
-    /// lifts).
+    /// meet: a shoulder, an elbow, and a spherical wrist (PUMA, and most arms that weld, paint and
+    /// lift).
     SphericalWrist,
     /// The second, third and fourth axis are parallel, and the last two meet (UR and other arms
     /// that work beside people).

@@ -187,7 +187,7 @@ fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
 /// ½, in 2⁻⁶⁴.
 const HALF: u64 = 1 << 63;
 
-/// 1/g in 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1, bit by bit.
+/// 1/g in units of 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1, bit by bit.
 fn spacing(count: usize) -> u64 {
     let mut x = 0;
     for bit in (0..64).rev() {
@@ -317,7 +317,7 @@ pub(crate) enum WholeTurn {
     Blocked,
     /// The same pose, and the limits are a turn apart or more, so they stop nothing.
     Allowed,
-    /// The same as `Allowed`, and the limits span so many turns that restarts sample only the one
+    /// The same as `Allowed`, and the limits span so many turns that restarts only sample the turn
     /// nearest to zero.
     Endless,
 }

@@ -3,8 +3,8 @@
 use dq8::Real;
 use dq8::internal::errors;
 
-/// A goal: the components of the error of a link that are to vanish, and the weight of each, which
-/// decides where not all can.
+/// A goal: the components of the error of a link that are to vanish, and their weights, which
+/// decide between them if not all can.
 ///
 /// Components are in the axes of the *target*: the rotation from the link to the target as a
 /// rotation vector, radians, and the way from the [`point`](Self::point) of the link to the
@@ -148,7 +148,7 @@ errors! {
             value: f64 = "The weight."
         }
             => "component {component} of goal {goal} has the weight {value}: a weight is zero, or from 1e-6 to 1e6";
-        /// A point of a goal that is not finite.
+        /// A point of a goal with a coordinate that is not finite.
         Point { goal: usize = "The goal.", component: usize = "The component.", value: f64 = "The number." }
             => "component {component} of the point of goal {goal} is not finite: {value}";
         /// All weights of a goal are zero.

@@ -4,7 +4,7 @@
 
 use super::model::Model;
 use super::problem::Reach;
-use super::report::{Options, Report, Tracking};
+use super::report::{Options, Report, Settings, Tracking};
 use super::scratch::check_scratch;
 use super::search::{Lane, Search, Work};
 use dq8::internal::Choice;
@@ -49,7 +49,7 @@ where
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
-        self.search::<true, false>(targets, values, scratch, &(*options).into())
+        self.search::<true, false>(targets, values, scratch, options.into())
     }
 
     /// [`solve`](Self::solve) without [restarts](Options::restarts), even if the options ask for
@@ -65,8 +65,7 @@ where
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
-        let options = Options { restarts: false, ..*options };
-        self.search::<false, false>(targets, values, scratch, &options.into())
+        self.search::<false, false>(targets, values, scratch, options.into())
     }
 
     /// [`follow`](Self::follow) for many goals. Steps are of first order. If the goals have more
@@ -87,7 +86,7 @@ where
         scratch: &mut [R],
         options: &Tracking<R>,
     ) -> Result<Report<R>, ShapeError> {
-        self.search::<false, true>(targets, values, scratch, &options.without_restarts())
+        self.search::<false, true>(targets, values, scratch, options.into())
     }
 
     #[inline]
@@ -96,13 +95,13 @@ where
         targets: &[DualQuat<R>],
         values: &mut [R],
         scratch: &mut [R],
-        tracking: &Tracking<R>,
+        settings: Settings<'_, R>,
     ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
-        let work = Work { targets, values, reports: &mut reports, tracking, clips: None };
+        let work = Work { targets, values, reports: &mut reports, settings, clips: None };
         let work = work.checked(self)?;
         check_scratch(scratch.len(), self.scratch_len())?;
-        if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.tracking, scratch) {
+        if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.settings, scratch) {
             Search::new(model, work, &mut [Lane::IDLE]).run::<RESTARTS>();
         }
         let [report] = reports;
@@ -184,15 +183,15 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let (scratch, tracking) = (self.reach.batch_scratch_len(), &Tracking::from(*options));
-        let work = Work { targets, values, reports, tracking, clips: None }.checked(&self.reach)?;
+        let (scratch, settings) = (self.reach.batch_scratch_len(), options.into());
+        let work = Work { targets, values, reports, settings, clips: None }.checked(&self.reach)?;
         let Work { values, reports, .. } = work;
         let backend = self.choice.instructions();
         let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
         let (grain, outputs) = (grain(reports.len()), ((reports, 1), (values, count)));
         let run = |first, ((reports, _), (values, _)): (Rows<Report<R>>, Rows<R>)| {
             let targets = targets.get(first * goals..).unwrap_or_default();
-            let work = Work { targets, values, reports, tracking, clips: None };
+            let work = Work { targets, values, reports, settings, clips: None };
             self.run::<true, false>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         backend.share(grain, outputs, &run);
@@ -214,8 +213,8 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let tracking = &Tracking::from(*options);
-        let work = Work { targets, values, reports, tracking, clips: None }.checked(&self.reach)?;
+        let settings = options.into();
+        let work = Work { targets, values, reports, settings, clips: None }.checked(&self.reach)?;
         check_scratch(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<true, false>(self.choice.instructions(), work, scratch);
         Ok(())
@@ -228,7 +227,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         work: Work<'_, R>,
         scratch: &mut [R],
     ) {
-        backend.run(SearchKernel::<R, RESTARTS, TRACK> { reach: &self.reach, work, scratch });
+        backend.run(Batch::<R, RESTARTS, TRACK> { reach: &self.reach, work, scratch });
     }
 }
 
@@ -245,21 +244,19 @@ fn grain(configurations: usize) -> usize {
 }
 
 /// The kernel of searches for many configurations.
-struct SearchKernel<'s, R, const RESTARTS: bool, const TRACK: bool> {
+struct Batch<'s, R, const RESTARTS: bool, const TRACK: bool> {
     reach: &'s Reach<'s, R>,
     work: Work<'s, R>,
     scratch: &'s mut [R],
 }
 
-impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel
-    for SearchKernel<'_, R, RESTARTS, TRACK>
-{
+impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel for Batch<'_, R, RESTARTS, TRACK> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { reach, work, scratch } = self;
-        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.tracking, scratch)
+        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.settings, scratch)
         {
             Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<RESTARTS>();
         }
@@ -311,8 +308,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
         let scratch = self.reach.batch_scratch_len();
-        let tracking = &options.without_restarts();
-        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let work = Work { targets, values, reports, settings: options.into(), clips: Some(clips) };
         let Work { values, reports, .. } = work.checked(&self.reach)?;
         let backend = self.choice.instructions();
         let goals = self.reach.goals.len();
@@ -320,7 +316,8 @@ impl<R: Scalar> ReachJob<'_, R> {
             let before: usize = clips.iter().take(first).sum();
             let targets = targets.get(before * goals..).unwrap_or_default();
             let Clips { clips, values, reports } = part;
-            let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+            let work =
+                Work { targets, values, reports, settings: options.into(), clips: Some(clips) };
             self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         let all = Clips { clips, values, reports };
@@ -347,8 +344,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Tracking<R>,
     ) -> Result<(), ShapeError> {
-        let tracking = &options.without_restarts();
-        let work = Work { targets, values, reports, tracking, clips: Some(clips) };
+        let work = Work { targets, values, reports, settings: options.into(), clips: Some(clips) };
         let work = work.checked(&self.reach)?;
         check_scratch(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<false, true>(self.choice.instructions(), work, scratch);

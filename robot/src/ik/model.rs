@@ -2,11 +2,16 @@
 //!
 //! In the order of a round: poses and screws ([`Model::place`]), errors ([`Model::compare`]), the
 //! step to the posture ([`Model::posture_step`]), and the Jacobian ([`Model::linearize`]).
+//!
+//! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
+//! limits, all different from those before, and takes the one whose links are nearest to the
+//! targets. All lanes help to compute them. A value whose range has no end stays as it was at the
+//! start.
 
 use super::freedom::Freedom;
 use super::goal::Goal;
 use super::problem::Reach;
-use super::report::Tracking;
+use super::report::Settings;
 use super::scratch::{EXCESS, GOAL, POSE, Registers, Scratch, TARGET, TURN};
 use crate::mechanism::step::{JointFrame, JointScrews, NONE};
 use crate::mechanism::values::LaneValues;
@@ -14,7 +19,7 @@ use crate::mechanism::walk::{HalfPose, LinkFrames};
 use dq8::batch::{DualQuat, half_turns, lie_bracket, vector};
 use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
-use dq8_simd::{Lanes, Level};
+use dq8_simd::{Lanes, Level, MAX_LANES};
 
 /// A configuration and its targets in each lane. With `TRACK`, steps are of first order, and those
 /// of many goals solve a system in the shape of the tree. It is a constant of the type so that
@@ -88,10 +93,10 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     pub(super) fn new(
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,
-        tracking: &Tracking<L::Real>,
+        settings: Settings<'_, L::Real>,
         memory: &'s mut [L::Real],
     ) -> Option<Self> {
-        let (scratch, options) = (Scratch::new(reach, memory)?, &tracking.options);
+        let (scratch, options) = (Scratch::new(reach, memory)?, settings.options);
         // Set for each lane with its configuration.
         let one = L::splat(level, dq8::Real::ONE);
         let damping = L::splat(level, options.damping);
@@ -102,12 +107,12 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
             least_damping: damping * damping,
         };
         let square = |weight: L::Real| L::splat(level, weight * weight);
-        let posture = reach.posture.map_or(L::Real::default(), |_| tracking.posture_weight);
+        let posture = reach.posture.map_or(L::Real::default(), |_| settings.posture_weight);
         let weights = PostureWeights {
-            uses_tree: TRACK && reach.uses_tree(tracking),
-            has_weights: TRACK && reach.has_weights(tracking),
+            uses_tree: TRACK && reach.uses_tree(settings),
+            has_weights: TRACK && reach.has_weights(settings),
             posture: square(posture),
-            start: square(tracking.start_weight),
+            start: square(settings.start_weight),
         };
         Some(Self { level, reach, scales, scratch, weights })
     }
@@ -243,8 +248,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
-            // A position is reached along a straight line, a whole pose along a screw: its twist,
-            // with the velocity of the link and not of the origin.
+            // A position is reached along a straight line, and a whole pose along a screw, whose
+            // twist is given the velocity of the link instead of that of the origin.
             let (mut angular, mut linear) = ([zero; 3], way);
             way = vector::add(way, self.excess(index, lane));
             if goal.asks_rotation() {
@@ -449,7 +454,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 row,
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
-                    // A sum, because a joint that mimics another shares its column.
+                    // Summed, because a joint that mimics another shares its column.
                     columns.set(row, columns.get(level, row) + component);
                 },
             );
@@ -521,7 +526,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// The difference of a freedom to a value, in radians; zero for floating joints.
+    /// The difference from a freedom's value to another one, in radians; zero for floating joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn difference_to(&self, freedom: &Freedom<L::Real>, value: L) -> L {
         let zero = value.constant(0.0);
@@ -581,6 +586,69 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             self.scratch
                 .posture_step
                 .set(index, L::select(arrived, posture_step, posture_step.constant(0.0)));
+        }
+    }
+}
+
+/// The number of configurations that a restart compares. It does not depend on the number of lanes,
+/// so that results do not either. With half as many, fewer than 998 of 1,000 random targets of an
+/// arm of seven axes are reached.
+const CANDIDATES: usize = 4 * MAX_LANES;
+
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
+    /// Puts a lane at the nearest of the candidates of restart number `restart`. The poses of the
+    /// other lanes are overwritten.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn restart(&mut self, lane: usize, restart: u32) {
+        let mut nearest = None;
+        for first in (0..CANDIDATES).step_by(L::LANES) {
+            // Sample numbers that no other restart has. They depend on the restart alone, not on
+            // the lane or the number of lanes, so that results do not either.
+            self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
+            self.place_or_call(Configurations::Candidates);
+            let squares = self.compare(Some(lane)).square.to_array();
+            let mut picked = None;
+            for (index, &square) in squares.as_ref().iter().enumerate() {
+                if nearest.is_none_or(|nearest| square < nearest) {
+                    (nearest, picked) = (Some(square), Some(index));
+                }
+            }
+            // Copied at once, because the next candidates overwrite these.
+            if let Some(picked) = picked {
+                let scratch = &mut self.scratch;
+                for value in 0..self.reach.mechanism.values {
+                    scratch.values.set_number(value, lane, scratch.candidate.number(value, picked));
+                }
+            }
+        }
+    }
+
+    /// Puts a lane at its best values.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn return_to_best(&mut self, lane: usize) {
+        let scratch = &mut self.scratch;
+        for value in 0..self.reach.mechanism.values {
+            scratch.values.set_number(value, lane, scratch.best.number(value, lane));
+        }
+    }
+
+    /// Draws candidates for a lane, one into each lane, with sample number `first` and the next
+    /// ones. Values whose range has no end are those of the start of the lane.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn draw(&mut self, lane: usize, first: u64) {
+        let scratch = &mut self.scratch;
+        for value in 0..self.reach.mechanism.values {
+            let start = L::splat(self.level, scratch.start.number(value, lane));
+            scratch.candidate.set(value, start);
+        }
+        for freedom in self.reach.freedoms {
+            // A range without ends has no stride, and keeps the start.
+            if freedom.stride > 0 {
+                for index in 0..L::LANES {
+                    let value = freedom.sample(first + index as u64 + 1);
+                    scratch.candidate.set_number(freedom.value as usize, index, value);
+                }
+            }
         }
     }
 }

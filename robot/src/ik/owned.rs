@@ -85,7 +85,7 @@ impl<R: Real> OwnedReach<R> {
         self.view().job()
     }
 
-    /// The same, borrowed: everything else is asked of it.
+    /// The borrowed form, which has all other methods.
     #[must_use]
     pub fn view(&self) -> Reach<'_, R> {
         Reach {
@@ -116,7 +116,7 @@ where
         self.with_scratch(|reach, scratch| reach.solve(targets, values, scratch, options))
     }
 
-    /// See [`Reach::follow`], likewise.
+    /// See [`Reach::follow`]. The scratch is its own.
     ///
     /// # Errors
     /// As there.
@@ -129,7 +129,7 @@ where
         self.with_scratch(|reach, scratch| reach.follow(targets, values, scratch, options))
     }
 
-    /// See [`Reach::track`], likewise.
+    /// See [`Reach::track`]. The scratch is its own.
     ///
     /// # Errors
     /// As there.
@@ -142,7 +142,7 @@ where
         self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
     }
 
-    /// See [`Reach::rates`], likewise.
+    /// See [`Reach::rates`]. The scratch is its own.
     ///
     /// # Errors
     /// As there.
@@ -240,7 +240,7 @@ impl<R: Real> OwnedSixAxisArm<R> {
         self.view().job()
     }
 
-    /// The same, borrowed: everything else is asked of it.
+    /// The borrowed form, which has all other methods.
     #[must_use]
     pub fn view(&self) -> SixAxisArm<'_, R> {
         let reach = Reach { posture: None, ..self.reach.view() };

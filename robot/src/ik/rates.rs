@@ -140,7 +140,7 @@ impl<R: Scalar> Velocities<'_, R> {
         let Self { values, twists, rates, .. } = self;
         let reach = &Reach { posture: None, ..*self.reach };
         let options = Options { damping: self.damping, ..Options::track() };
-        let model = Model::<L, true>::new(level, reach, &options.into(), self.scratch);
+        let model = Model::<L, true>::new(level, reach, (&options).into(), self.scratch);
         let Some(mut model) = model else { return };
         let length = reach.facts.size * L::Real::from(0.125);
         model.scales.length = L::splat(level, length);

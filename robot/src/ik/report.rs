@@ -121,6 +121,13 @@ impl<R: Real> Options<R> {
 
 /// The options of a search that [tracks](super::Reach::track): those of any search, and what weighs
 /// beside the goals in every step.
+///
+/// ```
+/// use dq8_robot::ik::{Options, Tracking};
+/// let options = Options { max_iterations: 5, ..Options::track() };
+/// let tracking: Tracking<f64> = Tracking { start_weight: 0.2, ..options.into() };
+/// assert_eq!((tracking.options.max_iterations, tracking.posture_weight), (5, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracking<R> {
     /// The options of any search, [`Options::track`] by default; `restarts` has no effect.
@@ -158,12 +165,33 @@ impl<R: Real> Tracking<R> {
             [self.posture_weight, self.start_weight].map(|weight| S::from_f64(weight.into()));
         Tracking { options: self.options.cast(), posture_weight, start_weight }
     }
+}
 
-    /// The same options without restarts.
-    pub(super) fn without_restarts(&self) -> Self {
-        Self { options: Options { restarts: false, ..self.options }, ..*self }
+/// Options by reference, and the weights of [`Tracking`], which are zero in searches that do not
+/// track.
+#[derive(Clone, Copy)]
+pub(super) struct Settings<'s, R> {
+    pub(super) options: &'s Options<R>,
+    pub(super) posture_weight: R,
+    pub(super) start_weight: R,
+}
+
+impl<'s, R: Real> From<&'s Options<R>> for Settings<'s, R> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn from(options: &'s Options<R>) -> Self {
+        Self { options, posture_weight: R::ZERO, start_weight: R::ZERO }
     }
+}
 
+impl<'s, R: Real> From<&'s Tracking<R>> for Settings<'s, R> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn from(tracking: &'s Tracking<R>) -> Self {
+        let Tracking { options, posture_weight, start_weight } = tracking;
+        Self { options, posture_weight: *posture_weight, start_weight: *start_weight }
+    }
+}
+
+impl<R: Real> Settings<'_, R> {
     /// `true` if both weights are finite and not negative.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn has_valid_weights(&self) -> bool {
@@ -181,12 +209,23 @@ pub struct Report<R> {
     pub outcome: Outcome,
     /// The number of steps and restarts together; zero if the start was good enough.
     pub iterations: u32,
-    /// The number of restarts among them.
+    /// The number of restarts among the iterations.
     pub restarts: u32,
     /// The largest remaining angle to a target, radians.
     pub angular_error: R,
     /// The largest remaining distance from a target.
     pub linear_error: R,
+}
+
+impl<R: Real> Report<R> {
+    /// The report of a search that cannot be made.
+    pub(super) const INVALID: Self = Self {
+        outcome: Outcome::Invalid,
+        iterations: 0,
+        restarts: 0,
+        angular_error: R::NAN,
+        linear_error: R::NAN,
+    };
 }
 
 impl<R> Report<R> {

@@ -131,7 +131,7 @@ pub(super) const MOVED: usize = 6;
 const LINE: usize = 64;
 
 impl<R: Copy> Reach<'_, R> {
-    /// The number of numbers that [`solve`](Self::solve) needs as scratch.
+    /// The length of the scratch for [`solve`](Self::solve), in numbers.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers())
@@ -169,7 +169,7 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts::most(values, values, values, 1, goals))
     }
 
-    /// The number of numbers that a [`ReachJob`](super::ReachJob) needs as scratch, with any
+    /// The length of the scratch for a [`ReachJob`](super::ReachJob), in numbers, with any
     /// instructions.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {

@@ -16,11 +16,6 @@
 //! twelfth of the iterations a lane does not restart any more but returns to the best values that
 //! it found, and steps on from there.
 //!
-//! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
-//! limits, all different from those before, and takes the one whose links are nearest to the
-//! targets. All lanes help to compute them. A value whose range has no end stays as it was at the
-//! start.
-//!
 //! # Why it is as it is
 //!
 //! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group, and
@@ -36,20 +31,19 @@
 
 use super::freedom::Kind;
 use super::model::{Configurations, Decisions, Model, PoseErrors, StepResult};
-use super::report::{Options, Outcome, Report, Tracking};
-use super::scratch::GOAL;
+use super::report::{Options, Outcome, Report, Settings};
+use super::scratch::{EXCESS, GOAL};
 use dq8::batch::Quat;
 use dq8::scalar::DualQuat;
 use dq8::{Real, Scalar};
-use dq8_simd::{Lanes, MAX_LANES, Mask};
+use dq8_simd::{Lanes, Mask};
 
 /// The targets, values and options of a search, and the place of its reports; their lengths fit.
 pub(super) struct Work<'s, R> {
     pub(super) targets: &'s [DualQuat<R>],
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
-    /// Without weights if the search does not track.
-    pub(super) tracking: &'s Tracking<R>,
+    pub(super) settings: Settings<'s, R>,
     /// The number of frames of each clip, of which each starts from the one before; `None` if every
     /// configuration starts from its own values.
     pub(super) clips: Option<&'s [usize]>,
@@ -77,13 +71,13 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
 
     /// Searches until every configuration has its report; with restarts if `RESTARTS`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn run<const RESTARTS: bool>(mut self) {
+    pub(super) fn run<const RESTARTS: bool>(&mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         self.model.scratch.values.fill(zero);
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
         let mut last = StepResult { residual: zero, change: zero };
-        let may_restart = RESTARTS && self.work.tracking.options.restarts;
+        let may_restart = RESTARTS && self.work.settings.options.restarts;
         loop {
             self.exchange();
             if !self.is_working() {
@@ -97,7 +91,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             }
             let errors = self.model.compare(None);
             let posture_distance = self.model.posture_step();
-            self.decide(errors, posture_distance, last);
+            self.decide::<RESTARTS>(errors, posture_distance, last);
             let decisions = self.decisions(may_restart);
             // Lanes that have ended, or restart, stay where they are.
             if decisions.running.any() {
@@ -126,7 +120,10 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         for index in 0..L::LANES {
             let Some(lane) = self.lanes.get_mut(index) else { break };
             match lane.next {
-                Next::Restart => self.model.restart(index, lane),
+                Next::Restart => {
+                    self.model.restart(index, lane.restarts);
+                    lane.restarts += 1;
+                }
                 Next::ReturnToBest => self.model.return_to_best(index),
                 Next::Step | Next::End => {}
             }
@@ -203,23 +200,24 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
 
     /// Decides what each lane does next.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn decide(&mut self, errors: PoseErrors<L>, posture_distance: L, last: StepResult<L>) {
+    fn decide<const RESTARTS: bool>(
+        &mut self,
+        errors: PoseErrors<L>,
+        posture_distance: L,
+        last: StepResult<L>,
+    ) {
         // Out of the registers once per round: the decisions below are branches, and differ from
         // lane to lane.
         let PoseErrors { square, angular, linear } = errors;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
-        let rules = Rules {
-            options: &self.work.tracking.options,
-            has_posture: self.model.reach.posture.is_some(),
-            has_weights: self.model.has_weights(),
-            tracks: TRACK,
-        };
+        let has_posture = self.model.reach.posture.is_some();
+        let has_weights = self.model.has_weights();
         let [posture_distance, residual, change] =
             [posture_distance.to_array(), last.residual.to_array(), last.change.to_array()];
         for index in 0..L::LANES {
             let square = number::<L>(&square, index);
             let measured = Measured {
-                square: if rules.has_weights {
+                square: if has_weights {
                     square + number::<L>(&posture_distance, index)
                 } else {
                     square
@@ -234,7 +232,9 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             if lane.configuration.is_none() {
                 continue;
             }
-            let (is_best, next) = lane.decide(measured, rules);
+            let options = self.work.settings.options;
+            let (is_best, next) =
+                lane.decide::<RESTARTS, TRACK>(measured, options, has_posture, has_weights);
             lane.next = next;
             // The best values are kept before the step overwrites them: a search may end far from
             // its best.
@@ -267,15 +267,16 @@ pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     L::load(lanes.level(), &array)
 }
 
-/// The part to which the squared error must fall to count as progress, if the lane may restart ...
+/// The part to which the squared error must fall within [`PATIENCE`] steps to count as progress, if
+/// the lane may restart.
 const PROGRESS: f32 = 0.4;
-/// ... and the same if it may not.
+/// The same part if the lane may not restart, within [`LAST_PATIENCE`] steps.
 const LAST_PROGRESS: f32 = 0.999;
-/// The number of steps in which it must. Patience costs iterations that a restart could use: with
-/// 3, fewer of the random targets in the tests are reached. Without restarts patience costs
-/// nothing.
+/// The number of steps in which progress is expected, if the lane may restart. Patience costs
+/// iterations that a restart could use: with 3, fewer of the random targets in the tests are
+/// reached.
 const PATIENCE: u32 = 2;
-/// The same if it may not restart.
+/// The same number if the lane may not restart: then patience costs nothing.
 const LAST_PATIENCE: u32 = 6;
 /// A lane that may restart gives up after a step that limits cut so short that even its own linear
 /// model leaves more than this part of the squared error. Of 10,000 random targets of an arm of
@@ -306,17 +307,6 @@ pub(super) struct Measured<R> {
     pub(super) residual: R,
     /// The sum of squares of all changes of the last step, radians².
     pub(super) change: R,
-}
-
-/// The rules by which all lanes are judged.
-#[derive(Clone, Copy)]
-struct Rules<'s, R> {
-    options: &'s Options<R>,
-    /// `true` if the search goes on to a posture once the targets are reached.
-    has_posture: bool,
-    /// `true` if the posture or the start has a weight in every step.
-    has_weights: bool,
-    tracks: bool,
 }
 
 /// The state of the search for one configuration.
@@ -395,16 +385,24 @@ impl<R: Real> Lane<R> {
         Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Returns whether these values are the best so far, and the next action.
-    fn decide(&mut self, measured: Measured<R>, rules: Rules<'_, R>) -> (bool, Next) {
-        let Rules { options, has_posture, has_weights, tracks } = rules;
+    /// Returns whether these values are the best so far, and the next action. With `has_posture`
+    /// the search goes on to a posture once the targets are reached; with `has_weights` the posture
+    /// or the start has a weight in every step.
+    #[cfg_attr(target_os = "none", inline(never))]
+    fn decide<const RESTARTS: bool, const TRACK: bool>(
+        &mut self,
+        measured: Measured<R>,
+        options: &Options<R>,
+        has_posture: bool,
+        has_weights: bool,
+    ) -> (bool, Next) {
         let arrived = measured.angular <= options.angular_tolerance
             && measured.linear <= options.linear_tolerance
             && !self.out_of_reach;
         // Before anything ends: the report is that of the best values, not of the last ones.
         let is_best = if has_weights {
             self.is_new || self.is_nearer(&measured)
-        } else if tracks && !self.converged && measured.square.is_finite() {
+        } else if TRACK && !self.converged && measured.square.is_finite() {
             // For a moving target the last step counts, if its pose is finite. If only the best
             // counted, an arm in front of a target out of its reach would stand still until a large
             // step pays.
@@ -424,7 +422,7 @@ impl<R: Real> Lane<R> {
         if has_weights {
             // With a weight for posture or start, reaching the targets does not end the search.
             self.converged = if is_best { arrived } else { self.converged };
-            return (is_best, self.toward_targets(&measured, options));
+            return (is_best, self.toward_targets::<RESTARTS>(&measured, options));
         }
         if arrived && !has_posture {
             self.converged = true;
@@ -433,7 +431,7 @@ impl<R: Real> Lane<R> {
         let next = if arrived || self.converged {
             self.toward_posture(&measured, arrived, options)
         } else {
-            self.toward_targets(&measured, options)
+            self.toward_targets::<RESTARTS>(&measured, options)
         };
         (is_best, next)
     }
@@ -460,8 +458,12 @@ impl<R: Real> Lane<R> {
     /// The next action of a lane that is not at its targets: a step, unless steps have stopped
     /// paying. Then it restarts if it may, or ends. In the last part of the iterations it steps
     /// from the best values, without restarts.
-    fn toward_targets(&mut self, measured: &Measured<R>, options: &Options<R>) -> Next {
-        let may_restart = options.restarts && !self.out_of_reach && !self.stays_at_best;
+    fn toward_targets<const RESTARTS: bool>(
+        &mut self,
+        measured: &Measured<R>,
+        options: &Options<R>,
+    ) -> Next {
+        let may_restart = RESTARTS && options.restarts && !self.out_of_reach && !self.stays_at_best;
         let is_stuck =
             self.is_stuck(measured, may_restart) | self.gains_too_little(measured, options);
         self.ever_stuck |= is_stuck;
@@ -560,7 +562,21 @@ impl<R: Real> Lane<R> {
         measured.residual > self.square * R::from(HOPELESS) && self.square > R::from(NEAR_TARGET)
     }
 
-    pub(super) fn outcome(&self, is_at_limits: bool) -> Outcome {
+    /// The report of a search that ends.
+    fn report(&self, is_at_limits: bool) -> Report<R> {
+        match self.outcome(is_at_limits) {
+            Outcome::Invalid => Report::INVALID,
+            outcome => Report {
+                outcome,
+                iterations: self.iterations,
+                restarts: self.restarts,
+                angular_error: self.best.angular,
+                linear_error: self.best.linear,
+            },
+        }
+    }
+
+    fn outcome(&self, is_at_limits: bool) -> Outcome {
         // If the last step was the best of all, more iterations would go on.
         let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
         // From the most to the least specific: a search for a target out of reach also stalls, and
@@ -582,21 +598,18 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
         // Invalid configurations are reported on the way, and take no lane.
-        let mut next = Lane::IDLE;
-        let last = self.lanes.get(lane).copied().unwrap_or(Lane::IDLE);
-        let (mut before, mut rest) = (last.configuration, last.rest);
-        while next.configuration.is_none()
-            && let Some(configuration) = self.next_configuration(before, &mut rest)
-        {
-            match self.load(lane, configuration) {
-                Some(out_of_reach) => {
-                    next = Lane::new(configuration, out_of_reach);
-                    next.rest = rest;
-                }
-                None => self.report(configuration, &Lane::IDLE, Outcome::Invalid),
+        let last = self.lanes.get(lane).map(|lane| (lane.configuration, lane.rest));
+        let (mut before, mut rest) = last.unwrap_or_default();
+        let next = loop {
+            let Some(configuration) = self.next_configuration(before, &mut rest) else {
+                break Lane::IDLE;
+            };
+            if let Some(out_of_reach) = self.load(lane, configuration) {
+                break Lane { rest, ..Lane::new(configuration, out_of_reach) };
             }
+            self.report(configuration, Report::INVALID);
             before = Some(configuration);
-        }
+        };
         if let Some(slot) = self.lanes.get_mut(lane) {
             *slot = next;
         }
@@ -636,8 +649,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// is out of reach. `None` if an input is invalid.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
-        let options = &self.work.tracking.options;
-        if !options.is_valid() || (TRACK && !self.work.tracking.has_valid_weights()) {
+        let options = self.work.settings.options;
+        if !options.is_valid() || (TRACK && !self.work.settings.has_valid_weights()) {
             return None;
         }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
@@ -658,9 +671,11 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
             let tolerance = options.linear_tolerance;
             let (target, excess) = reach.clamped(index, target, tolerance)?;
             beyond |= excess.is_some();
-            let numbers = target.to_array().into_iter().chain(excess.unwrap_or_default());
-            for (row, number) in numbers.enumerate() {
+            for (row, &number) in target.to_array().iter().enumerate() {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
+            }
+            for (row, &number) in excess.unwrap_or_default().iter().enumerate() {
+                scratch.goals.set_number(index * GOAL + EXCESS + row, lane, number);
             }
         }
         // The default length per radian is an eighth of the longest way to a goal. While tracking
@@ -686,32 +701,23 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// Writes the result of a lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish(&mut self, index: usize) {
-        let Some(&lane) = self.lanes.get(index) else { return };
+        let is_at_limits = self.is_at_limits(index);
+        let Some(lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
-        let outcome = lane.outcome(self.is_at_limits(index));
+        let report = lane.report(is_at_limits);
         // The caller's values are written only now: until a search ends, they are its start.
-        if outcome != Outcome::Invalid {
+        if report.outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;
             let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();
             for (row, value) in values.iter_mut().enumerate().take(count) {
                 *value = self.model.scratch.best.number(row, index);
             }
         }
-        self.report(configuration, &lane, outcome);
+        self.report(configuration, report);
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
-        let mut report = Report {
-            iterations: lane.iterations,
-            restarts: lane.restarts,
-            angular_error: lane.best.angular,
-            linear_error: lane.best.linear,
-            outcome,
-        };
-        if outcome == Outcome::Invalid {
-            (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
-        }
+    fn report(&mut self, configuration: usize, report: Report<L::Real>) {
         if let Some(slot) = self.work.reports.get_mut(configuration) {
             *slot = report;
         }
@@ -728,70 +734,5 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
             }
         }
         is_at_limits
-    }
-}
-
-/// The number of configurations that a restart compares. It does not depend on the number of lanes,
-/// so that results do not either. With half as many, fewer than 998 of 1,000 random targets of an
-/// arm of seven axes are reached.
-const CANDIDATES: usize = 4 * MAX_LANES;
-
-impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Puts a lane at the nearest of the candidates of its next restart. The poses of the other
-    /// lanes are overwritten.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn restart(&mut self, lane: usize, search: &mut Lane<L::Real>) {
-        let restart = search.restarts;
-        search.restarts += 1;
-        let mut nearest = None;
-        for first in (0..CANDIDATES).step_by(L::LANES) {
-            // Sample numbers that no other restart has. They depend on the restart alone, not on
-            // the lane or the number of lanes, so that results do not either.
-            self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
-            self.place_or_call(Configurations::Candidates);
-            let squares = self.compare(Some(lane)).square.to_array();
-            let mut picked = None;
-            for (index, &square) in squares.as_ref().iter().enumerate() {
-                if nearest.is_none_or(|nearest| square < nearest) {
-                    (nearest, picked) = (Some(square), Some(index));
-                }
-            }
-            // At once, because the next candidates overwrite these.
-            if let Some(picked) = picked {
-                let scratch = &mut self.scratch;
-                for value in 0..self.reach.mechanism.values {
-                    scratch.values.set_number(value, lane, scratch.candidate.number(value, picked));
-                }
-            }
-        }
-    }
-
-    /// Puts a lane at its best values.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn return_to_best(&mut self, lane: usize) {
-        let scratch = &mut self.scratch;
-        for value in 0..self.reach.mechanism.values {
-            scratch.values.set_number(value, lane, scratch.best.number(value, lane));
-        }
-    }
-
-    /// Puts samples of the ranges, from number `first` on, one into each lane; the other values are
-    /// those of the start of lane `lane`.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn draw(&mut self, lane: usize, first: u64) {
-        let scratch = &mut self.scratch;
-        for value in 0..self.reach.mechanism.values {
-            let start = L::splat(self.level, scratch.start.number(value, lane));
-            scratch.candidate.set(value, start);
-        }
-        for freedom in self.reach.freedoms {
-            // A range without ends has no stride, and keeps the start.
-            if freedom.stride > 0 {
-                for index in 0..L::LANES {
-                    let value = freedom.sample(first + index as u64 + 1);
-                    scratch.candidate.set_number(freedom.value as usize, index, value);
-                }
-            }
-        }
     }
 }

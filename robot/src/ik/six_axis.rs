@@ -35,6 +35,8 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 /// miss a family by at most 10⁻³, as do those of arms whose angles were typed with few digits,
 /// the solutions of the family's formula are the starts, which are far fewer.
 ///
+#[doc = include_str!("six_axes.svg")]
+///
 /// ```
 /// use dq8::DualQuat;
 /// use dq8_robot::ik::{Family, Goal, OwnedReach, SixAxisArm};
@@ -100,15 +102,14 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         values
     }
 
-    /// The number of numbers that [`solutions`](Self::solutions) needs as scratch: none for the two
-    /// families.
+    /// The length of the scratch for [`solutions`](Self::solutions): zero for the two families.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
         self.with_values(self.reach.scratch_len())
     }
 
-    /// The number of numbers that a [`SolutionsJob`](super::SolutionsJob) needs as scratch, with
-    /// any instructions: none for the two families.
+    /// The length of the scratch for a [`SolutionsJob`](super::SolutionsJob), with any
+    /// instructions: zero for the two families.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         self.with_values(self.reach.batch_scratch_len())
@@ -239,7 +240,7 @@ where
         work.by_searches(scratch, |work, scratch| {
             let starts = work.values.chunks_exact_mut(size).zip(work.targets);
             for ((values, &target), report) in starts.zip(work.reports) {
-                let options = &work.tracking.options;
+                let options = work.settings.options;
                 // Lengths fit; a search that cannot be made has not converged.
                 let report_of = self.reach.follow(&[target], values, scratch, options);
                 *report = report_of.unwrap_or_default();
@@ -534,8 +535,8 @@ impl<R: Scalar> SixAxisArm<'_, R> {
 
 /// The number of starts. Of the solutions of random targets, 64 find 99.8 in 100, and 32 find 98.
 const STARTS: usize = 64;
-/// The sine of half the difference of an angle from which on two solutions are different, and not
-/// two ends of the same search.
+/// The limit from which on solutions are different, and not two ends of the same search: the sine
+/// of half the difference of some angle.
 const DISTINCT: f32 = 1e-3;
 
 /// The number of values of all starts.
@@ -548,8 +549,8 @@ struct Starts<'s, R> {
     reach: &'s Reach<'s, R>,
     target: DualQuat<R>,
     start: &'s [R; 6],
-    /// At first the solutions by formula of an arm that is nearly the same; at last those of this
-    /// one.
+    /// On entry the solutions by formula of an arm that is nearly the same; on return those of this
+    /// arm.
     found: &'s mut Solutions<R>,
     /// Memory for [`STARTS`] configurations.
     values: &'s mut [R],
@@ -594,7 +595,7 @@ impl<R: Scalar> Starts<'_, R> {
             targets,
             values,
             reports: &mut *reports,
-            tracking: &options.into(),
+            settings: (&options).into(),
             clips: None,
         });
         found.clear(false);

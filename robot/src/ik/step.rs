@@ -39,7 +39,7 @@ use dq8_simd::{Lanes, Mask};
 /// steps of second order anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
 /// The same in searches that track without weights, as a part of the mean over the goals:
-/// Sugihara's ½. Their few steps must also be good if no step reaches the target.
+/// Sugihara's ½. Their few steps must also be good in front of a target out of reach.
 const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
@@ -70,7 +70,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         // columns that take half of that solution into account: a step of second order (Halley).
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
-        // A loop, so that machine code holds it once.
+        // A loop instead of two calls, so that machine code holds the body once.
         let needs_second_order = !TRACK && self.reach.needs_second_order();
         for order in 0..=usize::from(needs_second_order) {
             if self.uses_tree() {
@@ -146,7 +146,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
-            // z + Jᵀy. A held column is zero, so only z must be taken out.
+            // z + Jᵀy. The columns of held freedoms are zero, so only their z must be left out.
             let mut radians = if posture_step {
                 let is_held = scratch.held.get(level, index).eq(zero.constant(1.0));
                 L::select(is_held, zero, scratch.posture_step.get(level, index))

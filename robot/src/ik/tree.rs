@@ -34,7 +34,7 @@
 use super::goal::Goal;
 use super::model::Model;
 use super::problem::Reach;
-use super::report::Tracking;
+use super::report::Settings;
 use super::scratch::{BODY, Scratch};
 use super::step::FLOOR;
 use crate::mechanism::step::NONE;
@@ -115,8 +115,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         add(body, [mass, mx, my, mz, ixx, iyy, izz, ixy, ixz, iyz, tx, ty, tz, fx, fy, fz]);
     }
 
-    /// Computes the entries of a freedom with itself and with those that carry it, and its
-    /// right-hand side.
+    /// Computes a row of the system: the entries of a freedom with itself and with those that carry
+    /// it, and its right-hand side.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn set_row(&mut self, body: &[L; BODY], column: usize) {
         let (level, reach, scratch) = (self.level, self.reach, &mut self.scratch);
@@ -198,8 +198,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let least = trace
             .mul_add(damping.constant(0.25 * epsilon::<L>()), damping + damping.constant(FLOOR));
-        // From the leaves: JᵀJ = LᵀDL. The joints that carry a freedom are the first ones of
-        // its row.
+        // From the leaves: JᵀJ = LᵀDL. A row begins with the entries of the joints that carry
+        // its freedom.
         for (index, freedom) in freedoms.iter().enumerate().rev() {
             let (first, depth) = (freedom.first_entry as usize, freedom.depth as usize);
             let Some((above, own)) = factor.0.split_at_mut_checked(first) else { return };
@@ -241,14 +241,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 
 impl<R: Real> Reach<'_, R> {
     /// `true` if the posture or the start has a weight in every step.
-    pub(super) fn has_weights(&self, options: &Tracking<R>) -> bool {
-        let posture = self.posture.is_some() && options.posture_weight > R::ZERO;
-        posture || options.start_weight > R::ZERO
+    pub(super) fn has_weights(&self, settings: Settings<'_, R>) -> bool {
+        let posture = self.posture.is_some() && settings.posture_weight > R::ZERO;
+        posture || settings.start_weight > R::ZERO
     }
 
-    /// `true` if searches with these options solve the system in the shape of the tree.
-    pub(super) fn uses_tree(&self, options: &Tracking<R>) -> bool {
-        let is_weighed = self.posture.is_none() || options.posture_weight > R::ZERO;
+    /// `true` if searches with these settings solve the system in the shape of the tree.
+    pub(super) fn uses_tree(&self, settings: Settings<'_, R>) -> bool {
+        let is_weighed = self.posture.is_none() || settings.posture_weight > R::ZERO;
         self.facts.tree > 0 && is_weighed
     }
 }

@@ -13,7 +13,7 @@ use crate::MAX_LANES;
 use crate::index::saturated;
 use crate::lanes::Lanes;
 
-/// The frames that lanes read from a table, whose row `frame` is its `pitch` records from
+/// A frame of a table for each lane. Row `frame` of the table is its `pitch` records from record
 /// `frame · pitch` on.
 ///
 /// ```

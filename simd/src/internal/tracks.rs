@@ -43,7 +43,7 @@ type Entry = [u8; 2];
 
 /// The number of keys in a cache line.
 const KEYS_PER_LINE: usize = 8;
-/// The number of keys that do not fit into the second-level cache.
+/// The number of keys from which on they do not fit into the second-level cache.
 const BEYOND_CACHE: usize = 1 << 17;
 
 /// The keys of clips that have the same columns, of which all keys exist that the clips lead to.
@@ -200,7 +200,8 @@ pub struct TrackPlace {
     row: u32,
     /// The key that offsets count from, for a column that stays, and for one that moves.
     origins: [u32; 2],
-    /// The distance to the key of the next frame, likewise.
+    /// The distance to the key of the next frame: 0 for a column that stays, and the clip's step
+    /// for one that moves.
     steps: [u32; 2],
 }
 // SAFETY: the struct is six numbers of 32 bits, without padding.
@@ -348,7 +349,7 @@ impl<'a> PlacedTracks<'a, '_> {
 }
 
 impl TrackPlace {
-    /// The keys of a column at the frame and at the next one, by its entry.
+    /// The keys of the column with this entry, at the frame and at the next one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn keys(&self, entry: Entry) -> [usize; 2] {
         let entry = u16::from_le_bytes(entry);

@@ -2,7 +2,7 @@
 
 use core::arch::x86_64::*;
 
-/// The bytes of a cache line, which every x86-64 CPU that has these levels agrees on.
+/// The size of a cache line in bytes, which is the same on every x86-64 CPU with these levels.
 const LINE: usize = 64;
 
 /// See [`Level::prefetch`](crate::Level::prefetch).

@@ -3,7 +3,7 @@
 //! and to nothing else here.
 //!
 //! ```text
-//! "name in the file"(field: its shape, …) -> shape of the answer, scales of its errors, [bounds],
+//! "name in the file"(field: its shape, …) -> shape of the answer, scales of errors, [bounds],
 //!     how scalar, lanes;
 //! ```
 //!

@@ -1,7 +1,8 @@
 //! An estimated trajectory against its reference: errors in a table, and both paths in a drawing.
 //!
 //! ```sh
-//! cargo run --release --example compare_trajectories -- REFERENCE ESTIMATE --align similarity --plot both.svg
+//! cargo run --release --example compare_trajectories -- \
+//!   REFERENCE ESTIMATE --align similarity --plot both.svg
 //! ```
 //!
 //! Files are in the format of TUM, EuRoC or KITTI. Options: `--align

@@ -3,10 +3,13 @@
 //!
 //! | step | how |
 //! |---|---|
-//! | poses at the same times | [`Trajectory::pair`](crate::Trajectory::pair) by the nearest stamp, or [`Trajectory::interpolated`](crate::Trajectory::interpolated) |
+//! | poses at the same times | [`pair`] by the nearest stamp, or [`interpolated`] |
 //! | one frame | [`Pairs::align`]: by the first pose, yaw, any rotation, or with a scale |
-//! | errors | [`Pairs::absolute`] of poses (APE, ATE), [`Pairs::relative`] of motions over a [`Step`] (RPE) |
+//! | errors | [`Pairs::absolute`] of poses (APE, ATE), [`Pairs::relative`] over a [`Step`] (RPE) |
 //! | in a few numbers | [`Errors::translation`] and [`Errors::rotation`]: [`Statistics`] |
+//!
+//! [`pair`]: crate::Trajectory::pair
+//! [`interpolated`]: crate::Trajectory::interpolated
 //!
 //! Definitions and figures are those of the Python package evo (1.38), but for two things: stamps
 //! of a trajectory rise here, where evo takes doubles and disorder as they come; and interpolation

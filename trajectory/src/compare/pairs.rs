@@ -19,7 +19,7 @@ use dq8::scalar::vector;
 /// let stamps: Vec<_> = (0..100).map(|k| 0.1 * f64::from(k)).collect();
 /// let curve = |factor: f64| {
 ///     let turn = |k| Quat::from_rotation_z(0.02 * f64::from(k));
-///     let at = |k| [factor * 10.0 * f64::from(k) / 100.0, factor * f64::from(k * k) / 1000.0, 0.0];
+///     let at = |k| [factor * f64::from(k) / 10.0, factor * f64::from(k * k) / 1000.0, 0.0];
 ///     (0..100).map(|k| DualQuat::from_rotation_translation(turn(k), at(k))).collect()
 /// };
 /// let reference = OwnedTrajectory::new(stamps.clone(), curve(1.0))?;

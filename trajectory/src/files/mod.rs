@@ -5,7 +5,7 @@
 //! |---|---|---|
 //! | [`Format::Tum`] | `stamp tx ty tz qx qy qz qw`, blanks between | seconds |
 //! | [`Format::Euroc`] | `stamp,tx,ty,tz,qw,qx,qy,qz`, and what else there is | whole nanoseconds |
-//! | [`Format::Kitti`] | the twelve numbers of a 3×4 matrix, by rows | none: a second for each line |
+//! | [`Format::Kitti`] | twelve numbers of a 3×4 matrix, by rows | none: a second for each line |
 //!
 //! Lines that are empty or begin with `#` are skipped, as is a byte-order mark. Any number of
 //! blanks or tabs may stand between fields and at the ends of lines, which may end in `\r\n`.

@@ -53,7 +53,8 @@ impl<'a> Edge<'a> {
 /// ```
 /// use dq8::{DualQuat, Quat};
 /// use dq8_trajectory::{Edge, Frames, Trajectory};
-/// // A car drives ten metres along x within a second; its scanner is two metres above it and looks to the left.
+/// // A car drives ten metres along x within a second. Its scanner is two metres above it and
+/// // looks to the left.
 /// let drive = [0.0, 10.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
 /// let left = Quat::from_rotation_z(core::f64::consts::FRAC_PI_2);
 /// let frames = Frames::new([

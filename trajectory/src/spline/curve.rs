@@ -45,7 +45,7 @@ impl Basis {
 /// let through = Spline::new(10.0, 0.5, &control, Basis::Through)?;
 /// assert_eq!(through.range(), [10.0, 11.0]);
 /// assert_eq!(through.at(10.5).translation(), [4.0, 0.0, 0.0]);
-/// // Of k² the first derivative is 2k, the second 2, for an interval; here for half a second each.
+/// // The derivatives of k² by the interval are 2k and 2. An interval is half a second here.
 /// let moving = Spline::new(10.0, 0.5, &control, Basis::Smooth)?.moving_at(10.25);
 /// assert!((moving.twist.linear[0] - 2.0 * 1.5 / 0.5).abs() < 1e-12);
 /// assert!((moving.acceleration.linear[0] - 2.0 / 0.25).abs() < 1e-12);

@@ -6,7 +6,8 @@
 //! coefficients each. So with
 //!
 //! ```text
-//! λ J_r(λξ) = λ − λ²A X + λ³B X²      J_r⁻¹(ξ) = 1 + ½X + C X²      J_l⁻¹(ξ) = 1 − ½X + C X²
+//! λ J_r(λξ) = λ − λ²A X + λ³B X²
+//! J_r⁻¹(ξ) = 1 + ½X + C X²        J_l⁻¹(ξ) = 1 − ½X + C X²
 //! ```
 //!
 //! their products are one polynomial for each of the two control poses beside the factor.

@@ -19,7 +19,7 @@ struct Scene {
     made: Clips,
 }
 
-/// Of five frames. Another one where there are no joints, for clips have some.
+/// A clip of five frames. Clips have joints, so it has one if `joints` is 0.
 fn scene(joints: usize) -> Rc<Scene> {
     let joints = joints.max(1);
     let key = |at: usize| {
@@ -32,14 +32,14 @@ fn scene(joints: usize) -> Rc<Scene> {
     let packed = PackedClip::new(clip, Tolerance::default()).expect("keys");
     let mut made = zeroed();
     let bytes = packed.as_bytes();
-    // SAFETY: so many bytes.
+    // SAFETY: the pointer and the length are those of a slice.
     let status =
         unsafe { dq8_clips_make(bytes.as_ptr(), bytes.len(), &raw mut made, std::ptr::null_mut()) };
     assert_eq!(status, Status::Ok);
     Rc::new(Scene { packed, made })
 }
 
-/// As C has it.
+/// The place in C.
 fn place(place: TrackPlace) -> Place {
     // SAFETY: both are six numbers.
     Place { numbers: unsafe { std::mem::transmute::<TrackPlace, [u32; 6]>(place) } }

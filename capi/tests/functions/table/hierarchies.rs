@@ -18,7 +18,7 @@ pub(super) fn parents(shape: &Shape) -> Of<i32, Read> {
         .fault(Status::ParentNotBefore, Some(any), move |parents| parents[any] = any as i32)
 }
 
-/// As Rust has them.
+/// The parents in Rust.
 pub(super) fn unsigned(parents: &[i32]) -> Vec<u32> {
     parents.iter().map(|&parent| parent as u32).collect()
 }

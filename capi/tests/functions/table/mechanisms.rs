@@ -12,7 +12,7 @@ use dq8_capi::{Status, links, mechanism};
 use dq8_robot::{Body, JointKind, OwnedMechanism, World, WorldAligned};
 use std::rc::Rc;
 
-/// A joint as C has it; numbers that the kind does not name are 0.
+/// The joint in C. Numbers that its kind does not have are 0.
 pub(super) fn described<R: Real>(joint: &dq8_robot::Joint<f64>) -> Described<R> {
     let of = R::from_f64;
     let none = [0.0; 3];
@@ -48,7 +48,7 @@ pub(super) struct Scene<R> {
     pub(super) rust: OwnedMechanism<R>,
 }
 
-/// Memory where blocks may lie too.
+/// Memory with the alignment of blocks.
 #[derive(Clone)]
 #[repr(align(64))]
 struct Line(#[expect(dead_code, reason = "C has it")] [u8; 64]);
@@ -114,13 +114,13 @@ mod layouts {
     crate::table::for_all_layouts!(layout);
 }
 
-/// Nothing has limits or mimics another but the joint `at`, which mimics `leader`.
+/// Takes all limits and mimics away, and lets joint `at` mimic `leader`.
 fn mimic<R>(joints: &mut [Described<R>], at: usize, leader: i32) {
     joints.iter_mut().for_each(|joint| (joint.limited, joint.mimics) = (0, 0));
     (joints[at].mimics, joints[at].leader) = (1, leader);
 }
 
-/// What may be wrong with the joints of a mechanism.
+/// The joints of a mechanism that are refused.
 macro_rules! faults {
     ($scene:ident $R:ident: $joints:expr) => {{
         let last = $scene.described.len().saturating_sub(1);
@@ -164,7 +164,7 @@ macro_rules! faults {
     }};
 }
 
-/// What is asked of a link, if there is one.
+/// A result for a link, or the error that there is no such link.
 fn linked<T>(
     link: usize,
     links: usize,

@@ -7,11 +7,12 @@ mod mechanisms;
 mod motions;
 mod searches;
 mod skins;
+mod trajectories;
 
 use crate::function::Function;
 use crate::shape::Shape;
 
-/// Of arrays of such lengths.
+/// All functions, with arrays of these lengths.
 pub(crate) fn table(shape: &Shape) -> Vec<Function> {
     let mut all = Vec::new();
     arrays::add(shape, &mut all);
@@ -21,6 +22,7 @@ pub(crate) fn table(shape: &Shape) -> Vec<Function> {
     motions::add(shape, &mut all);
     searches::add(shape, &mut all);
     skins::add(shape, &mut all);
+    trajectories::add(shape, &mut all);
     all
 }
 

@@ -12,7 +12,7 @@ use dq8_robot::JointKind;
 use dq8_robot::ik::{self, OwnedReach, ReachError, Report};
 use std::rc::Rc;
 
-/// In C, but for what is not asked for.
+/// The options in C.
 fn options<R: Real>(known: ik::Options<R>) -> ReachOptions<R> {
     ReachOptions {
         angular_tolerance: known.angular_tolerance,
@@ -70,7 +70,7 @@ fn told<R: Copy>(report: &Report<R>) -> ReachReport<R> {
     }
 }
 
-/// For links that something moves; of every second one, the position alone.
+/// Goals for links that a joint moves, every second one for the position alone.
 fn goals<R: Real>(shape: &Shape) -> Of<Goal<R>, Read>
 where
     Goal<R>: Element,

@@ -119,7 +119,7 @@ fn vertices(shape: &Shape, stride: usize, position: i32) -> VertexFields {
     }
 }
 
-/// What lies beyond its vertex, in another field, or is not in the other buffer too.
+/// Fields that are refused: beyond the vertex, in another field, or not in the other buffer too.
 fn fields(fields: VertexFields, count: usize) -> crate::argument::Passed<VertexFields> {
     let (one, end) = (fields.position, fields.stride as i32);
     let toggled = if fields.normal < 0 { (one + 3) % 9 } else { -1 };

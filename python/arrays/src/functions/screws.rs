@@ -178,7 +178,8 @@ function! {
     /// Examples
     /// --------
     /// >>> import dq8
-    /// >>> dq8.translation(dq8.integrate_body(dq8.identity(), [0.0, 0, 0, 1, 0, 0], [0.5, 2.0]))[:, 0]
+    /// >>> moved = dq8.integrate_body(dq8.identity(), [0.0, 0, 0, 1, 0, 0], [0.5, 2.0])
+    /// >>> dq8.translation(moved)[:, 0]
     /// array([0.5, 2. ])
     {
         motion(motions).integrate_body(Twist::from_array(twists), dt[0]).to_array()
@@ -200,7 +201,8 @@ function! {
     /// Examples
     /// --------
     /// >>> import dq8
-    /// >>> dq8.translation(dq8.integrate_spatial(dq8.identity(), [0.0, 0, 0, 1, 0, 0], [0.5, 2.0]))[:, 0]
+    /// >>> moved = dq8.integrate_spatial(dq8.identity(), [0.0, 0, 0, 1, 0, 0], [0.5, 2.0])
+    /// >>> dq8.translation(moved)[:, 0]
     /// array([0.5, 2. ])
     {
         motion(motions).integrate_spatial(Twist::from_array(twists), dt[0]).to_array()

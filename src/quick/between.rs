@@ -55,9 +55,9 @@ impl<F: Number> Weights<F> {
         let chord_back = chord * squared;
         let [arc, slope, ..] = long_polynomials::<F::Four>(F::ARC, chord).to_array();
         let v = chord_back * (arc * arc);
-        // |τ| ≤ 2, so that v ≤ (π/2)², where the polynomials end. Of ends closer together than half a turn v would be
-        // small for longer, but what the ends lack of unit length would count |τ| times.
-        // Asked here, where nothing waits for the answer.
+        // Beyond |τ| = 2 the book's path answers: v may leave (π/2)², where the polynomials end.
+        // For ends closer together than half a turn v stays small for longer, but an error of their
+        // norms would count |τ| times. The comparison stands here because nothing waits for it.
         if !squared.le(one) {
             return None;
         }

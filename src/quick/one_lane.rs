@@ -19,7 +19,7 @@ pub(super) fn exp<F: Number>(log: DualVector<F>) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::exp(log).to_array())
 }
 
-/// σᵗ, of t whose square is a number.
+/// σᵗ, if t² is finite.
 #[inline]
 pub(super) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
     if !(t * t).lt(F::from_f64(f64::INFINITY)) {
@@ -51,8 +51,8 @@ pub(super) fn limb<F: Number>(
     Some((turns, [first(limb.bend), first(limb.beyond)]))
 }
 
-/// Lanes of which one is asked: where there are many cases, that is quicker than to take one of
-/// them.
+/// Lanes of which only the first is read: where a formula has many cases, computing all of them is
+/// quicker than branches.
 type Together<F> = <F as Float>::Lanes<Unfused<Portable>>;
 
 #[inline(always)]
@@ -60,8 +60,7 @@ fn first<L: Lanes>(lanes: L) -> L::Real {
     lanes.to_array().as_ref().first().copied().unwrap_or_default()
 }
 
-/// Exact normalization of any length, or all NaN. Out of line: hardly anything is so long or so
-/// short.
+/// Exact normalization of any length, or all NaN. Out of line, because such lengths are rare.
 #[cold]
 #[inline(never)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> [F; 8] {

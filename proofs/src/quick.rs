@@ -1,11 +1,11 @@
-//! What `everyday` asks of a number: the one place where this crate follows the forms that floats
+//! What `quick` asks of a number: the one place where this crate follows the forms that floats
 //! have.
 
 use crate::lanes::Wide;
 use crate::number::Recorded;
 use crate::tape::{Order, compare, value};
 use core::ops::BitXor;
-use dq8::everyday::{Four, Number, between::Even};
+use dq8::quick::{Four, Number, between::Even};
 use dq8_simd::{Level, Portable};
 
 impl<const S: bool> Number for Recorded<S> {

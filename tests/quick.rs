@@ -19,11 +19,11 @@ fn normalization_and_inverse_are_the_same_at_every_size() {
         let (mut answers, mut none) = (0, 0);
         for (p, q) in exponents().flat_map(|p| exponents().map(move |q| (p, q))) {
             let sized: [f64; 8] = std::array::from_fn(|i| motion[i] * if i < 4 { p } else { q });
-            let everyday = DualQuat::from_array(sized.map(F::from_f64));
+            let quick = DualQuat::from_array(sized.map(F::from_f64));
             let textbook = DualQuat::from_array(sized.map(|c| Textbook(F::from_f64(c))));
             let pairs = [
-                (everyday.try_normalize().ok(), textbook.try_normalize().ok()),
-                (everyday.try_inverse().ok(), textbook.try_inverse().ok()),
+                (quick.try_normalize().ok(), textbook.try_normalize().ok()),
+                (quick.try_inverse().ok(), textbook.try_inverse().ok()),
             ];
             for (got, wanted) in pairs {
                 assert_eq!(got.is_some(), wanted.is_some(), "{sized:?}");

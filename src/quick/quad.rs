@@ -25,7 +25,7 @@ pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
     let [p, q] = halves(motion);
     let v = load_three(point);
     let (s, twice) = (q + cross(p, v), p + p);
-    // v before the cross product, which is the last to be known.
+    // The sum takes v before the cross product, which is ready last.
     let [x, y, z, _] = (along(twice, s, q) + v + cross(twice, s)).to_array();
     Some([x, y, z])
 }
@@ -33,8 +33,7 @@ pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
 pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
-    // Two registers of `f64` take longer than four numbers: of these, one in four is of no use
-    // here.
+    // In `f64`, two registers take longer than three plain numbers: one lane in four is idle.
     if !F::SINGLE {
         return None;
     }
@@ -74,7 +73,7 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
 #[inline(always)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let [p, q] = halves(motion);
-    // Number by number: what stays in memory, the compiler would keep there for all.
+    // A spilled copy (docs/measured.md): the answer of the common path stays in registers.
     Some(unit_of(p, q).unwrap_or_else(|| {
         let [px, py, pz, pw, qx, qy, qz, qw] = unit_of_stretched(join(p, q));
         [px, py, pz, pw, qx, qy, qz, qw]
@@ -110,7 +109,7 @@ pub(super) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let turn = turn_toward(p, r);
     let t: F::Four = load([t; 4]);
     let rest = t.constant(1.0) - t;
-    // Signs are the last to be known: products need not wait for them.
+    // The signs are ready last: products do not wait for them.
     let (r, s) = ((r * t) ^ turn, (s * t) ^ turn);
     Some(join(p * rest + r, q * rest + s))
 }
@@ -138,13 +137,13 @@ fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     Some(join(p * over_norm, (q - p * (along * over_squared)) * over_norm))
 }
 
-/// A sign bit in all lanes where `a` and `b` point apart, else none: what turns `b` toward `a`.
+/// The sign bit in all lanes if a·b is negative, else none: it turns `b` toward `a`.
 #[inline(always)]
 pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
     let pairs = a * b;
     let pairs = pairs + pick(pairs, [2, 3, 0, 1]);
     let dot = pairs + pick(pairs, [1, 0, 3, 2]);
-    // Not the sign of the dot product: zeros of either sign are at no distance.
+    // Compared, because the sign bit of the dot product is also set for −0.
     V::select(dot.lt(dot.constant(0.0)), dot.constant(-0.0), dot.constant(0.0))
 }
 
@@ -160,13 +159,13 @@ fn moderate<V: Four>(p: V, q: V) -> Option<[V; 2]> {
     fits.then(|| [pick(sums, [0; 4]), pick(sums, [1; 4])])
 }
 
-/// a·b and a·c, and once more.
+/// [a·b, a·c, a·b, a·c]
 #[inline(always)]
 pub(super) fn dots<V: Four>(a: V, b: V, c: V) -> V {
     sums(a * b, a * c)
 }
 
-/// The sum of each one's numbers, and once more.
+/// [Σa, Σb, Σa, Σb]
 #[inline(always)]
 pub(super) fn sums<V: Four>(a: V, b: V) -> V {
     let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a.to_array(), b.to_array());
@@ -180,19 +179,19 @@ pub(super) fn sum<V: Four>(numbers: V) -> V::Number {
     even + odd
 }
 
-/// 2(w_p q − w_q p + p × q), and a number of no use.
+/// 2(w_p q − w_q p + p × q); the last lane is unused.
 #[inline(always)]
 fn translation_of<V: Four>(twice: V, q: V) -> V {
     along(twice, q, q) + cross(twice, q)
 }
 
-/// 2(w_p v − w_q p), and a number of no use.
+/// 2(w_p v − w_q p); the last lane is unused.
 #[inline(always)]
 fn along<V: Four>(twice: V, v: V, q: V) -> V {
     pick(twice, [3; 4]) * v - pick(q, [3; 4]) * twice
 }
 
-/// a × b, and a number of no use.
+/// a × b; the last lane is unused.
 #[inline(always)]
 fn cross<V: Four>(a: V, b: V) -> V {
     let turned = a * pick(b, [1, 2, 0, 3]) - pick(a, [1, 2, 0, 3]) * b;

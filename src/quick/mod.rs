@@ -2,7 +2,7 @@
 //!
 //! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most
 //! callers hold floats and want speed, so the reference first asks for the operations below:
-//! `R::quick(everyday::Product(a, b))`. Only these two numbers answer: a wrapper of a float takes
+//! `R::quick(quick::Product(a, b))`. Only these two numbers answer: a wrapper of a float takes
 //! the reference's own path, and the tests compare the two.
 //!
 //! - `quad`: one quaternion in the four lanes of a register, or of two.
@@ -24,12 +24,11 @@ use crate::geometry::DualVector;
 use core::ops::BitXor;
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
 
-/// An operation that `f32` and `f64` compute in another way than by the book. `None` where they too
-/// go by the book, for this input.
+/// An operation that `f32` and `f64` compute in another way than the textbook.
 pub trait Quick<R> {
-    /// The result.
+    /// The answer.
     type Output;
-    /// Computes it.
+    /// Computes it, or returns `None` for input that the textbook form takes.
     fn compute(self) -> Option<Self::Output>
     where
         R: Number;
@@ -83,7 +82,7 @@ pub trait Number:
     type Four: Four<Number = Self>;
     /// The largest power of two that is no larger than this positive normal number.
     fn power_of_two(self) -> Self;
-    /// Whether this lies between two positive numbers: one comparison, of bits.
+    /// `true` if this lies between two positive numbers: one comparison, of bits.
     fn is_between(self, least: Self, most: Self) -> bool;
 }
 
