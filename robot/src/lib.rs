@@ -12,14 +12,14 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Joint`], [`JointKind`], [`Mimic`] | how a link is joined to the one that carries it |
-//! | [`Mechanism`], [`Step`] | a tree of joints, or an arm from screws or a table ([`Dh`]), checked once, in memory of the caller |
+//! | [`Mechanism`], [`Step`] | a tree of joints, or an arm from screws or a [`Dh`] table |
 //! | [`Job`] | a run over many configurations, with options |
 //! | [`OwnedMechanism`] | the same with memory of its own (feature `alloc`) |
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
 //! | [`JointValues`] | how values of many configurations lie in memory |
 //! | [`Reach`], [`Goal`], [`ik`] | inverse kinematics: which values bring links to their targets |
-//! | [`OwnedReach`], [`OwnedSixAxisArm`](ik::OwnedSixAxisArm) | problems and arms with memory of their own (feature `alloc`) |
-//! | [`SixAxisArm`](ik::SixAxisArm) | all ways in which an arm of six hinges reaches a target: elbow up and down, shoulder left and right, wrist flipped or not |
+//! | [`OwnedReach`], [`ik::OwnedSixAxisArm`] | the same, owning their memory (`alloc`) |
+//! | [`ik::SixAxisArm`] | all solutions of an arm of six hinges: elbow up and down, and so on |
 //! | `urdf` | robots from files (feature `urdf`) |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](dq8::Real), by the book, as a
@@ -34,7 +34,7 @@
 //! | [`Reach::solve`] | [`ReachJob::solve`](ik::ReachJob::solve) |
 //! | [`Reach::track`] | [`ReachJob::sequence`](ik::ReachJob::sequence) |
 //! | [`Reach::rates`] | [`ReachJob::rates_in`](ik::ReachJob::rates_in) |
-//! | [`SixAxisArm::solutions`](ik::SixAxisArm::solutions) | [`SolutionsJob::solutions`](ik::SolutionsJob::solutions) |
+//! | [`ik::SixAxisArm::solutions`] | [`ik::SolutionsJob::solutions`] |
 //! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //! | [`Mechanism::link_points`] | [`Job::points`] |
@@ -81,7 +81,7 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
-/// A page of documentation: robots, from a file to inverse kinematics, and what is indexed by what.
+/// A page of documentation: robots, from a file to inverse kinematics, and the index of each array.
 #[cfg(feature = "urdf")]
 #[doc = include_str!("guide.md")]
 pub mod guide {}

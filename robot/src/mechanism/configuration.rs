@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! for each step:
-//!     frame ← frame of the parent          the last one, or recovered from the pose that was written
+//!     frame ← frame of the parent          the last, or from the written pose
 //!     frame ← frame moved by half_offset   to the joint
 //!     frame ← frame moved by the joint     to the link
 //!     pose of the link ← frame · link_rotation

@@ -282,8 +282,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     /// use dq8::{DualQuat, Twist};
     /// use dq8_robot::{Joint, OwnedMechanism};
-    /// // Three slides, and three hinges that meet in a point. They are singular if the second hinge
-    /// // lays the third along the first.
+    /// // Three slides, and three hinges that meet in a point. They are singular if the second
+    /// // hinge lays the third along the first.
     /// let [x, y, z] = [[1.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     /// let here = DualQuat::IDENTITY;
     /// let wrist = OwnedMechanism::new(&[

@@ -182,7 +182,8 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     /// let (a, b) = (1.998_f32, 1.998 + 1.999_f32);
     /// assert!((x - (a.cos() + b.cos())).abs() + (y - (a.sin() + b.sin())).abs() < 1e-6);
     /// // The same from a column for each angle.
-    /// let columns = [0, 1].map(|first| values.iter().skip(first).step_by(2).copied().collect::<Vec<_>>());
+    /// let column = |first| values.iter().skip(first).step_by(2).copied().collect::<Vec<_>>();
+    /// let columns = [0, 1].map(column);
     /// let mut same = vec![DualQuat::IDENTITY; 3000];
     /// arm.job().poses(&[&columns[0][..], &columns[1]], &mut same)?;
     /// assert_eq!(same, poses);
@@ -485,7 +486,8 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
 /// use dq8_robot::{Joint, OwnedMechanism};
 /// use dq8::DualQuat;
 /// let up = DualQuat::from_translation([0.0_f32, 0.0, 1.0]);
-/// let joints = [None, Some(0), Some(1)].map(|parent| Joint::revolute(parent, up, [1.0, 0.0, 0.0]));
+/// let joints = [None, Some(0), Some(1)];
+/// let joints = joints.map(|parent| Joint::revolute(parent, up, [1.0, 0.0, 0.0]));
 /// let arm = OwnedMechanism::new(&joints)?;
 /// let tool = arm.link_pose(&[0.0; 3], 2)?;
 /// assert_eq!(tool.translation(), [0.0, 0.0, 3.0]);

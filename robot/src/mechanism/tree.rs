@@ -73,7 +73,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     /// use dq8::DualQuat;
     /// use dq8_robot::{Joint, OwnedMechanism};
-    /// let finger = Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 1.0, 0.0]).with_limits([0.0, 0.04]);
+    /// let finger = Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 1.0, 0.0]);
+    /// let finger = finger.with_limits([0.0, 0.04]);
     /// let other = finger.with_limits([0.0, 0.06]).mimicking(0, 2.0, 0.0);
     /// let hand = OwnedMechanism::new(&[finger, other])?;
     /// let mut limits = [[0.0; 2]];
@@ -109,7 +110,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     /// use dq8::DualQuat;
     /// use dq8_robot::{Joint, OwnedMechanism};
-    /// let slide = Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]).with_limits([0.0, 0.5]);
+    /// let slide = Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]);
+    /// let slide = slide.with_limits([0.0, 0.5]);
     /// let lift = OwnedMechanism::new(&[slide])?;
     /// let within = [0.0, 0.5, 0.6].map(|height| lift.view().within_limits(&[height]));
     /// assert_eq!(within, [Ok(true), Ok(true), Ok(false)]);
@@ -530,7 +532,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// use dq8_robot::{Dh, DhConvention, Mechanism, Step};
     /// // Two links of length 1 in a plane.
     /// let (rows, mut steps) = ([Dh::hinge(0.0_f64, 0.0, 1.0, 0.0); 2], [Step::default(); 3]);
-    /// let arm = Mechanism::from_dh(&rows, DhConvention::Standard, DualQuat::IDENTITY, &mut steps)?;
+    /// let (convention, tool) = (DhConvention::Standard, DualQuat::IDENTITY);
+    /// let arm = Mechanism::from_dh(&rows, convention, tool, &mut steps)?;
     /// let [x, y, _] = arm.link_pose(&[0.0, core::f64::consts::FRAC_PI_2], 2)?.translation();
     /// assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
     /// # Ok::<(), Box<dyn core::error::Error>>(())

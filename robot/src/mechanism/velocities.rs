@@ -81,8 +81,8 @@ impl<R: Scalar> Job<'_, R> {
     /// arm.job().accelerations(
     ///     &values, &rates, &second, &mut poses, &mut twists, &mut accelerations,
     /// )?;
-    /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v. The Coriolis acceleration
-    /// // of a point on it is twice that.
+    /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v. The Coriolis
+    /// // acceleration of a point on it is twice that.
     /// assert_eq!(accelerations[1], [0.0, 0.0, 0.0, 0.0, 1.5, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```

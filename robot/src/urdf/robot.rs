@@ -151,8 +151,9 @@ impl Robot {
     /// ```
     /// # use dq8_robot::urdf::Robot;
     /// let robot = Robot::from_urdf(
-    ///     "<robot name='door'><link name='wall'/><link name='door'/><joint name='hinge' type='revolute'>
-    ///      <parent link='wall'/><child link='door'/><limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
+    ///     "<robot name='door'><link name='wall'/><link name='door'/>
+    ///      <joint name='hinge' type='revolute'><parent link='wall'/><child link='door'/>
+    ///      <limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
     /// )?;
     /// let hinge = robot.drives()[1];
     /// assert_eq!((hinge.velocity, hinge.effort), (1.5, 30.0));
@@ -170,8 +171,9 @@ impl Robot {
     /// ```
     /// # use dq8_robot::urdf::Robot;
     /// let robot = Robot::from_urdf(
-    ///     "<robot name='door'><link name='wall'/><link name='door'/><joint name='hinge' type='revolute'>
-    ///      <parent link='wall'/><child link='door'/><limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
+    ///     "<robot name='door'><link name='wall'/><link name='door'/>
+    ///      <joint name='hinge' type='revolute'><parent link='wall'/><child link='door'/>
+    ///      <limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
     /// )?;
     /// assert_eq!(robot.value_drives()[0].velocity, 1.5); // of the first value
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -188,8 +190,9 @@ impl Robot {
     /// ```
     /// # use dq8_robot::urdf::Robot;
     /// let robot = Robot::from_urdf(
-    ///     "<robot name='door'><link name='wall'/><link name='door'/><joint name='hinge' type='revolute'>
-    ///      <parent link='wall'/><child link='door'/><limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
+    ///     "<robot name='door'><link name='wall'/><link name='door'/>
+    ///      <joint name='hinge' type='revolute'><parent link='wall'/><child link='door'/>
+    ///      <limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
     /// )?;
     /// assert_eq!(robot.velocity_limits(), [1.5]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -337,7 +340,8 @@ impl Robot {
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
-    /// let drone = Robot::from_urdf("<robot name='drone'><link name='body'/></robot>")?.floating()?;
+    /// let body = Robot::from_urdf("<robot name='drone'><link name='body'/></robot>")?;
+    /// let drone = body.floating()?;
     /// assert_eq!(drone.value("root_joint.qw"), Some(3));
     /// assert_eq!((drone.mechanism().values(), drone.mechanism().rates()), (7, 6));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
