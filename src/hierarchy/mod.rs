@@ -6,10 +6,10 @@
 //! | [`Skeleton`] | a hierarchy that owns its parents, in any order, and its plan (`alloc`) |
 //! | [`Job`] | a run over it: with a root, on some joints, with a palette, or backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
-//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked as they are used |
+//! | [`Clip`], [`Sampled`], [`Layered`] | locals, sampled and blended as they are used |
 //! | [`Either`] | locals of one of two forms, which the running program chooses |
 //! | [`OwnedClip`] | a clip with memory of its own (feature `alloc`) |
-//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes per frame and moving track: owned, borrowed |
+//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes per frame and moving track |
 //! | [`Plan`], [`PlanScratch`] | the order that computes one instance fastest, without a heap |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |

@@ -50,7 +50,7 @@ pub(super) type PackedTiming = [u8; 12];
 /// | K · 4 · `i16` | keys: rotations x, y, z, w, 32767 for 1; translations x, y, z, 0 in steps |
 /// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
 /// | N · 4 · `u32` | the first key, the number of frames, the keys per frame, and the row |
-/// | N · (`f32`, `f32`, `u16`, `u16`) | the rate and its rounding error; 1 if the clip loops; 1 to 4 |
+/// | N · (`f32`, `f32`, `u16`, `u16`) | the rate and its rounding error; loops; 1 to 4 |
 /// | R · 2J · `u16` | places of keys: J rotations, then J translations |
 ///
 /// The rest of a joint is the place from which the steps of its translations count. The rate of a

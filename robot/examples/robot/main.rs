@@ -1,7 +1,8 @@
 //! A robot from a URDF file: where its links are, for many configurations.
 //!
 //! ```text
-//! cargo run --release --example robot -- FILE.urdf [--random N | --configurations IN.csv] [--poses OUT.csv] [--svg OUT]
+//! cargo run --release --example robot -- FILE.urdf \
+//!   [--random N | --configurations IN.csv] [--poses OUT.csv] [--svg OUT]
 //!     [--reach X,Y,Z[,QX,QY,QZ,QW] [--link NAME]]
 //! ```
 //!
