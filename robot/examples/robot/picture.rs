@@ -1,5 +1,5 @@
-//! Where the tool can be: how often random configurations put it into each cell, from the side and
-//! from above, and the robot in front of it.
+//! The places of the tool: how often random configurations put it into each cell, from the side
+//! and from above, and the robot in front of it.
 
 use crate::configurations;
 use crate::tool::tool;
@@ -9,7 +9,7 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// How many configurations are drawn: enough for cells that are seldom reached.
+/// The number of configurations, enough for cells that are seldom reached.
 const CONFIGURATIONS: usize = 400_000;
 /// Cells of a side of a view, and its size in pixels.
 const CELLS: usize = 150;

@@ -25,7 +25,7 @@ pub struct Axis {
     pub pitch: Option<f64>,
 }
 
-/// What an arm is made of.
+/// The joints of an arm, and its tool.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<const N: usize> {
     pub axes: [Axis; N],
@@ -138,7 +138,7 @@ impl<R: Real, const N: usize> Arm<R, N> {
         self.0.view().reach_bound(0).expect("all slides have ends")
     }
 
-    /// Where the tool is.
+    /// The pose of the tool.
     pub fn forward(&self, values: &[R; N]) -> DualQuat<R> {
         self.0.view().mechanism().link_pose(values, N).expect("a value for each joint")
     }
@@ -208,7 +208,7 @@ impl<const N: usize> Plan<N> {
         links
     }
 
-    /// Where the end is, by nalgebra.
+    /// The pose of the end, by nalgebra.
     pub fn isometry(&self, values: &[f64; N]) -> Isometry3<f64> {
         let mut pose = Isometry3::identity();
         for (axis, &value) in self.axes.iter().zip(values) {

@@ -16,7 +16,7 @@ const BOUNDS: [f64; 2] = [2.71, 3.35];
 /// The same for angles up to half a turn.
 const NEAR: [f64; 2] = [2.71, 2.19];
 
-/// How many angles a backend gets at once.
+/// The number of angles that a backend gets at once.
 const BLOCK: usize = 4096;
 
 /// The largest errors of sine and cosine of half the angles.

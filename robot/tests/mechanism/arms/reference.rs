@@ -11,10 +11,11 @@ use dq8_robot::ik::{Options, Outcome};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use std::f64::consts::TAU;
 
-/// Where steps differ by rounding alone: each makes a few times as much of what came before.
+/// The difference of steps that differ by rounding alone. Each step multiplies the difference
+/// before it by a few.
 const SAME_WAY: f64 = 1e-7;
 
-/// How a plain search ended; without an outcome where it would begin again.
+/// The end of a plain search, without an outcome if a search would begin again.
 struct Plain<const N: usize> {
     outcome: Option<Outcome>,
     iterations: u32,
@@ -30,7 +31,7 @@ struct Search<'a, const N: usize> {
     length: f64,
 }
 
-/// Where an arm is, and what separates it from its target.
+/// The state of an arm: its columns, and its error.
 struct Here {
     columns: Vec<Twist<f64>>,
     end: [f64; 3],
@@ -53,18 +54,18 @@ impl<const N: usize> Search<'_, N> {
         self.plan.axes[joint].limits
     }
 
-    /// Whether a turn more or less is the same pose.
+    /// `true` if a turn more or less is the same pose.
     fn is_hinge(&self, joint: usize) -> bool {
         self.plan.axes[joint].pitch == Some(0.0)
     }
 
-    /// Whether one is within the limits too.
+    /// `true` if a value a turn away is within the limits, too.
     fn wraps(&self, joint: usize) -> bool {
         let [low, high] = self.limits(joint);
         self.is_hinge(joint) && high - low >= TAU
     }
 
-    /// Whether a step to `value` ends at a limit: no turn less is between them.
+    /// `true` if a step to `value` ends at a limit: the value is outside by any number of turns.
     fn stops(&self, joint: usize, value: f64) -> bool {
         let turns: &[f64] = if self.is_hinge(joint) { &[0.0, TAU, -TAU] } else { &[0.0] };
         let [low, high] = self.limits(joint);
@@ -95,7 +96,7 @@ impl<const N: usize> Search<'_, N> {
         Here { columns, end: pose.translation(), error: self.error(pose), reached }
     }
 
-    /// What separates an end at `pose` from the target.
+    /// The error of an end at `pose`.
     fn error(&self, pose: DualQuat<f64>) -> Vector6<f64> {
         self.row((self.target * pose.conjugate()).to_twist(), pose.translation())
     }

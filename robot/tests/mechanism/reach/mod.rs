@@ -23,14 +23,14 @@ use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
 pub(crate) use super::tree::mechanism;
 pub(crate) use dq8_arms::{X, Y, Z};
 
-/// What [`Options::default`] calls reached, radians and lengths, and what measuring it is rounded
-/// by.
+/// The tolerance of [`Options::default`] in radians and lengths, with the rounding of its
+/// measurement.
 pub(crate) const REACHED: f64 = 1.001e-5;
 /// A pose of ten products or so in `f64`, of links of about a length, and what is measured of it.
 pub(crate) const ROUNDING: f64 = 1e-13;
 /// A value that nothing but its limits decides.
 pub(crate) const LAST_BITS: f64 = 1e-15;
-/// Where a search for a posture ends: its steps are shorter than that.
+/// The length of a step at which a search for a posture ends.
 pub(crate) const SETTLED: f64 = 1e-4;
 
 pub(crate) fn at(x: f64, y: f64, z: f64) -> DualQuat<f64> {
@@ -101,7 +101,7 @@ pub(crate) fn problem<R: Real>(
     OwnedReach::new(mechanism(joints), goals).expect("a problem")
 }
 
-/// Where a link is.
+/// The pose of a link.
 pub(crate) fn pose<R: Real>(reach: &OwnedReach<R>, values: &[R], link: usize) -> DualQuat<R> {
     reach.view().mechanism().link_pose(values, link).expect("a link")
 }
@@ -128,12 +128,12 @@ pub(crate) fn solve<const N: usize>(
     solve_with(reach, &[target], start, &Options::default())
 }
 
-/// Whether a number of each is near to the other's.
+/// `true` if all numbers are nearer to each other than `bound`.
 pub(crate) fn near(a: &[f64], b: &[f64], bound: f64) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < bound)
 }
 
-/// What a backend returns: values and reports.
+/// The values and reports that a backend returns.
 pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R>>);
 
 /// The same on all backends.

@@ -1,4 +1,4 @@
-//! How many.
+//! The number of solutions.
 
 use super::{Poses, families, free, irb6640};
 use dq8::{Backend, Scalar};
@@ -6,8 +6,8 @@ use dq8_arms::{Axis, Plan, Random, X, Y, exact, puma, rounded, turning, ur5};
 use dq8_robot::ik::{Family, Options, Solutions};
 use nalgebra::{Isometry3, Vector3};
 
-/// How many solutions there are without limits, by the geometry of the arm in space; and how far
-/// the nearest place is where two of them are one.
+/// The number of solutions without limits, by the geometry of the arm in space, and the distance
+/// of the nearest pose at which two of them coincide.
 type Counted = fn(&Isometry3<f64>) -> (usize, f64);
 
 /// The upper and lower arm of a UR5 in the plane at the distance of the shoulder's offset, for both
