@@ -8,7 +8,7 @@ use dq8_capi::Status;
 use dq8_capi::trajectory::{Options, double, single};
 use dq8_trajectory::{Basis, Frame, Job, Outside, Spline, Trajectory, TrajectoryError};
 
-/// Of the poses of a trajectory in Rust.
+/// A trajectory in Rust, or the error in its stamps.
 type Path<'s> = Result<Trajectory<'s>, TrajectoryError>;
 
 fn options() -> Of<Options, Read> {
@@ -30,8 +30,13 @@ fn of<P: Copy>(options: &[Options], job: Job<P>) -> Job<P> {
     job.frame(Frame::At(options.time))
 }
 
-fn length(_: TrajectoryError) -> Status {
-    Status::Length
+/// The status of an error that random numbers may cause.
+fn status(error: TrajectoryError) -> Status {
+    match error {
+        TrajectoryError::ControlPose { .. } => Status::NotFinite,
+        TrajectoryError::NotRising { .. } | TrajectoryError::Interval { .. } => Status::Times,
+        _ => Status::Length,
+    }
 }
 
 macro_rules! add {
@@ -55,11 +60,11 @@ macro_rules! add {
                 times: reads::<f64>(at), out: writes::<DualQuat<$R>>(at),
                 twists: writes::<Twist<$R>>(at).unless_null(1), count: count(at), bad_time: names(),
             ) => {
-                let job = of(options, path(stamps, poses).map_err(length)?.job());
+                let job = of(options, path(stamps, poses).map_err(status)?.job());
                 if twists.is_empty() {
-                    job.sample(times, out).map_err(length)
+                    job.sample(times, out).map_err(status)
                 } else {
-                    job.sample_with_twists(times, out, twists).map_err(length)
+                    job.sample_with_twists(times, out, twists).map_err(status)
                 }
             };
             concat!("dq8_trajectory_deskew_", stringify!($R)), $of::deskew = (
@@ -67,15 +72,15 @@ macro_rules! add {
                 pose_count: count(n).wrong(0, Status::Length), options: options(),
                 times: reads::<f64>(at), points: cloud(at), moved: moved(at).over("points"),
                 count: count(at), bad_time: names(),
-            ) => of(options, path(stamps, poses).map_err(length)?.job())
-                .deskew(times, points, moved).map_err(length);
+            ) => of(options, path(stamps, poses).map_err(status)?.job())
+                .deskew(times, points, moved).map_err(status);
             concat!("dq8_trajectory_skew_", stringify!($R)), $of::skew = (
                 stamps: stamps(), poses: reads::<DualQuat<f64>>(n),
                 pose_count: count(n).wrong(0, Status::Length), options: options(),
                 times: reads::<f64>(at), points: cloud(at), moved: moved(at).over("points"),
                 count: count(at), bad_time: names(),
-            ) => of(options, path(stamps, poses).map_err(length)?.job())
-                .skew(times, points, moved).map_err(length);
+            ) => of(options, path(stamps, poses).map_err(status)?.job())
+                .skew(times, points, moved).map_err(status);
             concat!("dq8_spline_poses_", stringify!($R)), $of::poses = (
                 control: reads::<DualQuat<f64>>(5)
                     .fault(Status::NotFinite, Some(3), |control| control[3] = DualQuat::ZERO.scale(f64::NAN)),
@@ -87,7 +92,7 @@ macro_rules! add {
                 accelerations: writes::<Twist<$R>>(at).unless_null(2), count: count(at), bad_index: names(),
             ) => {
                 let basis = if basis == 0 { Basis::Smooth } else { Basis::Through };
-                let spline = Spline::new(start, every, control, basis).map_err(length)?;
+                let spline = Spline::new(start, every, control, basis).map_err(status)?;
                 let mut others = [(); 2].map(|()| vec![Twist::<$R>::ZERO; times.len()]);
                 let [a, b] = &mut others;
                 let done = of(options, spline.job()).sample_with_accelerations(times, out, a, b);
@@ -96,7 +101,7 @@ macro_rules! add {
                         to.copy_from_slice(from);
                     }
                 }
-                done.map_err(length)
+                done.map_err(status)
             };
         }
     }};
