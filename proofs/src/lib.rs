@@ -13,7 +13,6 @@ compile_error!(
 pub mod bound;
 pub mod composed;
 pub mod coq;
-pub mod quick;
 mod fraction;
 pub mod gappa;
 mod interval;
@@ -22,6 +21,7 @@ pub mod number;
 pub mod operations;
 pub mod polynomial;
 mod proof;
+pub mod quick;
 pub mod range;
 pub mod record;
 pub mod sample;
