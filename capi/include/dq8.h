@@ -130,29 +130,29 @@
  *   dq8_palette                                Computes model poses like dq8_local_to_model, and in the same pass ...
  *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, with the ...
  *   dq8_link_poses                             Computes the poses of all links for many configurations
- *   dq8_mul                                    The products `a[i] b[i]`
- *   dq8_normalize                              The unit motions beside `motions`, exactly; NaN where there is none
- *   dq8_inverse                                The inverses of `motions`, unit or not; NaN or infinite where there ...
- *   dq8_conjugate                              The inverses of unit `motions`, which cost nothing but signs
- *   dq8_nlerp                                  From `a[i]` to `b[i]` by the shorter way, `t` of it
- *   dq8_nlerp_each                             From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each
- *   dq8_sclerp                                 From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, ...
- *   dq8_sclerp_each                            From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number ...
- *   dq8_slerp_lerp                             From unit `a[i]` to unit `b[i]`, `t` of it
- *   dq8_slerp_lerp_each                        From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number ...
- *   dq8_pow_each                               The unit `motions[i]` to the power `t[i]`
- *   dq8_exp                                    The motions of `logs`, six numbers each
- *   dq8_from_twist                             The motions to which `twists`, six numbers each, angular part ...
- *   dq8_integrate_body                         The unit `motions[i]` after `dt` seconds of the body twists ...
- *   dq8_log                                    The logarithms of unit `motions`, six numbers each
- *   dq8_to_twist                               The twists, six numbers each, angular part first, that lead to unit ...
- *   dq8_angles                                 The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, ...
- *   dq8_distances                              The distances between the translations of unit `a[i]` and unit ...
- *   dq8_points_each                            `points[i]`, three numbers each, moved by the unit `motions[i]`
- *   dq8_vectors_each                           `vectors[i]`, three numbers each, turned by the unit `motions[i]`
- *   dq8_lines_each                             `lines[i]` moved by the unit `motions[i]`
- *   dq8_planes_each                            `planes[i]` moved by the unit `motions[i]`
- *   dq8_twists_each                            `twists[i]`, six numbers, angular part first, by the adjoint of the ...
+ *   dq8_mul                                    Computes the products `a[i] b[i]`, in which b acts first
+ *   dq8_normalize                              Normalizes `motions` to unit motions, exactly; NaN where there is none
+ *   dq8_inverse                                Computes the inverses of `motions` of any norm; NaN or infinite ...
+ *   dq8_conjugate                              Computes the inverses of unit `motions`, which only flips signs
+ *   dq8_nlerp                                  Interpolates linearly from `a[i]` (t = 0) to `b[i]` (t = 1) by the ...
+ *   dq8_nlerp_each                             Interpolates like `nlerp`, with a number `t[i]` for each pair
+ *   dq8_sclerp                                 Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1) by the ...
+ *   dq8_sclerp_each                            Interpolates like `sclerp`, with a number `t[i]` for each pair
+ *   dq8_slerp_lerp                             Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1)
+ *   dq8_slerp_lerp_each                        Interpolates like `slerp_lerp`, with a number `t[i]` for each pair
+ *   dq8_pow_each                               Raises the unit `motions[i]` to the power `t[i]`
+ *   dq8_exp                                    Computes the unit motions whose logarithms are `logs`, six numbers ...
+ *   dq8_from_twist                             Computes the motions to which `twists`, six numbers each, angular ...
+ *   dq8_integrate_body                         Moves the unit `motions[i]` on by `dt` seconds of the body twists ...
+ *   dq8_log                                    Computes the logarithms of unit `motions`, six numbers each
+ *   dq8_to_twist                               Computes the twists, six numbers each, angular part first, that ...
+ *   dq8_angles                                 Computes the angles between unit `a[i]` and unit `b[i]`, radians in ...
+ *   dq8_distances                              Computes the distances between the translations of unit `a[i]` and ...
+ *   dq8_points_each                            Moves `points[i]`, three numbers each, by the unit `motions[i]`
+ *   dq8_vectors_each                           Turns `vectors[i]`, three numbers each, by the unit `motions[i]`
+ *   dq8_lines_each                             Moves `lines[i]` by the unit `motions[i]`
+ *   dq8_planes_each                            Moves `planes[i]` by the unit `motions[i]`
+ *   dq8_twists_each                            Applies the adjoint of the unit `motions[i]` to `twists[i]`, six ...
  *   dq8_points                                 Moves `points`, three numbers each, by one unit `motion`
  *   dq8_vectors                                Turns `vectors`, three numbers each, by one unit `motion`
  *   dq8_matrices_3x4                           Writes the matrices `[R | t]` of unit `motions`, twelve numbers ...
@@ -2748,36 +2748,37 @@ dq8_status dq8_skin_mixed_f64(const struct dq8_skin_f64 *skin,
                               size_t vertices);
 
 /**
- * The products `a[i] b[i]`: b acts first.
+ * Computes the products `a[i] b[i]`, in which b acts first.
  * `out` may be `a`.
  */
 dq8_status dq8_mul_f32(const float *a, const float *b, float *out, size_t count);
 
 /**
- * The unit motions beside `motions`, exactly; NaN where there is none.
+ * Normalizes `motions` to unit motions, exactly; NaN where there is none.
  * `out` may be `motions`.
  */
 dq8_status dq8_normalize_f32(const float *motions, float *out, size_t count);
 
 /**
- * The inverses of `motions`, unit or not; NaN or infinite where there is none.
+ * Computes the inverses of `motions` of any norm; NaN or infinite where there is none.
  * `out` may be `motions`.
  */
 dq8_status dq8_inverse_f32(const float *motions, float *out, size_t count);
 
 /**
- * The inverses of unit `motions`, which cost nothing but signs.
+ * Computes the inverses of unit `motions`, which only flips signs.
  * `out` may be `motions`.
  */
 dq8_status dq8_conjugate_f32(const float *motions, float *out, size_t count);
 
 /**
- * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
+ * Interpolates linearly from `a[i]` (t = 0) to `b[i]` (t = 1) by the shorter way, and
+ * normalizes.
  */
 dq8_status dq8_nlerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
+ * Interpolates like `nlerp`, with a number `t[i]` for each pair.
  */
 dq8_status dq8_nlerp_each_f32(const float *a,
                               const float *b,
@@ -2786,13 +2787,13 @@ dq8_status dq8_nlerp_each_f32(const float *a,
                               size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
- * constant speed.
+ * Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1) by the shorter way, along
+ * one screw at constant speed.
  */
 dq8_status dq8_sclerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
+ * Interpolates like `sclerp`, with a number `t[i]` for each pair.
  */
 dq8_status dq8_sclerp_each_f32(const float *a,
                                const float *b,
@@ -2801,13 +2802,13 @@ dq8_status dq8_sclerp_each_f32(const float *a,
                                size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
- * translations go straight.
+ * Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1): rotations turn at
+ * constant speed, translations go straight.
  */
 dq8_status dq8_slerp_lerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+ * Interpolates like `slerp_lerp`, with a number `t[i]` for each pair.
  */
 dq8_status dq8_slerp_lerp_each_f32(const float *a,
                                    const float *b,
@@ -2816,25 +2817,25 @@ dq8_status dq8_slerp_lerp_each_f32(const float *a,
                                    size_t count);
 
 /**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
- * and the slide.
+ * Raises the unit `motions[i]` to the power `t[i]`: the same screw axis, t times the
+ * angle and the slide.
  */
 dq8_status dq8_pow_each_f32(const float *motions, const float *t, float *out, size_t count);
 
 /**
- * The motions of `logs`, six numbers each.
+ * Computes the unit motions whose logarithms are `logs`, six numbers each.
  */
 dq8_status dq8_exp_f32(const float *logs, float *out, size_t count);
 
 /**
- * The motions to which `twists`, six numbers each, angular part first, lead in one
- * second.
+ * Computes the motions to which `twists`, six numbers each, angular part first, lead in
+ * one second.
  */
 dq8_status dq8_from_twist_f32(const float *twists, float *out, size_t count);
 
 /**
- * The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
- * each, angular part first.
+ * Moves the unit `motions[i]` on by `dt` seconds of the body twists `twists[i]`, six
+ * numbers each, angular part first.
  */
 dq8_status dq8_integrate_body_f32(const float *motions,
                                   const float *twists,
@@ -2843,35 +2844,36 @@ dq8_status dq8_integrate_body_f32(const float *motions,
                                   size_t count);
 
 /**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
- * and its moment. Twice that is the twist that leads there in one second.
+ * Computes the logarithms of unit `motions`, six numbers each: half the angle times the
+ * axis, and its moment. Twice that is the twist that leads there in one second.
  */
 dq8_status dq8_log_f32(const float *motions, float *out, size_t count);
 
 /**
- * The twists, six numbers each, angular part first, that lead to unit `motions` in one
- * second.
+ * Computes the twists, six numbers each, angular part first, that lead to unit `motions`
+ * in one second.
  */
 dq8_status dq8_to_twist_f32(const float *motions, float *out, size_t count);
 
 /**
- * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+ * Computes the angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number
+ * each.
  */
 dq8_status dq8_angles_f32(const float *a, const float *b, float *out, size_t count);
 
 /**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
- * each.
+ * Computes the distances between the translations of unit `a[i]` and unit `b[i]`, one
+ * number each.
  */
 dq8_status dq8_distances_f32(const float *a, const float *b, float *out, size_t count);
 
 /**
- * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ * Moves `points[i]`, three numbers each, by the unit `motions[i]`.
  */
 dq8_status dq8_points_each_f32(const float *motions, const float *points, float *out, size_t count);
 
 /**
- * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ * Turns `vectors[i]`, three numbers each, by the unit `motions[i]`.
  */
 dq8_status dq8_vectors_each_f32(const float *motions,
                                 const float *vectors,
@@ -2879,20 +2881,20 @@ dq8_status dq8_vectors_each_f32(const float *motions,
                                 size_t count);
 
 /**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * Moves `lines[i]` by the unit `motions[i]`. A line is six numbers: its direction, and
  * its moment p x direction of any point p on it (Plücker coordinates).
  */
 dq8_status dq8_lines_each_f32(const float *motions, const float *lines, float *out, size_t count);
 
 /**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * Moves `planes[i]` by the unit `motions[i]`. A plane is four numbers: its unit normal
  * n, and n . p of any point p on it.
  */
 dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float *out, size_t count);
 
 /**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
- * `motions[i]`: a body twist becomes the spatial one.
+ * Applies the adjoint of the unit `motions[i]` to `twists[i]`, six numbers, angular part
+ * first, which turns a body twist into the spatial one.
  */
 dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
 
@@ -3142,36 +3144,37 @@ dq8_status dq8_blocks_twists_each_f32(size_t lanes,
                                       size_t count);
 
 /**
- * The products `a[i] b[i]`: b acts first.
+ * Computes the products `a[i] b[i]`, in which b acts first.
  * `out` may be `a`.
  */
 dq8_status dq8_mul_f64(const double *a, const double *b, double *out, size_t count);
 
 /**
- * The unit motions beside `motions`, exactly; NaN where there is none.
+ * Normalizes `motions` to unit motions, exactly; NaN where there is none.
  * `out` may be `motions`.
  */
 dq8_status dq8_normalize_f64(const double *motions, double *out, size_t count);
 
 /**
- * The inverses of `motions`, unit or not; NaN or infinite where there is none.
+ * Computes the inverses of `motions` of any norm; NaN or infinite where there is none.
  * `out` may be `motions`.
  */
 dq8_status dq8_inverse_f64(const double *motions, double *out, size_t count);
 
 /**
- * The inverses of unit `motions`, which cost nothing but signs.
+ * Computes the inverses of unit `motions`, which only flips signs.
  * `out` may be `motions`.
  */
 dq8_status dq8_conjugate_f64(const double *motions, double *out, size_t count);
 
 /**
- * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
+ * Interpolates linearly from `a[i]` (t = 0) to `b[i]` (t = 1) by the shorter way, and
+ * normalizes.
  */
 dq8_status dq8_nlerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 
 /**
- * From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
+ * Interpolates like `nlerp`, with a number `t[i]` for each pair.
  */
 dq8_status dq8_nlerp_each_f64(const double *a,
                               const double *b,
@@ -3180,13 +3183,13 @@ dq8_status dq8_nlerp_each_f64(const double *a,
                               size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
- * constant speed.
+ * Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1) by the shorter way, along
+ * one screw at constant speed.
  */
 dq8_status dq8_sclerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
+ * Interpolates like `sclerp`, with a number `t[i]` for each pair.
  */
 dq8_status dq8_sclerp_each_f64(const double *a,
                                const double *b,
@@ -3195,8 +3198,8 @@ dq8_status dq8_sclerp_each_f64(const double *a,
                                size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
- * translations go straight.
+ * Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1): rotations turn at
+ * constant speed, translations go straight.
  */
 dq8_status dq8_slerp_lerp_f64(const double *a,
                               const double *b,
@@ -3205,7 +3208,7 @@ dq8_status dq8_slerp_lerp_f64(const double *a,
                               size_t count);
 
 /**
- * From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+ * Interpolates like `slerp_lerp`, with a number `t[i]` for each pair.
  */
 dq8_status dq8_slerp_lerp_each_f64(const double *a,
                                    const double *b,
@@ -3214,25 +3217,25 @@ dq8_status dq8_slerp_lerp_each_f64(const double *a,
                                    size_t count);
 
 /**
- * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
- * and the slide.
+ * Raises the unit `motions[i]` to the power `t[i]`: the same screw axis, t times the
+ * angle and the slide.
  */
 dq8_status dq8_pow_each_f64(const double *motions, const double *t, double *out, size_t count);
 
 /**
- * The motions of `logs`, six numbers each.
+ * Computes the unit motions whose logarithms are `logs`, six numbers each.
  */
 dq8_status dq8_exp_f64(const double *logs, double *out, size_t count);
 
 /**
- * The motions to which `twists`, six numbers each, angular part first, lead in one
- * second.
+ * Computes the motions to which `twists`, six numbers each, angular part first, lead in
+ * one second.
  */
 dq8_status dq8_from_twist_f64(const double *twists, double *out, size_t count);
 
 /**
- * The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
- * each, angular part first.
+ * Moves the unit `motions[i]` on by `dt` seconds of the body twists `twists[i]`, six
+ * numbers each, angular part first.
  */
 dq8_status dq8_integrate_body_f64(const double *motions,
                                   const double *twists,
@@ -3241,30 +3244,31 @@ dq8_status dq8_integrate_body_f64(const double *motions,
                                   size_t count);
 
 /**
- * The logarithms of unit `motions`, six numbers each: half the angle times the axis,
- * and its moment. Twice that is the twist that leads there in one second.
+ * Computes the logarithms of unit `motions`, six numbers each: half the angle times the
+ * axis, and its moment. Twice that is the twist that leads there in one second.
  */
 dq8_status dq8_log_f64(const double *motions, double *out, size_t count);
 
 /**
- * The twists, six numbers each, angular part first, that lead to unit `motions` in one
- * second.
+ * Computes the twists, six numbers each, angular part first, that lead to unit `motions`
+ * in one second.
  */
 dq8_status dq8_to_twist_f64(const double *motions, double *out, size_t count);
 
 /**
- * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+ * Computes the angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number
+ * each.
  */
 dq8_status dq8_angles_f64(const double *a, const double *b, double *out, size_t count);
 
 /**
- * The distances between the translations of unit `a[i]` and unit `b[i]`, one number
- * each.
+ * Computes the distances between the translations of unit `a[i]` and unit `b[i]`, one
+ * number each.
  */
 dq8_status dq8_distances_f64(const double *a, const double *b, double *out, size_t count);
 
 /**
- * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ * Moves `points[i]`, three numbers each, by the unit `motions[i]`.
  */
 dq8_status dq8_points_each_f64(const double *motions,
                                const double *points,
@@ -3272,7 +3276,7 @@ dq8_status dq8_points_each_f64(const double *motions,
                                size_t count);
 
 /**
- * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ * Turns `vectors[i]`, three numbers each, by the unit `motions[i]`.
  */
 dq8_status dq8_vectors_each_f64(const double *motions,
                                 const double *vectors,
@@ -3280,7 +3284,7 @@ dq8_status dq8_vectors_each_f64(const double *motions,
                                 size_t count);
 
 /**
- * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+ * Moves `lines[i]` by the unit `motions[i]`. A line is six numbers: its direction, and
  * its moment p x direction of any point p on it (Plücker coordinates).
  */
 dq8_status dq8_lines_each_f64(const double *motions,
@@ -3289,7 +3293,7 @@ dq8_status dq8_lines_each_f64(const double *motions,
                               size_t count);
 
 /**
- * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+ * Moves `planes[i]` by the unit `motions[i]`. A plane is four numbers: its unit normal
  * n, and n . p of any point p on it.
  */
 dq8_status dq8_planes_each_f64(const double *motions,
@@ -3298,8 +3302,8 @@ dq8_status dq8_planes_each_f64(const double *motions,
                                size_t count);
 
 /**
- * `twists[i]`, six numbers, angular part first, by the adjoint of the unit
- * `motions[i]`: a body twist becomes the spatial one.
+ * Applies the adjoint of the unit `motions[i]` to `twists[i]`, six numbers, angular part
+ * first, which turns a body twist into the spatial one.
  */
 dq8_status dq8_twists_each_f64(const double *motions,
                                const double *twists,

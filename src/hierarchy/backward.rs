@@ -2,10 +2,9 @@
 
 use super::locals::{Locals, Pass};
 use super::plain::MANY;
-use super::run::JointSlot;
-use super::run::Run;
 #[cfg(feature = "rayon")]
 use super::run::grain;
+use super::run::{JointSlot, Run};
 use crate::backend::Kernel;
 #[cfg(feature = "rayon")]
 use crate::backend::Rows;

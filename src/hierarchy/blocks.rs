@@ -1,8 +1,7 @@
 //! model(j) = model(parent(j)) · local(j), for blocks: lanes are instances in memory already.
 
 use super::locals::{BATCH, InPlace, LocalBatch, Locals, Pass, Registers};
-use super::run::JointSlot;
-use super::run::{Epilogue, Forward};
+use super::run::{Epilogue, Forward, JointSlot};
 use crate::backend::Kernel;
 use crate::storage::{Element, Layout, Register, Tile, motions};
 use core::sync::atomic::{Ordering, compiler_fence};

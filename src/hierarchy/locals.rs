@@ -1,8 +1,7 @@
 //! [`Locals`]: the pose of a joint in its parent, and its form in memory. Locals that are computed
 //! are computed for a group of joints at a time, into [`Stored`], which a [`LocalBatch`] holds.
 
-use super::run::JointSlot;
-use super::run::Run;
+use super::run::{JointSlot, Run};
 use crate::batch;
 use crate::law::{Law, NlerpLerp};
 use crate::macros::brief;

@@ -22,8 +22,7 @@
 
 use super::chain::{product, product_in_lanes};
 use super::locals::{BATCH, LocalBatch, Locals, Pass, Registers, Stored, load, store};
-use super::run::JointSlot;
-use super::run::{Epilogue, Forward, PaletteOnly};
+use super::run::{Epilogue, Forward, JointSlot, PaletteOnly};
 use crate::backend::Kernel;
 use crate::batch;
 use crate::number::Scalar;

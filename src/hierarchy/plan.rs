@@ -4,8 +4,7 @@
 use super::Hierarchy;
 use super::chain::product;
 use super::locals::{Locals, Pass};
-use super::run::JointSlot;
-use super::run::{Epilogue, Forward, Renormalize, Run};
+use super::run::{Epilogue, Forward, JointSlot, Renormalize, Run};
 use crate::backend::{Backend, Kernel};
 use crate::macros::brief;
 use crate::number::Scalar;

@@ -30,7 +30,7 @@ macro_rules! __for_each_kernel {
     ($($callback:ident)::+ $(, $($given:tt)*)?) => {
         $($callback)::+! { $($($given)*,)?
 
-    /// The products `a[i] b[i]`: b acts first.
+    /// Computes the products `a[i] b[i]`, in which b acts first.
     mul[M: 8](a: any M, b: any M) -> products: any M, in place mul_in_place = a * b, {
         /// `products[i]` = aᵢbᵢ
         ///
@@ -44,7 +44,7 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The unit motions beside `motions`, exactly; NaN where there is none.
+    /// Normalizes `motions` to unit motions, exactly; NaN where there is none.
     normalize[M: 8](motions: any M) -> units: unit M, in place normalize_in_place
         = motions.normalize(), {
         /// `units[i]` = σᵢ/√(σᵢσᵢ*); some component is NaN where the result does not
@@ -60,7 +60,7 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The inverses of `motions`, unit or not; NaN or infinite where there is none.
+    /// Computes the inverses of `motions` of any norm; NaN or infinite where there is none.
     inverse[M: 8](motions: any M) -> inverses: any M, in place inverse_in_place
         = motions.inverse(), {
         /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where it does not exist
@@ -77,7 +77,7 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The inverses of unit `motions`, which cost nothing but signs.
+    /// Computes the inverses of unit `motions`, which only flips signs.
     conjugate[M: 8](motions: any M) -> conjugates: any M, in place conjugate_in_place
         = motions.conjugate(), {
         /// `conjugates[i]` = σᵢ* = p* + εq*
@@ -92,7 +92,8 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
+    /// Interpolates linearly from `a[i]` (t = 0) to `b[i]` (t = 1) by the shorter way, and
+    /// normalizes.
     nlerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.nlerp(b, t), {
         /// `between[i]` = normalize((1−t)aᵢ ± tbᵢ); see
         /// [`DualQuat::nlerp`](crate::DualQuat::nlerp).
@@ -107,15 +108,15 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// From `a[i]` to `b[i]` as `nlerp` goes, with a number `t[i]` for each.
+    /// Interpolates like `nlerp`, with a number `t[i]` for each pair.
     nlerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.nlerp(b, t), {
         /// Numbers are in the precision of the motions: `&[0.5_f32; 4]`, where bare
         /// literals are `f64`. See [`nlerp`](Self::nlerp).
     }
 
-    /// From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at
-    /// constant speed.
+    /// Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1) by the shorter way, along
+    /// one screw at constant speed.
     sclerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.sclerp(b, t), {
         /// `between[i]` = aᵢ(aᵢ*bᵢ)ᵗ; see [`DualQuat::sclerp`](crate::DualQuat::sclerp).
         ///
@@ -133,15 +134,15 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// From unit `a[i]` to unit `b[i]` as `sclerp` goes, with a number `t[i]` for each.
+    /// Interpolates like `sclerp`, with a number `t[i]` for each pair.
     sclerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.sclerp(b, t), {
         /// Numbers are in the precision of the motions. [`sclerp`](Self::sclerp) has an
         /// example of both.
     }
 
-    /// From unit `a[i]` to unit `b[i]`, `t` of it: rotations turn at constant speed,
-    /// translations go straight.
+    /// Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1): rotations turn at
+    /// constant speed, translations go straight.
     slerp_lerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.slerp_lerp(b, t), {
         /// Rotation by SLERP and translation by LERP, each for itself; see
         /// [`DualQuat::slerp_lerp`](crate::DualQuat::slerp_lerp).
@@ -159,15 +160,15 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// From unit `a[i]` to unit `b[i]` as `slerp_lerp` goes, with a number `t[i]` for each.
+    /// Interpolates like `slerp_lerp`, with a number `t[i]` for each pair.
     slerp_lerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.slerp_lerp(b, t), {
         /// Numbers are in the precision of the motions. See
         /// [`slerp_lerp`](Self::slerp_lerp).
     }
 
-    /// The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle
-    /// and the slide.
+    /// Raises the unit `motions[i]` to the power `t[i]`: the same screw axis, t times the
+    /// angle and the slide.
     pow_each[M: 8, T: 1](motions: unit M, t: number T) -> powers: unit M
         = motions.pow(t), {
         /// `powers[i]` = σᵢᵗ; see [`DualQuat::pow`](crate::DualQuat::pow).
@@ -182,22 +183,22 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The motions of `logs`, six numbers each.
+    /// Computes the unit motions whose logarithms are `logs`, six numbers each.
     exp[L: 6, M: 8](logs: log L) -> motions: unit M = DualQuat::exp(logs), {
         /// `motions[i]` = exp(a + εb) of the six numbers of `logs[i]`, first a, then b; see
         /// [`DualQuat::exp`](crate::DualQuat::exp). [`log`](Self::log) has an example.
     }
 
-    /// The motions to which `twists`, six numbers each, angular part first, lead in one
-    /// second.
+    /// Computes the motions to which `twists`, six numbers each, angular part first, lead in
+    /// one second.
     from_twist[T: 6, M: 8](twists: twist T) -> motions: unit M
         = DualQuat::from_twist(twists), {
         /// `motions[i]` = exp(½ξᵢ); see [`DualQuat::from_twist`](crate::DualQuat::from_twist).
         /// [`to_twist`](Self::to_twist) has an example.
     }
 
-    /// The unit `motions[i]` after `dt` seconds of the body twists `twists[i]`, six numbers
-    /// each, angular part first.
+    /// Moves the unit `motions[i]` on by `dt` seconds of the body twists `twists[i]`, six
+    /// numbers each, angular part first.
     integrate_body[M: 8, T: 6](motions: unit M, twists: twist T; dt) -> later: unit M
         = motions.integrate_body(twists, dt), {
         /// `later[i]` = σᵢ exp(½ξᵢ dt); see
@@ -214,8 +215,8 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The logarithms of unit `motions`, six numbers each: half the angle times the axis,
-    /// and its moment. Twice that is the twist that leads there in one second.
+    /// Computes the logarithms of unit `motions`, six numbers each: half the angle times the
+    /// axis, and its moment. Twice that is the twist that leads there in one second.
     log[M: 8, L: 6](motions: unit M) -> logs: log L = motions.log(), {
         /// `logs[i]` = log σᵢ = (θ̂/2)(l + εm): six numbers, a and then b of a + εb; see
         /// [`DualQuat::log`](crate::DualQuat::log).
@@ -232,8 +233,8 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The twists, six numbers each, angular part first, that lead to unit `motions` in one
-    /// second.
+    /// Computes the twists, six numbers each, angular part first, that lead to unit `motions`
+    /// in one second.
     to_twist[M: 8, T: 6](motions: unit M) -> twists: twist T = motions.to_twist(), {
         /// `twists[i]` = 2 log σᵢ; see [`DualQuat::to_twist`](crate::DualQuat::to_twist).
         ///
@@ -249,7 +250,8 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number each.
+    /// Computes the angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number
+    /// each.
     angles[M: 8, T: 1](a: unit M, b: unit M) -> angles: number T = a.angle_to(b), {
         /// See [`DualQuat::angle_to`](crate::DualQuat::angle_to).
         ///
@@ -263,8 +265,8 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// The distances between the translations of unit `a[i]` and unit `b[i]`, one number
-    /// each.
+    /// Computes the distances between the translations of unit `a[i]` and unit `b[i]`, one
+    /// number each.
     distances[M: 8, T: 1](a: unit M, b: unit M) -> distances: number T
         = a.distance_to(b), {
         /// `distances[i]` = |t_a − t_b|; see
@@ -280,7 +282,7 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// `points[i]`, three numbers each, moved by the unit `motions[i]`.
+    /// Moves `points[i]`, three numbers each, by the unit `motions[i]`.
     transform_points_each as "points_each" [M: 8, P: 3](motions: unit M, points: point P)
         -> moved: point P = motions.transform_point(points), {
         /// `moved[i]` = Rᵢ·`points[i]` + tᵢ
@@ -295,7 +297,7 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+    /// Turns `vectors[i]`, three numbers each, by the unit `motions[i]`.
     transform_vectors_each as "vectors_each" [M: 8, P: 3](motions: unit M, vectors: vector P)
         -> turned: vector P = motions.transform_vector(vectors), {
         /// `turned[i]` = Rᵢ·`vectors[i]`
@@ -311,7 +313,7 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and
+    /// Moves `lines[i]` by the unit `motions[i]`. A line is six numbers: its direction, and
     /// its moment p x direction of any point p on it (Plücker coordinates).
     transform_lines_each as "lines_each" [M: 8, P: 6](motions: unit M, lines: line P)
         -> moved: line P = motions.transform_line(lines), {
@@ -329,7 +331,7 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal
+    /// Moves `planes[i]` by the unit `motions[i]`. A plane is four numbers: its unit normal
     /// n, and n . p of any point p on it.
     transform_planes_each as "planes_each" [M: 8, P: 4](motions: unit M, planes: plane P)
         -> moved: plane P = motions.transform_plane(planes), {
@@ -347,8 +349,8 @@ macro_rules! __for_each_kernel {
         /// ```
     }
 
-    /// `twists[i]`, six numbers, angular part first, by the adjoint of the unit
-    /// `motions[i]`: a body twist becomes the spatial one.
+    /// Applies the adjoint of the unit `motions[i]` to `twists[i]`, six numbers, angular part
+    /// first, which turns a body twist into the spatial one.
     transform_twists_each as "twists_each" [M: 8, T: 6](motions: unit M, twists: twist T)
         -> moved: twist T = motions.adjoint(twists), {
         /// `moved[i]` = (ω′, v′) with ω′ = Rᵢω, v′ = Rᵢv + tᵢ × ω′; see
