@@ -133,8 +133,8 @@ impl<'a, S, P> Job<'a, S, P> {
         }
     }
 
-    /// Only these joints are computed. Their parents outside the range must already hold their
-    /// model poses; the other joints are not written.
+    /// Limits the run to these joints; no other joint is written. Parents outside the range must
+    /// already hold their model poses.
     pub fn joints(mut self, joints: impl RangeBounds<usize>) -> Self {
         let start = match joints.start_bound() {
             Bound::Included(&start) => start,
@@ -157,7 +157,7 @@ impl<'a, S, P> Job<'a, S, P> {
         self
     }
 
-    /// Sets when models are normalized on the way down; never by default.
+    /// Sets the joints at which models are normalized; none by default.
     pub fn renormalize(mut self, policy: Renormalize) -> Self {
         self.renormalize = policy;
         self
@@ -268,7 +268,8 @@ impl<S, P: Plans> Job<'_, S, P> {
     {
         let joints = self.parents.len();
         joints_within(&self.joints, joints)?;
-        // A skeleton's plan is of the very same parents, and then this compares no number.
+        // The plan of a skeleton was made for the same slice of parents, and then the comparison
+        // reads no number.
         if let Some(plan) = self.plan.plan()
             && !core::ptr::eq(plan.parents, self.parents)
             && plan.parents != self.parents
@@ -291,8 +292,8 @@ impl<S, P: Plans> Job<'_, S, P> {
 }
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// Models and the skinning palette of them in one pass, for callers who need both
-    /// ([`palette`](Self::palette) keeps no models): `models` as of
+    /// Computes models and their skinning palette in one pass, for callers who need both
+    /// ([`palette`](Self::palette) keeps no models): `models` like
     /// [`locals_to_model`](Self::locals_to_model), and `palette[j]` = model(j) ·
     /// `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose to where joint j has
     /// moved it. `inverse_binds` holds one per joint, the same for all instances; the palette is of

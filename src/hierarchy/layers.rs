@@ -1,5 +1,5 @@
-//! [`PoseSource`]: poses, stored ones or computed ones. Sources nest: a [`Layered`] one loads from
-//! two others, and [`Either`] from one of two.
+//! [`PoseSource`]: stored or computed poses. Sources nest: [`Layered`] loads from two other
+//! sources, and [`Either`] from one of two.
 
 use super::locals::sealed::Sealed;
 use super::locals::{
@@ -17,9 +17,9 @@ use core::fmt::Debug;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored
-/// ones ([`Poses`], [`RotationsTranslations`], [`Tracks`]), those of a clip
-/// ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
+/// Poses of whole instances, `C` numbers each, which are loaded into registers of the layout `M`.
+/// They are stored ([`Poses`], [`RotationsTranslations`], [`Tracks`]), sampled from a clip
+/// ([`Sampled`](super::Sampled)), or [`Layered`]. Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no poses of {C} numbers each",
     note = "layers have the numbers of their law, and poses of 7 numbers and of 8 do not mix: 7, a rotation and a translation, are \
@@ -34,7 +34,8 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// If they do not fit a skeleton of `joints` joints, or each other.
     #[doc(hidden)]
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// The number of instances, if it is known: blocks may have lanes without an instance.
+    /// The number of instances. `None` if it is not known, because the last block may have lanes
+    /// without an instance.
     #[doc(hidden)]
     fn instances(&self) -> Option<usize> {
         None
@@ -45,8 +46,8 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// The poses of a slot.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
-    /// The poses of a slot and of those after it, no more than a batch, into the first `C` rows of
-    /// each element of `to`. A call, so that it has registers of its own.
+    /// Loads the poses of a slot and of the slots after it, at most a batch, into the first `C`
+    /// rows of each element of `to`. It is not inlined, so that it has registers of its own.
     #[doc(hidden)]
     #[inline(never)]
     fn load_batch<V: Level>(
@@ -73,8 +74,8 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
-/// Implements [`Locals`] for poses: their law makes a motion of each, and multiplies it onto its
-/// parent.
+/// Implements [`Locals`] for poses: their law turns each pose into a motion, and multiplies it by
+/// the model of the parent.
 macro_rules! locals_by_law {
     ([$($generics:tt)*] $Poses:ty, $C:tt, |$poses:ident| $law:expr; $($bounds:tt)*) => {
         impl<E: Element<8>, $($generics)*> Locals<E> for $Poses
@@ -215,8 +216,8 @@ impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, 
 }
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, true> {
-    /// Adds `layer`, a difference, to `base` by the [`Law`], as far as the weight of the instance
-    /// says.
+    /// Adds `layer`, a difference of poses, to `base` by the [`Law`], in proportion to the weight
+    /// of the instance.
     pub fn add(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
@@ -327,9 +328,9 @@ locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, 
 impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}
 
 /// Rotations and translations of one of two forms, chosen when the program runs: a plain
-/// clip or a [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest. A
-/// kernel is compiled once for all of them, and so is each source of poses; but in firmware both
-/// are part of it.
+/// clip or a [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest.
+/// The kernel is compiled once for all forms, and each source of poses once; but in firmware the
+/// kernel contains both sources.
 ///
 /// ```
 /// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};
@@ -359,7 +360,7 @@ pub enum Either<A, B> {
     Other(B),
 }
 
-/// Runs an expression on whichever form the locals have.
+/// Evaluates an expression with the form that the locals have.
 macro_rules! match_either {
     ($either:ident, $locals:ident => $made:expr) => {
         match $either {

@@ -11,8 +11,8 @@ use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// A local in each lane. Eight registers hold a motion; a pose of seven numbers leaves the last
-/// unread.
+/// The local pose of each lane. Eight registers hold a motion. If a pose has seven numbers, the
+/// last register is not read.
 pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
@@ -26,7 +26,8 @@ pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
     note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
 )]
 pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
-    /// The name of the locals in errors, and their number, for `models` models of `joints` joints.
+    /// The name of the locals in errors, and the number of locals. A skeleton of `joints` joints is
+    /// to get `models` models.
     ///
     /// # Errors
     /// If a slice that all instances share, such as the offsets, does not have one element per
@@ -34,17 +35,18 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
-    /// The locals of a slot; `models` are those of its instances, as far as they are known.
+    /// The locals of a slot. `models` are the models of its instances; those of earlier joints are
+    /// known.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Registers<E, V>>;
 
-    /// `true` if the locals are computed: then a kernel calls [`load_batch`](Self::load_batch). As
-    /// part of the kernel, the computation would take its registers, and repeat for each joint what
-    /// is the same for all.
+    /// `true` if the locals are computed. A kernel then calls [`load_batch`](Self::load_batch). If
+    /// the computation were part of the kernel, it would take registers of the kernel, and would
+    /// repeat for each joint what is the same for all joints.
     #[doc(hidden)]
     const COMPUTED: bool = false;
 
-    /// The locals of a slot and of those after it, no more than a batch.
+    /// Computes the locals of a slot and of the slots after it, at most a batch, into `to`.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_batch<V: Level>(
@@ -75,8 +77,7 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
         parent * self.motion(local)
     }
 
-    /// The motions in memory, to be read number by number; `None` if the locals are of another
-    /// form.
+    /// The motions in memory. `None` if the locals are not motions in memory.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
@@ -114,7 +115,7 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     }
 }
 
-/// Motions that lie where the models go.
+/// Motions that lie in the memory of the models, which replace them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InPlace;
 
@@ -135,8 +136,8 @@ impl<E: Element<8>> Locals<E> for InPlace {
     }
 }
 
-/// Rotations and translations, r + ½εtr: an eighth less memory than motions, and no more
-/// operations.
+/// Rotations and translations, r + ½εtr. They take an eighth less memory than motions, and no
+/// more operations.
 #[derive(Clone, Copy)]
 pub struct RotationsTranslations<'s, T>(
     /// One for each joint: [`RotationTranslation`](crate::representation::RotationTranslation),
@@ -146,8 +147,8 @@ pub struct RotationsTranslations<'s, T>(
 
 brief!([T] RotationsTranslations<'_, T>: RotationsTranslations |it| { elements: it.0.len() });
 
-/// Rotations and translations of each joint in two arrays, as animation tracks have them:
-/// [`RotationsTranslations`] taken apart.
+/// Rotations and translations of each joint in two arrays, the form of animation tracks.
+/// [`RotationsTranslations`] have both in one array.
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Tracks};
@@ -173,13 +174,13 @@ brief!([Q, T] Tracks<'_, Q, T>: Tracks |it| {
     rotations: it.rotations.len(), translations: it.translations.len(),
 });
 
-/// Rotations, and an offset of each joint from its parent that is the same for all instances: the
-/// form of animation clips, with half the memory of motions.
+/// Rotations of each joint, and the offset of each joint from its parent, which is the same for all
+/// instances. It is the form of many animation clips, and takes half the memory of motions.
 #[derive(Clone, Copy)]
 pub struct Bones<'s, Q: Element<4>> {
     /// One for each joint.
     pub rotations: &'s [Q],
-    /// One for each joint of the skeleton: its place in its parent.
+    /// The position of each joint of the skeleton in its parent.
     pub offsets: &'s [[Number<Q, 4>; 3]],
 }
 
@@ -211,7 +212,8 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     }
 }
 
-/// The elements of some instances in a slice that holds `count` for each; fewer if it ends before.
+/// The elements of some instances in a slice with `count` elements for each instance; fewer at the
+/// end of the slice.
 pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
     let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
     slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()
@@ -227,19 +229,19 @@ pub(super) mod sealed {
     impl<Q: Element<4>> Sealed for Bones<'_, Q> {}
 }
 
-/// A pose or a motion of each lane in memory, in the order of registers: a row for each number. A
-/// pose of seven numbers leaves the last row as it is.
+/// The pose or motion of each lane in memory, in the order of registers: a row for each component.
+/// A pose of seven numbers does not change the last row.
 pub(super) type Stored<L> = [<L as Lanes>::Array; 8];
 
-/// The number of slots in a batch: enough that a call for each source costs little, few enough that
-/// the batch stays in the first cache.
+/// The number of slots in a batch. It is so large that a call of each source costs little, and so
+/// small that the batch stays in the first cache.
 pub(super) const BATCH: usize = 16;
 
 /// `true` if computed locals are computed in batches. Firmware, which counts the bytes of its code
 /// and stack, computes them one by one.
 pub(super) const BATCHES: bool = cfg!(not(target_os = "none"));
 
-/// Fills `to` with the poses of a slot and of those after it.
+/// Fills `to` with the poses of a slot and of the slots after it, by a call of `pose` for each.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn each<L: Lanes, const C: usize>(
     slot: JointSlot,
@@ -270,11 +272,12 @@ pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Stored
     }
 }
 
-/// An array of another length with the same first elements. Elements beyond them repeat the first
-/// one, and are not read.
+/// An array of another length with the same first elements. Further elements are copies of the
+/// first one, and nobody reads them.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) -> [L; B] {
-    // No closure: in an inlined kernel it would be compiled without its instructions.
+    // This is a loop and not a closure, because a closure in an inlined kernel would be compiled
+    // without the kernel's instructions (AVX2, AVX-512).
     let mut to = [from[0]; B];
     for (to, &from) in to.iter_mut().zip(&from) {
         *to = from;
@@ -282,13 +285,13 @@ pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) ->
     to
 }
 
-/// Memory for a batch of locals; none where locals are loaded.
+/// Memory for a batch of computed locals; `None` if locals are loaded.
 pub(super) struct LocalBatch<E: Element<8>, V: Level>(Option<[Stored<Register<E, V, 8>>; BATCH]>);
 
-/// The facts that a loop over joints reads: each loop is a method. Loops copy the fields that they
-/// read into variables before the first joint, and have a parameter for each slice that they write:
-/// stores may change what a reference or a field leads to, for all that the compiler knows, so it
-/// would load that again for every joint.
+/// The data that every loop over joints reads; each loop is a method. Loops copy the fields that
+/// they read into variables before the first joint, and get each slice that they write as a
+/// parameter. The compiler must assume that a store changes whatever a reference or a field points
+/// to, so it would load fields again for every joint.
 pub(super) struct Pass<'r, E: Element<8>, L, V> {
     pub(super) level: V,
     pub(super) run: &'r Run<'r, E>,
@@ -350,7 +353,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         Some(())
     }
 
-    /// Stores the local of a slot in `poses`, as a motion.
+    /// Stores the local pose of a slot in `poses`, as a motion.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn write(
         &self,

@@ -13,11 +13,11 @@ use core::num::NonZeroU32;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level, Records};
 
-/// The fewest elements in a task of a thread: some microseconds of work, where starting a task
-/// takes a fraction of one.
+/// The fewest elements in a task of a thread. They are some microseconds of work; starting a task
+/// takes a fraction of a microsecond.
 const GRAIN: usize = 2048;
 
-/// The instances of a task; there are joints.
+/// The number of instances in a task of a thread. `joints` is not 0.
 pub(super) fn grain(joints: usize) -> usize {
     GRAIN.div_ceil(joints)
 }
@@ -45,8 +45,8 @@ pub enum Root<'a, E: Element<8>> {
 }
 
 impl<E: Element<8>> Root<'_, E> {
-    /// The base of the root of `instance` (block); of as many instances as there are lanes where
-    /// elements are single things.
+    /// The base of the root joints of the instances in a register. `instance` is the first of them,
+    /// or in blocks the number of the block.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn load<V: Level>(
         &self,
@@ -80,14 +80,14 @@ impl<E: Element<8>> Run<'_, E> {
         Self { root: self.root.part(instances), ..self.clone() }
     }
 
-    /// `true` if there is work for more threads than the one that calls.
+    /// `true` if there is enough work for several threads.
     #[cfg(feature = "rayon")]
     #[inline]
     pub(super) fn many(&self) -> bool {
         self.backend.many() && !self.parents.is_empty()
     }
 
-    /// The base of the root of one instance, where records are single things.
+    /// The base of the root joints of one instance of plain motions.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn root_of(&self, instance: usize) -> Option<[Number<E, 8>; 8]> {
         match self.root {
@@ -102,12 +102,12 @@ impl<E: Element<8>> Run<'_, E> {
 #[derive(Clone, Copy, Debug)]
 pub struct NoRoot;
 
-/// The base that root joints stand on, for models of `E`: nothing, one motion for all, or one each.
-/// Sealed.
+/// The base that root joints stand on, for models of `E`: none, one motion for all instances, or
+/// one for each instance. Sealed.
 pub trait Roots<E: Element<8>>: sealed::Sealed {
     #[doc(hidden)]
     fn root(&self) -> Root<'_, E>;
-    /// The number of roots, where each instance has its own.
+    /// The number of bases, if each instance has its own.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None
@@ -164,13 +164,13 @@ mod sealed {
 ///
 /// - normalizing does **not** make rotations more accurate, it only keeps the norm;
 /// - chains of up to thousands of joints do not need it: [`Never`](Self::Never) is the default;
-/// - where a product goes on for long (odometry, physics), normalize exactly and rarely:
+/// - if products go on for a long time (odometry, physics), normalize exactly and rarely:
 ///   [`Every`](Self::Every) 64 joints is as good as every one;
 /// - dividing by the norm of the real part alone does not normalize: it leaves the dual part with a
 ///   component that is not a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Renormalize {
-    /// Products only.
+    /// Models are products, and are not normalized.
     #[default]
     Never,
     /// The model of every n-th joint, counted along the parent array: joints n − 1, 2n − 1, …
@@ -188,12 +188,12 @@ impl Renormalize {
     }
 }
 
-/// A computation from a model once it is known, as in the epilogue of a matrix product.
+/// A computation from each model while it is in registers, as in the epilogue of a matrix product.
 pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
-    /// `true` if there is anything to do.
+    /// `true` if the epilogue computes something.
     const ACTIVE: bool;
     fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
-    /// The epilogue of the models before number `at`, and that of the others.
+    /// Splits into the epilogue of the models before number `at` and that of the others.
     fn split(self, at: usize) -> (Self, Self);
 }
 
@@ -246,7 +246,7 @@ where
     }
 }
 
-/// Models to compute, of whole instances, and what the epilogue makes of each.
+/// A run that computes the models of whole instances, and the epilogue of each model.
 pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
@@ -254,7 +254,7 @@ pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
     pub(super) epilogue: X,
 }
 
-/// A palette to compute without its models, which go through `scratch`.
+/// A run that computes a palette and keeps no models: they go through `scratch`.
 pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
@@ -263,30 +263,31 @@ pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
     pub(super) epilogue: X,
 }
 
-/// The number of joints that are prefetched ahead. For 1,000 skeletons whose palettes exceed the
-/// second cache it saves a seventh of the time, in that cache next to nothing; 4 is as good.
+/// The distance in joints at which places of later joints are prefetched. It saves a seventh of the
+/// time for 1,000 skeletons whose palettes exceed the second cache, and next to nothing if they fit
+/// into it. A distance of 4 is equally good.
 const PREFETCH_DISTANCE: usize = 2;
 
 /// The joints and instances in the lanes of a register: one joint of several instances, or several
 /// joints of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
-    /// The joint, or the first one.
+    /// The joint, or the joint of the first lane.
     joint: usize,
-    /// The first joint of the instance (of the block, of the first lane) among all elements.
+    /// The index among all elements of joint 0 of the instance in the first lane, or of the block.
     first: usize,
     register: usize,
     /// The instance of the first lane.
     instance: usize,
-    /// The distance of two lanes in elements, where lanes are instances.
+    /// The distance between neighbouring lanes in elements, if lanes are instances.
     stride: Option<usize>,
-    /// The end of the range of joints, where lanes are joints of one instance.
+    /// The end of the range of joints, if lanes are joints of one instance.
     end: Option<usize>,
 }
 
 impl JointSlot {
-    /// The slot of a joint of the instances in one register of a block; `first` is the block of
-    /// joint 0, `instance` the first in the register.
+    /// The slot of a joint of the instances in one register of a block. `first` is the index of
+    /// joint 0 among all blocks, and `instance` the first instance in the register.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
         Self { joint, first, register, instance, stride: None, end: None }
@@ -306,7 +307,8 @@ impl JointSlot {
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
-    /// The slot of the same instances that comes `slots` slots later, of so many lanes.
+    /// The slot of the same instances that comes `slots` slots later, if a register has `lanes`
+    /// lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
         let joints = if self.lanes_are_joints() { slots * lanes } else { slots };
@@ -343,7 +345,7 @@ impl JointSlot {
         Tile { element: self.joint, register: self.register, stride: self.stride }
     }
 
-    /// The part of `to` up to where this slot may be written.
+    /// The part of `to` before the end of the range of joints, if lanes are joints; otherwise all.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn within<E>(self, to: &mut [E]) -> &mut [E] {
         match self.end {
@@ -370,7 +372,8 @@ impl JointSlot {
         Self { first: 0, ..self }.prefetch(level, memory, lanes);
     }
 
-    /// A record for each joint, the same for all instances.
+    /// The record of this joint from `records`, which have one for each joint and serve all
+    /// instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joint<L: Lanes<Real: Scalar>, const C: usize>(
         self,
@@ -384,7 +387,8 @@ impl JointSlot {
         }
     }
 
-    /// A number of each instance; that of the last one in lanes without an instance.
+    /// The number of each instance in this slot, from `numbers`. Lanes without an instance get the
+    /// number of the last instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instance<L: Lanes<Real: Scalar>>(
         self,
