@@ -99,7 +99,7 @@ FILES = {
     "a chain": ("urdf", 1, chain, "links: "),
     "a chain, the last link first": ("urdf", 1, lambda n: robot(link(i, i - 1) for i in reversed(range(1, n))), "links: "),
     "a star": ("urdf", 1, lambda n: robot(link(i, 0) for i in range(1, n)), "links: "),
-    "links that no joint carries": ("urdf", 4, lambda n: robot(f'<link name="k{i}"/>' for i in range(n)), "more than one <link> is a root"),
+    "links that no joint carries": ("urdf", 4, lambda n: robot(f'<link name="k{i}"/>' for i in range(n)), "more than one <link> is the child of no joint"),
     "what is not read": ("urdf", 2, lambda n: robot('<gazebo><a b="c"/></gazebo>' for _ in range(n)), "warnings: "),
     "prefixes": ("urdf", 8, lambda n: robot(f"<p{i}:x/>" for i in range(n)), "more than 1000 prefixes"),
     "names with a prefix": ("urdf", 2, lambda n: robot(f"<p{i % 100}:x/>" for i in range(n)), "warnings: "),
@@ -111,7 +111,7 @@ FILES = {
     "entities of XML": ("urdf", 8, lambda n: robot([f'<gazebo a="{"&amp;" * n}">{"&lt;" * n}</gazebo>']), "warnings: 1"),
     "mimics of mimics": ("urdf", 1, lambda n: chain(n, lambda i: f'<mimic joint="j{i - 1}"/>' if i > 1 else ""), "values: 1"),
     "a long name": ("urdf", 20, lambda n: robot([f"<{'orgin' * n}/>"]), "warnings: 1"),
-    "many numbers": ("urdf", 4, lambda n: chain(2, lambda _: f'<origin xyz="{"1 " * n}"/>'), "where 3 numbers must be"),
+    "many numbers": ("urdf", 4, lambda n: chain(2, lambda _: f'<origin xyz="{"1 " * n}"/>'), "xyz must be 3 finite numbers"),
     "a deep joint": ("bvh", 1, lambda n: bvh(root("".join(
         f"JOINT j{i}\n{{\nOFFSET 0 1 0\nCHANNELS 0\n" for i in range(n)) + END + "}\n" * n), 1, "0"), "joints"),
     "many joints on one": ("bvh", 1, lambda n: bvh(root("".join(
