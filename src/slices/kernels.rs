@@ -1,5 +1,5 @@
 //! The kernels that compute each element from one element of every input, declared once in
-//! [`for_each_kernel`](crate::__for_each_kernel); and the methods that they become.
+//! [`for_each_kernel`](crate::__for_each_kernel), and the macros that make methods of that list.
 
 use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::Backend;
@@ -9,7 +9,7 @@ use crate::storage::{Element, Number, Register, Source, Tile, identity};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// Calls the macro `callback`, with what it is given, and with every kernel:
+/// Calls the macro `callback` with the given tokens and the list of all kernels, each in this form:
 ///
 /// ```text
 /// /// Sentences about the output, which C users read too.
@@ -20,10 +20,10 @@ use dq8_simd::{Lanes, Level};
 /// }
 /// ```
 ///
-/// The first record decides on the layout of all. Kinds are those of [`__record`], and the formula
-/// is the same text for one motion and for lanes. From this list come the methods of [`Backend`]
-/// with their documentation, the table in the documentation of `slices`, the functions in C, the
-/// page of operations, and the tests of all of them.
+/// The type `E` of the first input decides on the layout of all slices. Kinds are those of
+/// [`__record`]. The formula is the same text for one motion and for lanes. This list makes the
+/// methods of [`Backend`] with their documentation, the table in the documentation of `slices`, the
+/// functions in C, the page of operations, and the tests of all of them.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __for_each_kernel {
@@ -111,8 +111,8 @@ macro_rules! __for_each_kernel {
     /// Interpolates like `nlerp`, with a number `t[i]` for each pair.
     nlerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.nlerp(b, t), {
-        /// Numbers are in the precision of the motions: `&[0.5_f32; 4]`, where bare
-        /// literals are `f64`. See [`nlerp`](Self::nlerp).
+        /// The values of `t` have the element type of the motions: write `&[0.5_f32; 4]`, because
+        /// literals without a suffix are `f64`. See [`nlerp`](Self::nlerp).
     }
 
     /// Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1) by the shorter way, along
@@ -137,14 +137,14 @@ macro_rules! __for_each_kernel {
     /// Interpolates like `sclerp`, with a number `t[i]` for each pair.
     sclerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.sclerp(b, t), {
-        /// Numbers are in the precision of the motions. [`sclerp`](Self::sclerp) has an
-        /// example of both.
+        /// The values of `t` have the element type of the motions. The example of
+        /// [`sclerp`](Self::sclerp) calls this method too.
     }
 
     /// Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1): rotations turn at
     /// constant speed, translations go straight.
     slerp_lerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.slerp_lerp(b, t), {
-        /// Rotation by SLERP and translation by LERP, each for itself; see
+        /// Interpolates the rotations by SLERP and, independently, the translations by LERP; see
         /// [`DualQuat::slerp_lerp`](crate::DualQuat::slerp_lerp).
         ///
         /// ```
@@ -163,7 +163,7 @@ macro_rules! __for_each_kernel {
     /// Interpolates like `slerp_lerp`, with a number `t[i]` for each pair.
     slerp_lerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.slerp_lerp(b, t), {
-        /// Numbers are in the precision of the motions. See
+        /// The values of `t` have the element type of the motions. See
         /// [`slerp_lerp`](Self::slerp_lerp).
     }
 
@@ -185,8 +185,9 @@ macro_rules! __for_each_kernel {
 
     /// Computes the unit motions whose logarithms are `logs`, six numbers each.
     exp[L: 6, M: 8](logs: log L) -> motions: unit M = DualQuat::exp(logs), {
-        /// `motions[i]` = exp(a + εb) of the six numbers of `logs[i]`, first a, then b; see
-        /// [`DualQuat::exp`](crate::DualQuat::exp). [`log`](Self::log) has an example.
+        /// `motions[i]` = exp(a + εb), where `logs[i]` holds the three components of a, then those
+        /// of b; see [`DualQuat::exp`](crate::DualQuat::exp). The example of [`log`](Self::log)
+        /// calls this method too.
     }
 
     /// Computes the motions to which `twists`, six numbers each, angular part first, lead in
@@ -194,7 +195,7 @@ macro_rules! __for_each_kernel {
     from_twist[T: 6, M: 8](twists: twist T) -> motions: unit M
         = DualQuat::from_twist(twists), {
         /// `motions[i]` = exp(½ξᵢ); see [`DualQuat::from_twist`](crate::DualQuat::from_twist).
-        /// [`to_twist`](Self::to_twist) has an example.
+        /// The example of [`to_twist`](Self::to_twist) calls this method too.
     }
 
     /// Moves the unit `motions[i]` on by `dt` seconds of the body twists `twists[i]`, six
@@ -218,8 +219,8 @@ macro_rules! __for_each_kernel {
     /// Computes the logarithms of unit `motions`, six numbers each: half the angle times the
     /// axis, and its moment. Twice that is the twist that leads there in one second.
     log[M: 8, L: 6](motions: unit M) -> logs: log L = motions.log(), {
-        /// `logs[i]` = log σᵢ = (θ̂/2)(l + εm): six numbers, a and then b of a + εb; see
-        /// [`DualQuat::log`](crate::DualQuat::log).
+        /// `logs[i]` = log σᵢ = (θ̂/2)(l + εm) = a + εb, stored as the three components of
+        /// a, then those of b; see [`DualQuat::log`](crate::DualQuat::log).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -370,9 +371,10 @@ macro_rules! __for_each_kernel {
     };
 }
 
-/// The records that kernels read and write, by their kinds: the count of numbers, a record `from`
-/// numbers, and the numbers `of` a record. Motions of the kind `any` need not be unit. `DualQuat`
-/// is the scalar one or that of lanes, as the caller has imported it.
+/// The kinds of records that kernels read and write. For each kind: the count of its components; a
+/// record made `from` an array of components; and the array `of` a record. Motions of the kind
+/// `any` need not be unit. `DualQuat` is the scalar type or the type on lanes, as the caller
+/// imports it.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __record {
@@ -455,7 +457,7 @@ macro_rules! __record {
         let $crate::geometry::DualVector { real: [a, b, c], dual: [d, e, f] } = $one;
         [a, b, c, d, e, f]
     }};
-    // Motions and twists.
+    // Motions and twists convert by a method.
     ($kind:ident of $one:expr) => {
         $one.to_array()
     };
@@ -480,7 +482,7 @@ macro_rules! __kernels_table {
     };
 }
 
-/// The methods, and a kernel for each that is called as the method is.
+/// Defines the methods of [`Backend`], and for each a kernel in [`of_each`] with the method's name.
 macro_rules! methods {
     ($(
         $(#[doc = $brief:literal])+
@@ -518,7 +520,7 @@ macro_rules! methods {
             }
         )*}
 
-        /// The kernels, called as their methods are.
+        /// The kernels, which have the names of their methods.
         #[allow(non_camel_case_types, reason = "they are called as their methods are")]
         mod of_each {
             use super::*;
@@ -565,7 +567,8 @@ macro_rules! methods {
     };
 }
 
-/// The first input: the output itself, of a kernel that there is in place too, or a slice.
+/// The first input of a kernel. If the kernel has a method in place too, its input is a [`Source`]:
+/// a slice or the output itself. Otherwise it is a slice.
 #[rustfmt::skip]
 macro_rules! input {
     (of $slice:expr) => { $slice };
@@ -580,7 +583,7 @@ macro_rules! input {
     ($in_place:ident part $input:expr, $elements:expr) => { $input.part($elements) };
 }
 
-/// The method in place, if there is one. Without other slices nothing can be wrong.
+/// Defines the method in place, if the list names one. If it takes no other slice, it cannot fail.
 macro_rules! in_place {
     ($name:ident [$E:ident: $size:literal] $($inputs:tt)*) => {};
     ($name:ident $in_place:ident [$E:ident: $size:literal]($input:ident: $I:ident)) => {
