@@ -3,7 +3,7 @@
 //! | item | |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
-//! | [`Skeleton`] | a hierarchy that owns its parents, sorts them, and has a plan (feature `alloc`) |
+//! | [`Skeleton`] | a hierarchy that owns its parents and its plan (feature `alloc`) |
 //! | [`Job`] | a run over a hierarchy: with a root, on some joints, with a palette, or backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled and blended during the run |

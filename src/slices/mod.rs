@@ -10,7 +10,7 @@
 //!
 //! | method | what it computes |
 //! |---|---|
-//! | [`mul_left_in_place`](Backend::mul_left_in_place) | products with one motion a on the left: a bᵢ |
+//! | [`mul_left_in_place`](Backend::mul_left_in_place) | products with one left factor a: a bᵢ |
 //! | [`transform_points`](Backend::transform_points), and in place | points moved by a motion |
 //! | [`transform_vectors`](Backend::transform_vectors), and in place | vectors turned by a motion |
 //! | [`dlb`](Backend::dlb) | linear blends of K motions, with one weight for each |
