@@ -58,8 +58,8 @@ impl<E: Element<8>> Backward<'_, '_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
-    /// Computes the locals of one block, whose lanes are instances, or of one plain instance where
-    /// a register holds a single value.
+    /// Computes the locals of one block, whose lanes are instances, or, on targets without SIMD, of
+    /// one plain instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn locals_of_block<V: Level>(
         &self,
@@ -132,11 +132,11 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// The loop that writes locals as motions: poses(j) = local(j). In blocks, lanes are instances. So
-/// they are for plain instances whose locals are computed: clips and layers are faster for a batch
-/// of joints at a time, and in a small skeleton joints fill fewer registers, the last of them
-/// partly. Locals that lie in memory, and instances left over, have joints of one instance in the
-/// lanes: here no joint waits for another, and joints side by side are not strided. The results
+/// The loop that writes locals as motions: poses(j) = local(j). In blocks, and for plain instances
+/// whose locals are computed, lanes are instances: clips and layers are faster for a batch of
+/// joints at a time, and the joints of a small skeleton would fill few registers, the last of them
+/// partly. For locals that lie in memory, and for instances left over, lanes are joints of one
+/// instance: here no joint waits for another, and joints side by side are not strided. The results
 /// have the same bits.
 pub(super) struct Write<'r, 's, E: Element<8>, L> {
     pub(super) run: &'r Run<'r, E>,
@@ -147,7 +147,7 @@ pub(super) struct Write<'r, 's, E: Element<8>, L> {
 impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE || L::COMPUTED;
-    // A fifth to a quarter less time on CPUs that shuffle 512 bits as quickly as 256.
+    // AVX-512 takes a fifth to a quarter less time on CPUs that shuffle 512 bits as quickly as 256.
     const SHUFFLES: bool = !E::Layout::WIDE && L::COMPUTED;
 
     #[cfg_attr(not(opt_level_0), inline(always))]

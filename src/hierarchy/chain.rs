@@ -90,8 +90,9 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
         // link, and the first pass, which reads all links, has ended before that.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
-            // On targets whose registers hold a single value, segments are computed one after the
-            // other. Eight segments at once would not fit the registers, and would be much code.
+            // On targets without SIMD, where a register holds a single value, segments are computed
+            // one after the other. Eight segments at once would not fit the registers, and would be
+            // much code.
             let mut before = if const {
                 <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native::LANES == 1
             } {

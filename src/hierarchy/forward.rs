@@ -80,8 +80,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
         }
     }
 
-    /// Computes the palette of all instances. Each task has its part of `scratch`, so there are no
-    /// more tasks than parts of at least one group of instances.
+    /// Computes the palette of all instances. Each task has its part of `scratch`, which must hold
+    /// the models of at least one group of instances; this limits the number of tasks.
     #[cfg(feature = "rayon")]
     fn on_threads(self) {
         let Self { run, locals, instances, scratch, epilogue } = self;

@@ -42,8 +42,8 @@ pub(super) const MANY: bool = cfg!(not(target_os = "none"));
 
 /// The size of the second-level cache in bytes. Models that exceed it are prefetched before they
 /// are written. That saves a tenth of the time of models, and a sixth of the time of palettes with
-/// models. With fewer models, prefetching costs a twentieth; models in place of their locals gain
-/// nothing.
+/// models. With fewer models, prefetching costs a twentieth. Models written in place of their
+/// locals gain nothing from it.
 const NEAR: usize = 1 << 20;
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
@@ -51,8 +51,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
     #[inline]
     pub(super) fn plain(mut self) {
         let backend = self.run.backend;
-        // Where a register holds a single value, the loop over instances computes one instance at a
-        // time.
+        // On targets without SIMD a register holds a single value, and this loop computes one
+        // instance at a time.
         let mut done = 0;
         if const { Register::<E, Portable, 8>::LANES == 1 }
             || (const { MANY } && self.models.len() > self.run.parents.len())
@@ -222,10 +222,10 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         );
     }
 
-    /// Computes the models of one instance where a register holds a single value. Models go through
-    /// memory, since the eight components would not stay in registers anyway. The product is the
-    /// one of all other loops, and of targets with wider registers, so that results have the same
-    /// bits.
+    /// Computes the models of one instance on targets without SIMD, where a register holds a single
+    /// value. Models go through memory, since the eight components would not stay in registers
+    /// anyway. The product is the one of all other loops, and of targets with wider registers, so
+    /// that results have the same bits.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn one_instance<X: Epilogue<E>>(
         self,
@@ -378,7 +378,7 @@ pub(super) struct PaletteInstances<'f, 'r, 's, E: Element<8>, L, X>(
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_, '_, '_, E, L, X> {
     type Output = usize;
-    // A quarter less time on CPUs that shuffle 512 bits as quickly as 256.
+    // AVX-512 takes a quarter less time on CPUs that shuffle 512 bits as quickly as 256.
     const SHUFFLES: bool = !E::Layout::WIDE;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -388,7 +388,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
         let joints = run.parents.len();
         let rows =
             E::plain_mut(scratch).and_then(|plain| aligned(plain.as_flattened_mut(), joints));
-        // Where a register holds a single value there is nothing to transpose, so nothing to gain.
+        // On targets without SIMD there is nothing to transpose, so this loop would gain nothing.
         let (Some(rows), 2..) = (rows, lanes) else { return 0 };
         let pass = Pass { level, run: *run, locals: *locals };
         let mut done = 0;

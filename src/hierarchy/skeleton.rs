@@ -332,7 +332,8 @@ impl Skeleton {
         Hierarchy::of_checked(&self.parents)
     }
 
-    /// A run over this skeleton, which options such as a root or a palette refine. It has the plan.
+    /// Begins a run over this skeleton with its plan; methods of the job set options, such as a
+    /// root.
     pub fn job(&self) -> Job<'_, NoRoot, Plan<'_>> {
         self.hierarchy().job().plan(&self.plan.borrowed(&self.parents))
     }
