@@ -207,7 +207,7 @@ impl PackedClip {
         self.tracks.bytes()
     }
 
-    /// Borrows the clips; their bytes were checked when this was made.
+    /// Borrows the clips; their bytes were checked when `self` was made.
     #[must_use]
     pub fn clips(&self) -> PackedClips<'_> {
         let part = |range: &Range<usize>| self.as_bytes().get(range.clone()).unwrap_or_default();

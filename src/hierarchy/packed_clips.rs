@@ -419,8 +419,8 @@ impl Playback<'_> {
         }
     }
 
-    /// Loads the rests of the joints in the lanes, and returns `true` with them if any of these
-    /// joints has translations.
+    /// Loads the rest positions and steps of the joints in the lanes. The second result is `true`
+    /// if a clip translates any of these joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn rest<L: Lanes<Real: Scalar>>(
         self,
@@ -445,7 +445,8 @@ impl Playback<'_> {
     }
 }
 
-/// Returns the rests as arrays of `R` without a copy, if their bytes are those of `R` and aligned.
+/// Returns rests (x, y, z and a step) as arrays of `R` without a copy, if `R` is `f32` in the byte
+/// order of the target and the bytes are aligned.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn as_they_lie<R: Scalar>(rests: &[Rest]) -> Option<&[[R; 4]]> {
     let same = R::SINGLE && cfg!(target_endian = "little");
@@ -480,7 +481,7 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
             let last = slot.joint() + 1 == self.rests.len();
             self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint(), last);
         }
-        // The rest is loaded first. Loaded after the interpolation, it would make the interpolated
+        // The rest position is loaded first. Loaded after the interpolation, it would make the interpolated
         // rotation wait in memory.
         let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
         let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?, t);

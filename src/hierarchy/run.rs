@@ -168,7 +168,7 @@ mod sealed {
 /// - normalizing does **not** make rotations more accurate, it only keeps the norm;
 /// - chains of up to thousands of joints do not need it: [`Never`](Self::Never) is the default;
 /// - if products go on for a long time (odometry, physics), normalize exactly and rarely:
-///   [`Every`](Self::Every) 64 joints is as good as every one;
+///   [`Every`](Self::Every) 64 joints is as good as every joint;
 /// - dividing by the norm of the real part alone does not normalize: it leaves the dual part with a
 ///   component that is not a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -363,8 +363,8 @@ macro_rules! __for_each_kernel {
     /// first, which turns a body twist into the spatial one.
     transform_twists_each as "twists_each" [M: 8, T: 6](motions: unit M, twists: twist T)
         -> moved: twist T = motions.adjoint(twists), {
-        /// Each result is the twist `moved[i]` = (ω′, v′) with ω′ = Rᵢω and v′ = Rᵢv
-        /// + tᵢ × ω′; see [`DualQuat::adjoint`](crate::DualQuat::adjoint).
+        /// Each result is the twist `moved[i]` = (ω′, v′), where ω′ = Rᵢω and
+        /// v′ = Rᵢv + tᵢ × ω′; see [`DualQuat::adjoint`](crate::DualQuat::adjoint).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Twist};

@@ -22,8 +22,8 @@ errors! {
         Shape(error: ShapeError) => "{error}";
         /// A matrix is not that of a rigid motion.
         NotRigid {
-            /// The index of the first such matrix; in blocks, the lanes of one block follow those
-            /// of another.
+            /// The index of the first such matrix; in blocks, the lanes of each block are counted
+            /// before those of the next.
             index: usize,
             /// The fault of that matrix.
             error: MatrixError,

@@ -11,9 +11,8 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// Multiplies every motion by `left` from the left, `motions[i] ← left · motions[i]`, which
-    /// moves each pose as `left` moves space. For products of two slices there is
-    /// [`mul`](Self::mul).
+    /// Multiplies every motion by `left` from the left, which moves each pose by `left`:
+    /// `motions[i] ← left · motions[i]`. For products of two slices there is [`mul`](Self::mul).
     ///
     /// ```
     /// use dq8::{Backend, DualQuat};
@@ -27,9 +26,9 @@ impl Backend {
         sweep(self, motions, ProductByOne(left));
     }
 
-    /// Moves points by one unit motion: `moved[i]` = R·`points[i]` + t. The motion is turned into
-    /// a 3×4 matrix once, so that each point takes nine multiplications; see
-    /// [`DualQuat::transform_point`].
+    /// Moves points by one unit motion with rotation R and translation t: `moved[i]` =
+    /// R·`points[i]` + t. The motion is converted to a 3×4 matrix once, so that each point takes
+    /// nine multiplications; see [`DualQuat::transform_point`].
     ///
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.
@@ -55,7 +54,7 @@ impl Backend {
         sweep(self, points, ByOne::of(motion, Source::Output));
     }
 
-    /// Turns vectors by the rotation of one unit motion: `turned[i]` = R·`vectors[i]`. Vectors are
+    /// Turns vectors by the rotation R of one unit motion: `turned[i]` = R·`vectors[i]`. Vectors are
     /// directions or differences of points, which do not translate; see
     /// [`DualQuat::transform_vector`].
     ///
