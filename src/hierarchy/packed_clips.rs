@@ -481,8 +481,8 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
             let last = slot.joint() + 1 == self.rests.len();
             self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint(), last);
         }
-        // The rest position is loaded first. Loaded after the interpolation, it would make the interpolated
-        // rotation wait in memory.
+        // The rest position is loaded first. Loaded after the interpolation, it would make the
+        // interpolated rotation wait in memory.
         let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
         let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?, t);
         if moves {

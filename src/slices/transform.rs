@@ -54,8 +54,8 @@ impl Backend {
         sweep(self, points, ByOne::of(motion, Source::Output));
     }
 
-    /// Turns vectors by the rotation R of one unit motion: `turned[i]` = R·`vectors[i]`. Vectors are
-    /// directions or differences of points, which do not translate; see
+    /// Turns vectors by the rotation R of one unit motion: `turned[i]` = R·`vectors[i]`. Vectors
+    /// are directions or differences of points, which do not translate; see
     /// [`DualQuat::transform_vector`].
     ///
     /// # Errors
