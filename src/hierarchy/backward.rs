@@ -74,7 +74,8 @@ impl<E: Element<8>> Run<'_, E> {
                 let models = models.or(locals);
                 let Some(&parent) = self.parents.get(joint) else { return };
                 let Some(mut local) = motions(level, models, tile) else { return };
-                // `ROOT` is beyond the last joint, so a root finds no model of a parent.
+                // The parent of a root is `ROOT`, which is beyond all models: loading it gives
+                // `None`.
                 let parent = motions(level, models, Tile::at(parent as usize, register));
                 let parent = match parent {
                     Some(parent) => Some(parent),

@@ -87,7 +87,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     }
                 }
             }
-            // `ROOT` is beyond the last joint, so a root finds no model of a parent.
+            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
             let Some(&parent) = run.parents.get(joint) else { return };
             let renormalize = run.renormalize.applies_to(joint);
             for (block, models) in &mut blocks {

@@ -349,15 +349,15 @@ impl<S, P: Plans> Job<'_, S, P> {
 
     /// Computes the skinning palette without models;
     /// [`palette_and_models`](Self::palette_and_models) keeps them. `scratch` has memory for the
-    /// models of some whole instances, and is used again for all others. Best is memory for 16
+    /// models of some whole instances, and is used again for the next. Best is memory for 16
     /// plain instances, or for two blocks, for each thread: that fills the lanes, and stays in the
     /// first-level cache. After the call the contents of `scratch` have no meaning; models of plain
     /// motions lie there in the order of registers.
     ///
     /// # Errors
     /// If lengths or the range of joints do not fit, `scratch` is too small for one instance, or a
-    /// joint of the range has a parent before the range, whose model is nowhere; `palette` is
-    /// untouched.
+    /// joint of the range has a parent before the range, whose model no slice holds; `palette`
+    /// is untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};

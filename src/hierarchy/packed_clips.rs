@@ -26,8 +26,8 @@ const NEAREST: i64 = 929_830_942;
 /// with the lowest byte first.
 pub(super) type Rest = [u8; 16];
 
-/// The timing of a clip: its rate in frames a second as a sum of two `f32`; 1 if it loops; and the
-/// number of frames in the file for each step from one of its own frames to the next.
+/// The timing of a clip as bytes: its rate in frames a second as a sum of two `f32`; 1 if it loops;
+/// and the number of pieces, 1 to 4, into which packing has cut each step between its frames.
 pub(super) type PackedTiming = [u8; 12];
 
 /// Clips of one skeleton, borrowed from their bytes (of a mapped file or of flash, for instance),
@@ -58,8 +58,8 @@ pub(super) type PackedTiming = [u8; 12];
 /// The rest of a joint is the position from which the steps of its translations count. The rate of
 /// a clip is the sum of two `f32`, the rounded rate in frames a second and its rounding error; it
 /// is 1 if times are in frames. The first `u16` after the rate is 1 for a clip that loops,
-/// otherwise 0. The second is the number of steps between frames in the file, 1 to 4, for each step
-/// between frames of the clip that was packed. A place of keys is twice the distance from the first
+/// otherwise 0. The second is the number of pieces, 1 to 4, into which packing has cut each step
+/// between frames of the clip. A place of keys is twice the distance from the first
 /// key of the clip to the first key of the track, plus 1 if the track has a key for each frame.
 /// Clips in which the same tracks move share one row of places.
 #[derive(Clone, Copy)]
@@ -230,7 +230,7 @@ impl<'a> PackedClips<'a> {
         self.tracks.frames(clip).map(|frames| frames as usize)
     }
 
-    /// The number of steps between frames in the file for each step between frames of the clip.
+    /// The number of pieces into which packing has cut each step between frames of the clip.
     pub(super) fn pieces(&self, clip: usize) -> Option<usize> {
         let [_, pieces] = loops_and_pieces(self.timings.get(clip)?);
         // The number was checked and is at least 1, but the compiler does not know that.
@@ -357,8 +357,8 @@ pub(super) fn beyond([_, _, clips, _, rows]: &[Range<usize>; 5], error: TrackErr
     PackedError::Bytes { offset, what }
 }
 
-/// Returns 1 if the clip loops, otherwise 0; and the number of steps between frames in the file for
-/// each step between frames of the clip.
+/// Returns 1 if the clip loops, otherwise 0; and the number of pieces into which packing has cut
+/// each step between its frames.
 fn loops_and_pieces(timing: &PackedTiming) -> [u32; 2] {
     let both = word(timing, 2).unwrap_or_default();
     [both & 0xffff, both >> 16]

@@ -239,8 +239,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         for joint in run.joints.clone() {
             let Some(&parent) = run.parents.get(joint) else { return };
             let slot = JointSlot::of_instances(joint, instance, joints);
-            // `ROOT` is beyond the last joint, so a root finds no model of a parent. Any other
-            // parent comes before its joint, so its model has been written, in place too.
+            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
+            // Any other parent comes before its joint, so its model has been written, in place too.
             let parent = match models.get(parent as usize) {
                 Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
                 None => run.root.load(level, instance, 0),
@@ -325,7 +325,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     None => made.get(joint - start),
                 };
                 let (Some(local), Some(&parent)) = (local, run.parents.get(joint)) else { return };
-                // `ROOT` is beyond the last joint, so a root finds no model of a parent.
+                // The parent of a root is `ROOT`, which is beyond all models: loading it gives
+                // `None`.
                 let model = match (plain.get(parent as usize), &root) {
                     (Some(parent), _) | (None, Some(parent)) => product(level, parent, local),
                     (None, None) => *local,
@@ -453,8 +454,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             let Some(local) = local else { return };
             let local = locals.motion(local).to_array();
             let Some(&parent) = run.parents.get(joint) else { return };
-            // `ROOT` is beyond the last joint, so a root finds no model of a parent. *Kept apart*
-            // (docs/measured.md): both paths have a store of their own.
+            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
+            // *Kept apart* (docs/measured.md): both paths have a store of their own.
             if let Some(parent) = models.get(parent as usize).or(base) {
                 let model = product_in_lanes(load(level, parent), local);
                 let Some(place) = models.get_mut(joint) else { return };

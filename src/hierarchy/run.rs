@@ -110,7 +110,7 @@ pub struct NoRoot;
 pub trait Roots<E: Element<8>>: sealed::Sealed {
     #[doc(hidden)]
     fn root(&self) -> Root<'_, E>;
-    /// The number of bases, if each instance has its own.
+    /// The number of bases if each instance has its own, otherwise `None`.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None

@@ -261,7 +261,7 @@ macro_rules! __for_each_kernel {
     /// Computes the angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number
     /// each.
     angles[M: 8, T: 1](a: unit M, b: unit M) -> angles: number T = a.angle_to(b), {
-        /// See [`DualQuat::angle_to`](crate::DualQuat::angle_to).
+        /// Each angle is that of [`DualQuat::angle_to`](crate::DualQuat::angle_to).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Quat};

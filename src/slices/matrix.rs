@@ -25,7 +25,7 @@ errors! {
             /// The index of the first such matrix; in blocks, the lanes of each block are counted
             /// before those of the next.
             index: usize,
-            /// The fault of that matrix.
+            /// The reason why the matrix is not rigid.
             error: MatrixError,
         } => "matrix {index}: {error}";
     }
@@ -178,7 +178,8 @@ where
 }
 
 /// The search for the first matrix that is not rigid. Lanes find the tile that has such a matrix;
-/// [`one_by_one`] then checks the matrices of that tile again, and returns the index and the fault.
+/// [`one_by_one`] then checks the matrices of that tile again, and returns the index and the
+/// reason.
 struct Check<'s, M: RigidMatrix<C>, const C: usize> {
     matrices: &'s [M],
     order: MatrixOrder,
@@ -227,7 +228,7 @@ pub trait RigidMatrix<const C: usize>: PaletteEntry<C> {
     /// Returns the lanes whose matrix is further than `tolerance` from a rigid one.
     #[doc(hidden)]
     fn fails<L: Lanes>(numbers: [L; C], order: MatrixOrder, tolerance: L) -> L::Mask;
-    /// Returns the fault of one matrix, `None` if it is rigid.
+    /// Returns the reason why a matrix is not rigid, `None` if it is rigid.
     #[doc(hidden)]
     fn wrong<R: Real>(numbers: [R; C], order: MatrixOrder, tolerance: R) -> Option<MatrixError>;
 }
