@@ -87,9 +87,9 @@ impl<'a> Hierarchy<'a> {
 }
 
 impl<'a, P> Job<'a, NoRoot, P> {
-    /// Multiplies every root joint onto `root`, the same for all instances: model(j) = root ·
-    /// local(j). A job has either this base or [`roots`](Self::roots). Setting both does not
-    /// compile, because one of them would be ignored:
+    /// Multiplies every root joint onto `root`, the same for all instances:
+    /// model(j) = root · local(j). A job has either this base or [`roots`](Self::roots). Setting
+    /// both does not compile, because one of them would be ignored:
     ///
     /// ```compile_fail,E0599
     /// # use dq8::{DualQuat, Hierarchy};

@@ -112,7 +112,7 @@ fn word(bytes: &[u8], index: usize) -> Option<u32> {
 }
 
 /// Returns `true` if both keys are unit rotations, and near enough that normalizing their mean by a
-/// polynomial of third order is exact to `f32`; see [`unit`].
+/// polynomial of third order is exact to `f32`; see [`unit()`].
 pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     let dot = |a: [i16; 4], b: [i16; 4]| -> i64 {
         a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum()

@@ -345,8 +345,8 @@ macro_rules! __for_each_kernel {
     /// n, and n . p of any point p on it.
     transform_planes_each as "planes_each" [M: 8, P: 4](motions: unit M, planes: plane P)
         -> moved: plane P = motions.transform_plane(planes), {
-        /// Each result is the plane `moved[i]` = (n′, d′) with n′ = Rᵢn and d′ = d +
-        /// n′·tᵢ; see [`Plane`](crate::Plane).
+        /// Each result is the plane `moved[i]` = (n′, d′) with n′ = Rᵢn and
+        /// d′ = d + n′·tᵢ; see [`Plane`](crate::Plane).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
