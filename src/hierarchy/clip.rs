@@ -366,9 +366,9 @@ pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
 }
 
 /// Locals of many instances, each at its own place in the same clip: all joints of instance i are
-/// `t[i]` of the way from frame `frames[i]` to the next frame. Like all [locals](super::Locals)
-/// they are computed during the run: for sixteen joints at a time and as many instances as there
-/// are lanes, keys are loaded and interpolated, then multiplied onto the parents. `W` is the law of
+/// `t[i]` of the way from frame `frames[i]` to the next frame. These [locals](super::Locals) are
+/// computed during the run, for sixteen joints at a time and as many instances as there are lanes:
+/// keys are loaded and interpolated, then multiplied onto the parents. `W` is the law of
 /// interpolation, `P` the keys with their places.
 ///
 /// Instances that play different clips can share one call in two ways. One way is
@@ -494,8 +494,8 @@ impl<K> Clip<'_, K> {
     /// Returns the motion of a joint from one time to another, in the joint's frame at the first
     /// time: pose(from)* · pose(to). For the root this is the root motion of a character. It
     /// continues where a [looping](Self::looping) clip begins again: if r rounds lie between the
-    /// times, and a round is c = pose(first)* · pose(last), then it is pose(from)* · pose(first)
-    /// · cʳ · pose(first)* · pose(to). `None` if there is no such joint.
+    /// times, and a round moves the joint by c = pose(first)* · pose(last), then the motion is
+    /// pose(from)* · pose(first) · cʳ · pose(first)* · pose(to). `None` if there is no such joint.
     ///
     /// ```
     /// use dq8::{DualQuat, hierarchy::Clip, law::Nlerp};

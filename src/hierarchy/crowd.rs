@@ -156,7 +156,7 @@ where
     /// Makes a crowd of the poses that `pose` returns for each instance and joint, in this order.
     ///
     /// # Panics
-    /// As [`new`](Self::new).
+    /// If the memory cannot be allocated; see [`new`](Self::new).
     ///
     /// ```
     /// use dq8::{Crowd, DualQuat};

@@ -50,8 +50,8 @@ brief!([S, P] Job<'_, S, P>: Job |it| {
 });
 
 impl<'a> Hierarchy<'a> {
-    /// Computes the model poses of all joints from their local poses: model(j) = model(parent(j))
-    /// · local(j).
+    /// Computes the model poses of all joints from their local poses:
+    /// model(j) = model(parent(j)) · local(j).
     ///
     /// `locals` and `models` have one element for each joint of one instance, or of several
     /// instances one after the other. A [`Job`] can also do this with a root transform, on a range
@@ -413,8 +413,8 @@ impl<S, P: Plans> Job<'_, S, P> {
 }
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// Computes the local poses of joints from unit models: local(j) = model(parent(j))* ·
-    /// model(j). With a range of [`joints`](Self::joints), only their locals are written.
+    /// Computes the local poses of joints from unit models: local(j) = model(parent(j))* · model(j).
+    /// With a range of [`joints`](Self::joints), only their locals are written.
     ///
     /// # Errors
     /// If lengths or the range of joints do not fit; `locals` is untouched.

@@ -22,8 +22,8 @@
 //! lane. A child finds its parent in the same lane of another block, so that nothing is shuffled,
 //! which is the fastest way. See [`storage`](crate::storage).
 
-// In reading order: parents, skeleton, job; run, slot, locals, layers, clip, packed_clips,
-// packed_clip; forward, blocks, plain, plan, backward, chain, limb; crowd.
+// The best order to read these files is: parents, skeleton, job; run, locals, layers, clip,
+// packed_clips, packed_clip; forward, blocks, plain, plan, backward, chain, limb; crowd.
 mod backward;
 mod blocks;
 mod chain;

@@ -324,7 +324,7 @@ fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
 }
 
 /// Returns the middle of the box in which a joint moves in all clips, and 2⁻¹⁴ of a step of
-/// its translations; 0 instead of the step if the box is smaller than the tolerance.
+/// its translations. The step is 0 if no side of the box is longer than the tolerance.
 fn rest(
     clips: &[&[Key]],
     joints: usize,
