@@ -495,7 +495,8 @@ impl<K> Clip<'_, K> {
     /// time: pose(from)* · pose(to). For the root this is the root motion of a character. It
     /// continues where a [looping](Self::looping) clip begins again: if r rounds lie between the
     /// times, and a round moves the joint by c = pose(first)* · pose(last), then the motion is
-    /// pose(from)* · pose(first) · cʳ · pose(first)* · pose(to). `None` if there is no such joint.
+    /// pose(from)* · pose(first) · cʳ · pose(first)* · pose(to). `None` if there is no such
+    /// joint.
     ///
     /// ```
     /// use dq8::{DualQuat, hierarchy::Clip, law::Nlerp};
