@@ -414,8 +414,8 @@ impl<S, P: Plans> Job<'_, S, P> {
 
 impl<S, P: Plans> Job<'_, S, P> {
     /// Computes the local poses of joints from unit models:
-    /// local(j) = model(parent(j))* · model(j). With a range of [`joints`](Self::joints), only their
-    /// locals are written.
+    /// local(j) = model(parent(j))* · model(j). With a range of [`joints`](Self::joints), only
+    /// their locals are written.
     ///
     /// # Errors
     /// If lengths or the range of joints do not fit; `locals` is untouched.
