@@ -278,8 +278,8 @@ fn ordered<const K: usize, R: Float>(x: Four<R>) -> Four<R> {
     load([x[a], x[b], x[c], x[d]])
 }
 
-/// Returns the factors by which [`ordered`] components are multiplied, for a vector of length
-/// `number` on axis K: `number` with the signs of the product q e_K.
+/// Returns the factors by which [`ordered`] components are multiplied in the product of q and the
+/// vector `number` · e_K: `number` with the signs of the product q e_K.
 #[inline(always)]
 fn row<const K: usize, R: Float>(number: R) -> Four<R> {
     splat::<R>(number) * load(SIGNS[K].map(R::from))
@@ -500,8 +500,9 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         Self { values, first: 0, cos: [R::NAN; 8], sin: [R::NAN; 8] }
     }
 
-    /// Fills the cache from the first value of a step on, before the loop needs it. The cache is
-    /// filled in place, because copying it right after it was written would wait for the stores.
+    /// Fills the cache of cosines and sines from the first value of a step on, before the loop
+    /// needs it. The cache is filled in place, because copying it right after it was written would
+    /// wait for the stores.
     #[inline(always)]
     pub(crate) fn begin(&mut self, step: Option<&Step<R>>) {
         let index = step.map_or(0, |step| step.value as usize);

@@ -150,7 +150,7 @@ impl<E: Element<8>, C> Jacobians<'_, E, C> {
 
 /// Columns are computed in the frame [`World`], in which a joint's column is the same for all links
 /// that it carries, and stored for the first of these links. At the end of a group, the columns of
-/// the other links are made from these, and all columns are converted to the requested frame.
+/// the other links are made from these columns, and all are converted to the requested frame.
 impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
     E: Element<8>,
@@ -231,7 +231,7 @@ where
             return;
         }
         // The loop goes from the last link to the first: converting a link overwrites its columns,
-        // from which those of later links are made.
+        // from which the columns of later links are made.
         for (index, &link) in self.links.iter().enumerate().rev() {
             let tile = place_of(self.links, link).unwrap_or(index);
             let tile = group.tile::<E::Layout, V>(tile, self.links.len());
@@ -310,8 +310,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many values and columns as the mechanism has, or there is no such link;
-    /// `columns` is untouched.
+    /// If `values` or `columns` does not have the length that the mechanism asks for, or there is
+    /// no such link; `columns` is untouched.
     pub fn manipulability(
         &self,
         values: &[R],

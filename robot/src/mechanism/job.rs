@@ -165,8 +165,8 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     /// (`f32`) or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
-    /// If there is no such link, `poses` holds no whole number of configurations or `values`
-    /// another number of them; `poses` is untouched.
+    /// If there is no such link, `poses` does not hold a whole number of configurations, or
+    /// `values` holds a different count of configurations; `poses` is untouched.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -360,8 +360,8 @@ impl<R: Scalar> Job<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there is no such link, `places` holds no whole number of configurations or `values`
-    /// another number of them; `places` is untouched.
+    /// If there is no such link, `places` does not hold a whole number of configurations, or
+    /// `values` holds a different count of configurations; `places` is untouched.
     pub fn points<T, E>(
         &self,
         points: &[(usize, [R; 3])],
@@ -522,7 +522,7 @@ impl<R: Real> OwnedMechanism<R> {
     /// Makes a mechanism from joints, as [`Mechanism::new`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::new`].
     pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
         Self::of(joints.len(), |steps| Mechanism::new(joints, steps))
     }
@@ -530,7 +530,7 @@ impl<R: Real> OwnedMechanism<R> {
     /// Makes a serial arm from screws, as [`Mechanism::from_screws`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::from_screws`].
     pub fn from_screws(
         screws: &[(Screw<R>, [R; 2])],
         tool: DualQuat<R>,
@@ -541,7 +541,7 @@ impl<R: Real> OwnedMechanism<R> {
     /// Makes a serial arm from a table of Denavit and Hartenberg, as [`Mechanism::from_dh`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::from_dh`].
     pub fn from_dh(
         rows: &[Dh<R>],
         convention: DhConvention,
@@ -570,7 +570,7 @@ impl<R: Real> OwnedMechanism<R> {
     /// Returns the pose of one link, as [`Mechanism::link_pose`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::link_pose`].
     pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
         self.view().link_pose(values, link)
     }
@@ -578,7 +578,7 @@ impl<R: Real> OwnedMechanism<R> {
     /// Computes the poses of all links, as [`Mechanism::link_poses`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::link_poses`].
     pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
         self.view().link_poses(values, poses)
     }

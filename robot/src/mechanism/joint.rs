@@ -13,7 +13,7 @@ pub struct Joint<R> {
     /// The pose of the joint in the frame of the parent. While the value of the joint is zero, the
     /// link has this pose. The dual quaternion must be unit to 10⁻³, and is then normalized.
     pub placement: DualQuat<R>,
-    /// The kind of motion.
+    /// The motion that the joint allows, with its axis or normal.
     pub kind: JointKind<R>,
     /// The least and the largest value, which only a joint with one value may have. Inverse
     /// kinematics ([`Reach`](crate::Reach)) keeps to these limits; poses are computed for any
@@ -34,18 +34,18 @@ pub enum JointKind<R> {
     /// Turns about `axis`, which passes through the origin of the joint's frame. It has one value,
     /// in radians. A revolute joint without limits is the continuous joint of URDF.
     Revolute {
-        /// The axis.
+        /// The direction of the axis, of length 1.
         axis: [R; 3],
     },
     /// Slides along `axis`. It has one value, a length.
     Prismatic {
-        /// The axis.
+        /// The direction of the axis, of length 1.
         axis: [R; 3],
     },
     /// Turns about `axis` and slides along it by `pitch` for each radian. It has one value, in
     /// radians.
     Screw {
-        /// The axis.
+        /// The direction of the axis, of length 1.
         axis: [R; 3],
         /// The length per radian: the lead of the thread divided by 2π.
         pitch: R,
@@ -55,7 +55,7 @@ pub enum JointKind<R> {
     /// and y axes of the joint's frame, turned by the shortest rotation that takes z to the normal
     /// (if the normal is −z, by half a turn about x). Its three rates are ẋ, ẏ, θ̇.
     Planar {
-        /// The normal.
+        /// The direction of the normal, of length 1.
         normal: [R; 3],
     },
     /// Moves freely. It has seven values, `[x, y, z, w, tx, ty, tz]`: a quaternion of any length

@@ -218,7 +218,7 @@ impl<R: Real> Step<R> {
 /// `V` holds the values of the joints.
 ///
 /// The implementation on lanes uses halves of angles and distances, because its products need only
-/// those. The other two use whole angles and distances.
+/// the halves. The other two use whole angles and distances.
 pub(crate) trait JointFrame<R: Real, V>: Copy {
     /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
@@ -387,7 +387,7 @@ pub(crate) enum Alignment {
     X,
     Y,
     Z,
-    /// The vector lies on no axis.
+    /// The vector lies on no coordinate axis.
     Any,
 }
 

@@ -125,7 +125,7 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If the length of `values` is not that of a configuration.
+    /// If `values` does not have the length of a configuration.
     pub fn within_limits(&self, values: &[R]) -> Result<bool, ShapeError> {
         same_length("values", values.len(), self.values)?;
         let within = |step: &Step<R>| {
@@ -468,7 +468,8 @@ fn checked<R: Real>(
     } else {
         JointKind::Screw { axis, pitch: slide }
     };
-    // The moment of a slide does not matter.
+    // The moment of a slide's axis does not change the motion, so only hinges and threads need a
+    // finite moment.
     if angle == R::ONE {
         for number in moment {
             finite(number, "moment", joint)?;

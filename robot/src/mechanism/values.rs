@@ -38,8 +38,9 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         let rest = slice.get(first * Self::EACH * count..).unwrap_or_default();
         Part { slice: rest.get(..elements * Self::EACH * count).unwrap_or(rest), first: 0 }
     }
-    /// Loads four consecutive values, from index `first` on, with one configuration per lane. A
-    /// configuration has `count` values; registers beyond that count hold values that are not used.
+    /// Loads four consecutive values of a group of configurations, from index `first` on, into four
+    /// registers with one configuration per lane. A configuration has `count` values; registers
+    /// beyond that count are not used.
     #[doc(hidden)]
     fn load<V: Level>(
         level: V,
@@ -306,7 +307,8 @@ pub struct Group {
 }
 
 impl Group {
-    /// Returns the tile of item `index`, where each configuration has `count` items, such as links.
+    /// Returns the tile of item `index` for the configurations of this group, where each
+    /// configuration has `count` items, such as poses of links.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
         // In plain slices the same item of the next configuration lies `count` records further on.

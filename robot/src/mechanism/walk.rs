@@ -59,8 +59,8 @@ pub(crate) trait Task<Y: Layout> {
     /// Begins a group of configurations, before its links are visited.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn begin<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
-    /// Returns `true` if the task needs neither the link of the step at this position nor any link
-    /// that it carries.
+    /// Returns `true` if the task needs neither the link of the step at the given position nor any
+    /// link that this link carries. The loop then skips all of them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, _: &[Step<Y::Real>], _: usize) -> bool {
         false
@@ -77,7 +77,8 @@ pub(crate) trait Task<Y: Layout> {
     fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
 }
 
-/// The link that the loop visits, with its frames and the group of configurations.
+/// A visit of the loop to one link, for one group of configurations: everything that a task may
+/// use.
 pub(crate) struct Visit<'s, Y: Layout, V: Level> {
     pub(crate) level: V,
     pub(crate) group: Group,
@@ -276,8 +277,8 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         Twist { angular: axis, linear: vector::add(moment, moment) }
     }
 
-    /// Returns the rotation r of this frame after a turn about the axis n of a joint: r (cos + n
-    /// sin).
+    /// Returns the rotation r of this frame after a turn about the axis n of a joint, by the cosine
+    /// and the sine of half the angle: r (cos + n sin).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotation_about_axis(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
         let level = cos.level();
@@ -326,9 +327,9 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
         checked_cos_sin(half)
     }
 
-    /// Returns the cosine and the sine from the cache of `values`, which computes those of four
-    /// consecutive values at a time. This needs a joint that mimics no other, because the cache
-    /// holds them for the values themselves.
+    /// Returns the cosine and the sine from the cache of `values`, which computes the cosines and
+    /// sines of four consecutive values at a time. The cache ignores multipliers and offsets, so
+    /// the joint must mimic no other.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn own_half_angle(self, step: &Step<L::Real>, values: &mut N) -> [L; 2] {
         let level = self.half[0].level();

@@ -43,8 +43,8 @@ impl<'f> Element<'f> {
         prefix
     }
 
-    /// Returns the element as errors name it, with its attribute `name`, or with that of the
-    /// element around it.
+    /// Returns the name of the element for errors, such as `<joint name="hip">`. An element without
+    /// the attribute `name` is followed by the element around it.
     pub(crate) fn title(self) -> String {
         let (prefix, name) = (self.prefix(), self.name());
         let colon = if prefix.is_empty() { "" } else { ":" };
@@ -221,8 +221,8 @@ pub(crate) struct Place {
     /// `true` if there should be at most one child element of each name. If there are more, only
     /// the first is read.
     pub(crate) once: bool,
-    /// `true` if the attributes of the element are numbers. Some authors write them as text inside
-    /// the element, which is an error.
+    /// `true` if the attributes of the element are numbers. Some authors write the numbers as text
+    /// inside the element, which is an error.
     pub(crate) numbers: bool,
 }
 

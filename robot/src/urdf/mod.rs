@@ -45,14 +45,14 @@
 //! but cannot be expressed by a mechanism is an [error](UrdfError), and is never ignored. Errors
 //! name the line and the element.
 //!
-//! Limits are those of the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or
-//! prismatic joint without a `<limit>` is an error. `lower` and `upper` are zero if they are not
-//! written, so a joint with neither cannot move. (Since version 1.2 of the format, in
-//! `<robot version="1.2">`, a limit that is not written is infinite.) Two zeros lock a joint too.
-//! If a joint mimics another, its limits narrow the range of the followed joint, and a
-//! [warning](Robot::warnings) says so. If they would leave that joint one value or none, they are
-//! ignored, with a warning. Joints of other types have no limits, whatever `<limit>` says, and a
-//! fixed joint stays fixed even if it has a `<mimic>`.
+//! Limits follow the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or prismatic
+//! joint without a `<limit>` is an error. `lower` and `upper` are zero if they are not written, so
+//! a joint with neither cannot move. (Since version 1.2 of the format, in `<robot version="1.2">`,
+//! a limit that is not written is infinite.) Two zeros lock a joint too. If a joint mimics another,
+//! its limits narrow the range of the followed joint, and a [warning](Robot::warnings) says so. If
+//! they would leave that joint one value or none, they are ignored, with a warning. Joints of other
+//! types have no limits, whatever `<limit>` says, and a fixed joint stays fixed even if it has a
+//! `<mimic>`.
 //!
 //! # What is not read
 //! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and their contents are

@@ -170,8 +170,8 @@ impl Robot {
     }
 
     /// Returns the greatest speed and effort of each value of a configuration, in the order of
-    /// [`value_limits`](Self::value_limits). They are those of the joint that has the value; the
-    /// seven values of a floating joint all have the speed and effort of that joint.
+    /// [`value_limits`](Self::value_limits). Each value has the speed and effort of its joint, so
+    /// the seven values of a floating joint all have the same.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -190,7 +190,7 @@ impl Robot {
 
     /// Returns the greatest speed of each rate, with [`Mechanism::rates`] elements: the speed of
     /// the joint that has the rate, in radians or units of length per second, and infinite if the
-    /// file has none. The Python package has an attribute of the same name, and pinocchio calls it
+    /// file has none. The Python package has this array under the same name, and pinocchio calls it
     /// `velocityLimit`.
     ///
     /// ```
