@@ -51,7 +51,8 @@ pub struct Step<R> {
     /// is.
     pub(crate) rotation_alignment: Alignment,
     pub(crate) offset_alignment: Alignment,
-    /// The kind of the joint, with a normalized axis.
+    /// The kind of the joint, with a normalized axis, and that axis again (zero for joints without
+    /// an axis).
     pub(crate) kind: JointKind<R>,
     pub(crate) axis: [R; 3],
     /// The two directions in which a planar joint slides, in the frame of the joint.
@@ -382,7 +383,7 @@ pub(crate) fn finite<R: Real>(
 /// then leave out most of a product, which would be multiplications by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alignment {
-    /// The vector is zero: no rotation, or no translation.
+    /// The vector is zero, so the rotation or translation is the identity.
     None,
     X,
     Y,
@@ -544,7 +545,8 @@ pub(crate) fn common_range<R: Real>(
     multiplier: R,
     offset: R,
 ) -> Option<[R; 2]> {
-    // A multiplier of zero gives NaN and infinities, which have no common range.
+    // The limits are converted to values of the leader. A multiplier of zero gives NaN or
+    // infinities here, and is ruled out in the last line.
     let [a, b] = limits.map(|limit| (limit - offset) / multiplier);
     let [least, most] = if a <= b { [a, b] } else { [b, a] };
     let low = if least > low { least } else { low };

@@ -294,7 +294,7 @@ mod sealed {
     impl<A> Sealed for dq8_simd::Block<A, 1> {}
 }
 
-/// Bytes of a cache line.
+/// The count of bytes of a cache line.
 const LINE: usize = 64;
 
 /// The group of configurations that the lanes of a kernel compute at a time.

@@ -234,7 +234,9 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);
         let (r, mut half) = (self.rotation, self.half);
         let twice = distance + distance;
-        // R e_K = e_K + 2(…): 1 − 2(r_n² + r_l²), 2(r_K r_n + w r_l), 2(r_K r_l − w r_n).
+        // The column R e_K = e_K + 2(…) of the rotation matrix has, for the axes K, n (next) and
+        // l (last), the components 1 − 2(r_n² + r_l²), 2(r_K r_n + w r_l), 2(r_K r_l − w
+        // r_n).
         let squares = r[next].mul_add(r[next], r[last] * r[last]);
         half[own] = twice.neg_mul_add(squares, half[own] + distance);
         half[next] = twice.mul_add(r[own].mul_add(r[next], r[3] * r[last]), half[next]);

@@ -74,8 +74,8 @@ impl<'f> Element<'f> {
         elements.map(move |node| Element { node, ..self })
     }
 
-    /// Checks all parts of the element. A part that is neither read nor known at such a `place`
-    /// gives an error or a warning.
+    /// Checks all parts of the element. A part that elements of the kind `place` neither read nor
+    /// may ignore gives an error or a warning.
     pub(crate) fn check(
         self,
         place: &Place,

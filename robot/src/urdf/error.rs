@@ -14,7 +14,7 @@ errors! {
         Encoding { encoding: String = "What the file declares." }
             => "the file declares the encoding {encoding:?}, which dq8-robot reads only with its feature urdf-encodings: switch it on, \
                 or save the file as UTF-8";
-        /// The text is not XML.
+        /// The text of the file is not XML.
         Parse { line: u32 = "The line, counted from one.", message: String = "What the reader of XML says." }
             => "not a URDF file: line {line}: {message}";
         /// The format allows no such element, attribute or text at this place.

@@ -335,7 +335,8 @@ errors! {
     /// An error of a change to a robot, such as an added tool.
     #[derive(Clone, Debug, PartialEq)]
     ChangeError {
-        /// A link or joint of the robot already has the name of the new one.
+        /// A link or joint of the robot already has the name that was given to the new link or
+        /// joint.
         Taken { name: String = "The name." } => "the robot already has a link or joint with the name {name:?}";
         /// The robot has no link of the given name.
         Unknown { name: String = "The name.", links: Vec<String> = "The names that there are." }
