@@ -9,9 +9,9 @@ use dq8::scalar::{DualQuat, Quat, vector};
 use dq8::storage::same_length;
 use dq8::{Real, ShapeError};
 
-/// A tree of joints, checked once, whose count is known at run time. The tree borrows its memory
-/// from the caller: one [`Step`] for each joint. [`OwnedMechanism`](super::OwnedMechanism) owns
-/// that memory.
+/// A tree of joints, checked once. The count of joints is known at run time. The tree borrows its
+/// memory from the caller: one [`Step`] for each joint. [`OwnedMechanism`](super::OwnedMechanism)
+/// owns that memory.
 ///
 /// - Joint j carries link j, so a joint and its link have the same index. Poses, twists,
 ///   accelerations and goals are indexed by link.

@@ -54,7 +54,8 @@ pub(crate) trait Task<Y: Layout> {
     type Carried<V: Level>: Copy;
     /// Returns the state before the first group of configurations.
     fn start<V: Level>(&self, level: V) -> Self::State<V>;
-    /// Returns the carried quantities of the base.
+    /// Returns the quantities that links on the base take from it in place of a parent's, such as a
+    /// twist of zero.
     fn base<V: Level>(level: V) -> Self::Carried<V>;
     /// Begins a group of configurations, before its links are visited.
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -40,10 +40,10 @@
 //! in the order of the file, except that a parent always comes before its children.
 //!
 //! # What is read
-//! In `<joint>`: its name and type, `<parent>`, `<child>`, `<origin>` (`xyz`, `rpy`), `<axis>`,
-//! `<limit>` (`lower`, `upper`) and `<mimic>`; each of them once. A part that says where links are
-//! but cannot be expressed by a mechanism is an [error](UrdfError), and is never ignored. Errors
-//! name the line and the element.
+//! The reader takes, from each `<joint>`, its name and type, `<parent>`, `<child>`, `<origin>`
+//! (`xyz`, `rpy`), `<axis>`, `<limit>` (`lower`, `upper`) and `<mimic>`; each of them once. A part
+//! that says where links are but cannot be expressed by a mechanism is an [error](UrdfError), and
+//! is never ignored. Errors name the line and the element.
 //!
 //! Limits follow the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or prismatic
 //! joint without a `<limit>` is an error. `lower` and `upper` are zero if they are not written, so
@@ -60,7 +60,7 @@
 //! `effort`, which become [drives](Robot::drives). These parts say how a robot looks, weighs or is
 //! driven, not where its links are.
 //!
-//! All other parts that do not say where links are are ignored with a [warning](Robot::warnings):
+//! Any other part that does not say where links are is ignored with a [warning](Robot::warnings):
 //! parts for simulators and controllers (`<gazebo>`, `<transmission>`, `<sensor>` …), names with
 //! a prefix, other attributes and elements, and text. The soft limits of `<safety_controller>` are
 //! among them: a controller begins to brake there, but joints may go beyond them up to the
