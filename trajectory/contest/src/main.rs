@@ -2,11 +2,11 @@
 //! all contenders take turns, and of each the least time counts. Prints a table in Markdown.
 //!
 //! ```text
-//! trajectory/contest/run.sh [--quick]
+//! trajectory/contest/run.sh [--quick | --backend AVX2]
 //! ```
 //!
-//! Arguments of the program: `--quick` to check answers alone; `--evo PYTHON` for
-//! an interpreter that has evo.
+//! Arguments of the program: `--quick` to check answers alone; `--backend NAME` for at
+//! most these lanes; `--evo PYTHON` for an interpreter that has evo.
 
 mod lookups;
 mod peers;
@@ -16,17 +16,22 @@ mod sizes;
 mod splines;
 mod table;
 
-use dq8::{DualQuat, Twist};
+use dq8::{Backend, DualQuat, Twist};
 use dq8_fixtures::random::Random;
 
 fn main() {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
+    let after = |name| arguments.iter().skip_while(move |argument| *argument != name).nth(1);
     let is_quick = arguments.iter().any(|argument| argument == "--quick");
+    if let Some(name) = after("--backend") {
+        let named = Backend::available().find(|backend| backend.to_string() == *name);
+        Backend::limit(Some(named.expect("a backend of this machine")));
+    }
     let table = table::Table::new(is_quick);
     scans::rows(&table);
     splines::rows(&table);
     lookups::rows(&table);
-    if let Some(python) = arguments.iter().skip_while(|argument| *argument != "--evo").nth(1) {
+    if let Some(python) = after("--evo") {
         recordings::rows(&table, python);
     }
 }
