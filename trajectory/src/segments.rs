@@ -224,9 +224,9 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
             *slot = <R as Real>::from_f64(clock.since(start, time));
         }
         if stands {
-            for (slot, &record) in found.since.iter_mut().zip(&found.records) {
+            for ((slot, &record), &time) in found.since.iter_mut().zip(&found.records).zip(times) {
                 let is_outside = (record == 0) | (record == index(end));
-                let is_number = !slot.is_nan();
+                let is_number = !clock.stamp(time).is_nan();
                 *slot = if is_outside & is_number { R::ZERO } else { *slot };
             }
         }
