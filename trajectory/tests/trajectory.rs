@@ -378,6 +378,8 @@ fn a_pose_that_is_not_finite_stays_between_its_neighbours() {
 }
 
 /// The logarithm of what is far from unit may be of any size.
+// A build that judges unit input refuses these poses first.
+#[cfg(not(dq8_debug_assert_unit))]
 #[test]
 fn poses_that_are_not_unit_take_no_more_memory_than_others() {
     let poses = [1.0, 1e15, -1e15].map(|x| DualQuat::from_array([x, 1.0, x, 0.0, x, 0.0, 0.0, x]));
