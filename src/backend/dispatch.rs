@@ -1,5 +1,5 @@
-//! [`Backend`]: which instructions compute, and [`Kernel`]: what they compute. The only place that
-//! chooses.
+//! [`Backend`], the set of CPU instructions to compute with, and [`Kernel`], a computation written
+//! for any such set. This file is the only place that chooses instructions.
 
 use core::fmt;
 #[cfg(feature = "reproducible")]
@@ -14,13 +14,13 @@ use dq8_simd::Unfused;
 use dq8_simd::x86_64::{Avx2, Avx512};
 use dq8_simd::{Level, Portable};
 
-/// A computation for any instructions, to [`run`](Backend::run) on a [`Backend`]. Write it once:
-/// the compiler makes one version of it for each instruction set.
+/// A computation that is written once for all instruction sets and [`run`](Backend::run) on a
+/// [`Backend`]. The compiler makes one version of it for each instruction set.
 ///
-/// Whatever `run` calls must be `#[inline(always)]`, closures included: what the compiler keeps out
-/// of line is compiled without the instructions of its level, and there every lane operation
-/// becomes a call, 10 to 45 times slower. [The guide](crate::guide::kernel) lists what that
-/// forbids, and how to tell.
+/// Every function and closure that `run` calls must be `#[inline(always)]`. A function that the
+/// compiler does not inline is compiled without the instructions of the level: there every lane
+/// operation becomes a call, 10 to 45 times slower. [The guide](crate::guide::kernel) lists what
+/// this rule forbids, and how to notice a broken one.
 ///
 /// A kernel of your own, for motions in any layout and of any precision:
 ///
@@ -50,24 +50,26 @@ use dq8_simd::{Level, Portable};
 /// assert_eq!(steps[10].translation(), [2.0, 0.0, 0.0]);
 /// ```
 pub trait Kernel {
-    /// The result.
+    /// The result of the computation.
     type Output;
-    /// `true` if it gains from AVX-512. If not, AVX2 runs in its place, and no AVX-512 version is
-    /// compiled.
+    /// `true` if the kernel gains from AVX-512. If it does not, the AVX2 version runs in place of
+    /// an AVX-512 version, which is then not compiled.
     const WIDE: bool = true;
-    /// `true` if most of it are shuffles, as in transposes of plain arrays. Then it runs with
-    /// AVX-512 only where the CPU shuffles 512 bits as quickly as 256: AMD's do, Intel's do not.
+    /// `true` if most instructions of the kernel are shuffles, as in transposes of plain arrays.
+    /// Such a kernel runs with AVX-512 only on a CPU that shuffles 512 bits as quickly as 256 bits:
+    /// AMD's CPUs do, Intel's do not.
     const SHUFFLES: bool = false;
     /// Computes with the lanes of `level`. Must be `#[inline(always)]`.
     fn run<V: Level>(self, level: V) -> Self::Output;
 }
 
-/// Instructions that this CPU has, to compute with. A value is the proof that it has them, so that
-/// a call asks once, when it takes the [`best`](Self::best), and never again.
+/// A set of instructions that this CPU has. A value of this type is the proof that the CPU has
+/// them, so a program asks the CPU once, when it takes the [`best`](Self::best) backend, and never
+/// again.
 ///
-/// Jobs take the best unless they are given another; the kernels over slices
-/// ([`slices`](crate::slices)) are methods of the backend itself. With the feature `rayon` it may
-/// also have `threads`.
+/// Jobs use the best backend unless they are given another one. The kernels over slices
+/// ([`slices`](crate::slices)) are methods of the backend itself. With the feature `rayon` a
+/// backend also holds a number of `threads`.
 ///
 /// ```
 /// use dq8::Backend;
@@ -82,8 +84,8 @@ pub struct Backend {
     pub(crate) threads: core::num::NonZeroUsize,
 }
 
-/// The instructions, in rising order. The proof of AVX-512 holds that of AVX2, for kernels that
-/// gain nothing from more.
+/// The proof that the CPU has a set of instructions, in rising order. The proof of AVX-512 contains
+/// the proof of AVX2, which kernels need that do not gain from AVX-512.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Proof {
     Portable,
@@ -91,7 +93,7 @@ enum Proof {
     Avx2(Avx2),
     #[cfg(target_arch = "x86_64")]
     Avx512(Avx512, Avx2),
-    /// Only for targets whose portable lanes fuse.
+    /// Exists only for targets whose portable lanes fuse multiplication and addition.
     #[cfg(all(feature = "reproducible", any(target_arch = "aarch64", target_feature = "fma")))]
     UnfusedPortable,
     #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
@@ -100,7 +102,7 @@ enum Proof {
     UnfusedAvx512(Avx512, Avx2),
 }
 
-/// The number of available backends that [`Backend::best`] may choose from, beyond the first.
+/// The highest index, among the available backends, that [`Backend::best`] may choose.
 static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 
 /// `true` if [`Backend::best`] must be [reproducible](Backend::reproducible).
@@ -109,12 +111,11 @@ static UNFUSED: AtomicBool = AtomicBool::new(false);
 
 impl Backend {
     /// The instructions of the build target: SSE2 in a default x86-64 build, NEON on aarch64,
-    /// simd128 on wasm.
-    /// It fuses multiply-add on aarch64 and in builds with `fma`, and not elsewhere, so its last
-    /// bits are not the same on all machines.
+    /// simd128 on wasm. This backend fuses multiplication and addition on aarch64 and in builds
+    /// with `fma`, and nowhere else, so the last bits of its results differ between machines.
     pub const PORTABLE: Self = Self::of(Proof::Portable);
 
-    /// The backend on the thread that calls.
+    /// Makes the backend that computes on the calling thread alone.
     #[inline]
     const fn of(proof: Proof) -> Self {
         Self {
@@ -144,9 +145,9 @@ impl Backend {
         return None;
     }
 
-    /// The fastest instructions of this CPU without a fused multiply-add: the same bits on every
-    /// machine, for 1.0 to 1.5 times the time of the [`best`](Self::best). [The
-    /// guide](crate::guide::reproducible) says for what.
+    /// The fastest instructions of this CPU without a fused multiply-add. Results have the same
+    /// bits on every machine, for 1.0 to 1.5 times the time of the [`best`](Self::best) backend.
+    /// [The guide](crate::guide::reproducible) lists the operations that this promise covers.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat, Quat};
@@ -161,15 +162,16 @@ impl Backend {
         Self::available().last().unwrap_or(Self::PORTABLE).unfused()
     }
 
-    /// `true` if nothing fuses: then every machine has the same bits.
+    /// `true` if this backend fuses no multiply-add: then its results have the same bits on every
+    /// machine.
     #[cfg(feature = "reproducible")]
     #[must_use]
     pub fn is_reproducible(self) -> bool {
         self == self.unfused()
     }
 
-    /// The same instructions but for fused ones. For tests of one CPU, which hold all levels to
-    /// each other's bits.
+    /// This backend without its fused instructions. Tests use it to compare the bits of all levels
+    /// of one CPU.
     #[cfg(feature = "reproducible")]
     #[doc(hidden)]
     #[inline]
@@ -206,16 +208,17 @@ impl Backend {
         best
     }
 
-    /// From now on, in all threads, whether [`best`](Self::best) is
-    /// [reproducible](Self::reproducible). For C and Python, which have no backends to pass.
+    /// Sets, for all threads, whether [`best`](Self::best) returns the
+    /// [reproducible](Self::reproducible) backend from now on. C and Python call this because their
+    /// functions take no backend.
     #[cfg(feature = "reproducible")]
     #[doc(hidden)]
     pub fn set_reproducible(reproducible: bool) {
         UNFUSED.store(reproducible, Ordering::Relaxed);
     }
 
-    /// From now on, in all threads, [`best`](Self::best) is at most `limit`; `None` removes the
-    /// limit. For the C ABI, which has no backends to pass.
+    /// Sets, for all threads, the highest backend that [`best`](Self::best) returns from now on;
+    /// `None` removes the limit. The C interface calls this because its functions take no backend.
     #[doc(hidden)]
     pub fn limit(limit: Option<Self>) {
         let limit = match limit.map(|backend| backend.proof) {
@@ -227,10 +230,11 @@ impl Backend {
         LIMIT.store(limit, Ordering::Relaxed);
     }
 
-    /// Runs `kernel` with these instructions, on the thread that calls.
+    /// Runs `kernel` with these instructions on the calling thread.
     ///
-    /// (The closures must be inlined as well. Otherwise the compiler keeps a large one out of line,
-    /// without the instructions of its level: 35 times slower.)
+    /// (The closures here must be inlined as well. Otherwise the compiler makes a function of a
+    /// large closure and compiles it without the instructions of the level, which is 35 times
+    /// slower.)
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.proof {
@@ -276,7 +280,7 @@ impl Backend {
 }
 
 impl Default for Backend {
-    /// The [`best`](Self::best).
+    /// Returns the [`best`](Self::best) backend.
     fn default() -> Self {
         Self::best()
     }
@@ -309,7 +313,7 @@ impl fmt::Display for Backend {
     }
 }
 
-/// Its name, and how many threads it has if there are several.
+/// Writes the name of the backend, and the number of its threads if there are several.
 impl fmt::Debug for Backend {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut tuple = f.debug_tuple("Backend");
@@ -322,7 +326,7 @@ impl fmt::Debug for Backend {
     }
 }
 
-/// Instructions that this CPU does not have, or that have another name.
+/// The error of a backend's name that is unknown, or whose instructions this CPU does not have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -340,7 +344,8 @@ impl fmt::Display for UnavailableBackend {
 
 impl core::error::Error for UnavailableBackend {}
 
-/// One that this CPU has, by its name: "avx2" and "AVX-512" as well as "AVX2" and "avx512".
+/// Finds a backend of this CPU by its name. Case and hyphens do not matter: "avx2", "AVX2",
+/// "avx512" and "AVX-512" are understood.
 impl core::str::FromStr for Backend {
     type Err = UnavailableBackend;
 

@@ -1,19 +1,20 @@
-//! Several threads (feature `rayon`): things that do not depend on each other, some to each task.
+//! Work on several threads (feature `rayon`): the output is cut into parts that do not depend on
+//! each other, and each task computes one part.
 
 use crate::backend::Backend;
 
-/// The options of a job: instructions, and threads.
+/// The options that all jobs have: instructions and threads.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Choice {
-    /// The instructions; the best if `None`.
+    /// The backend to compute with; the best backend if `None`.
     pub backend: Option<Backend>,
-    /// The number of threads; that of the backend if `None`.
+    /// The number of threads; the backend's number if `None`.
     #[cfg(feature = "rayon")]
     pub threads: Option<usize>,
 }
 
 impl Choice {
-    /// The instructions and threads, as a backend.
+    /// Returns the backend to compute with, with its number of threads.
     #[inline]
     pub fn instructions(self) -> Backend {
         let backend = self.backend.unwrap_or_default();
@@ -25,21 +26,21 @@ impl Choice {
     }
 }
 
-/// The options of a job that hold a [`Choice`], for its `impl`; and what the documentation of
-/// `threads` shows besides.
+/// Defines the methods `backend` and `threads` inside the `impl` of a job with a field
+/// `choice: Choice`. The parameter is an example for the documentation of `threads`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __options {
     ($(#[$example:meta])*) => {
-        /// Runs with these instructions; by default with the best that the CPU has.
+        /// Sets the instructions to compute with; the default is the best backend of the CPU.
         pub fn backend(mut self, backend: $crate::Backend) -> Self {
             self.choice.backend = Some(backend);
             self
         }
 
-        /// Runs on at most so many threads of rayon's current pool, whole instances, configurations
-        /// or vertices to each; `usize::MAX` for all of them. Every bit of the result is the same
-        /// for any number of threads.
+        /// Sets the largest number of threads of rayon's current pool to run on; `usize::MAX` means
+        /// all of them. Each thread computes whole instances, configurations or vertices. Every bit
+        /// of the result is the same for any number of threads.
         $(#[$example])*
         #[cfg(feature = "rayon")]
         pub fn threads(mut self, threads: usize) -> Self {
@@ -50,10 +51,11 @@ macro_rules! __options {
 }
 pub use __options as options;
 
-/// A slice, and how many elements a thing has.
+/// A slice, and the number of its elements that belong to one thing (such as the joints of one
+/// instance).
 pub type Rows<'s, E> = (&'s mut [E], usize);
 
-/// The output of a kernel; with the feature `rayon`, cut at a thing.
+/// The output of a kernel. With the feature `rayon` it can be cut between two things.
 #[cfg(not(feature = "rayon"))]
 pub trait Outputs {}
 #[cfg(not(feature = "rayon"))]
@@ -63,7 +65,7 @@ pub use many::Outputs;
 
 #[cfg(not(feature = "rayon"))]
 impl Backend {
-    /// Calls `work` with all of `outputs`.
+    /// Calls `work` once, with all of `outputs`.
     #[doc(hidden)]
     #[inline]
     pub fn share<O: Outputs>(self, _grain: usize, outputs: O, work: &impl Fn(usize, O)) {
@@ -77,13 +79,13 @@ mod many {
     use core::num::NonZeroUsize;
 
     impl Backend {
-        /// The same instructions on at most so many threads of rayon's current pool; `usize::MAX`
-        /// for all of them, and 1, which is the default, for the one that calls. Every bit of a
-        /// result is the same for any number of threads.
+        /// Returns the same instructions on at most `threads` threads of rayon's current pool.
+        /// `usize::MAX` means all threads of the pool; 1, the default, means the calling thread.
+        /// Every bit of a result is the same for any number of threads.
         ///
-        /// Short slices stay on one thread: a task has a few microseconds of work. Chains
-        /// ([`chain_products`](Self::chain_products)) and kernels of your own ([`run`](Self::run))
-        /// do so always.
+        /// Short slices stay on one thread, because a task must have a few microseconds of work.
+        /// Chains ([`chain_products`](Self::chain_products)) and your own kernels
+        /// ([`run`](Self::run)) always stay on one thread.
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -98,7 +100,7 @@ mod many {
             self
         }
 
-        /// `true` if there may be more threads than the one that calls.
+        /// `true` if other threads than the calling one may compute.
         #[doc(hidden)]
         #[inline]
         #[must_use]
@@ -106,9 +108,9 @@ mod many {
             self.threads > NonZeroUsize::MIN
         }
 
-        /// Calls `work` with parts of `outputs` and the number of the first thing in each, on the
-        /// threads; on one, with all of them. A part has a multiple of `grain` things, but for the
-        /// last.
+        /// Cuts `outputs` into parts and calls `work` with each part and the index of its first
+        /// thing, on several threads. With one thread it calls `work` once, with all of `outputs`.
+        /// The number of things in a part is a multiple of `grain`, except for the last part.
         #[doc(hidden)]
         pub fn share<O: Outputs>(
             self,
@@ -120,15 +122,15 @@ mod many {
                 return work(0, outputs);
             }
             let grains = outputs.things().div_ceil(grain.max(1));
-            // Where no thread of the pool may be left out, those that are done sooner take from the
-            // others.
+            // If the whole pool may be used, there are as many tasks as grains: a thread that ends
+            // early takes tasks from the others.
             let all = self.threads.get() >= rayon::current_num_threads();
             let tasks = if all { grains } else { grains.min(self.threads.get()) };
             Part { tasks, grains, first: 0, outputs }.share(grain, work);
         }
     }
 
-    /// Outputs from thing `first` on, for so many tasks.
+    /// A part of the outputs that begins with thing `first`, to be shared among `tasks` tasks.
     struct Part<O> {
         tasks: usize,
         grains: usize,
@@ -137,7 +139,8 @@ mod many {
     }
 
     impl<O: Outputs> Part<O> {
-        /// One task computes; more are two halves, side by side.
+        /// Computes the part if it is for one task. Otherwise cuts it into two halves, which run
+        /// side by side.
         fn share(self, grain: usize, work: &(impl Fn(usize, O) + Sync)) {
             let Self { tasks, grains, first, outputs } = self;
             if tasks < 2 {
@@ -157,11 +160,11 @@ mod many {
         }
     }
 
-    /// The output of a kernel, cut at a thing.
+    /// The output of a kernel, which can be cut between two things.
     pub trait Outputs: Sized + Send {
         /// The number of things.
         fn things(&self) -> usize;
-        /// Cuts them into those before number `at`, and the others.
+        /// Cuts the output into the first `at` things and the remaining things.
         fn split(self, at: usize) -> (Self, Self);
     }
 
@@ -176,7 +179,7 @@ mod many {
         }
     }
 
-    /// Two, of as many things.
+    /// A pair of outputs that hold equally many things, cut at the same place.
     impl<A: Outputs, B: Outputs> Outputs for (A, B) {
         fn things(&self) -> usize {
             self.0.things()

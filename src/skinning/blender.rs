@@ -6,36 +6,39 @@ use crate::storage::shape::ShapeError;
 use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
-/// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of
-/// influences, and what the sum does to a surface. Sealed: only this crate can name what its
-/// methods take.
+/// A way to blend the motions of joints, with a vertex in each lane. It consists of a sum over
+/// groups of influences, and of the map by which the sum moves a surface. The trait is sealed,
+/// because only this crate can name the types that its methods take.
 pub trait Blender<R: Scalar>: Copy + Send + Sync {
-    /// The thing that is summed.
+    /// The type of the weighted sum: matrices, or dual quaternions.
     #[doc(hidden)]
     type Sum<L: Lanes<Real = R>>;
-    /// The map that the sum is.
+    /// The map that a finished sum gives for points, normals and tangents.
     #[doc(hidden)]
     type Map<L: Lanes<Real = R>>: SurfaceMap<L>;
 
-    /// `true` if most of it are shuffles, see [`Kernel::SHUFFLES`](crate::Kernel::SHUFFLES).
+    /// `true` if most instructions of the blend are shuffles: see
+    /// [`Kernel::SHUFFLES`](crate::Kernel::SHUFFLES).
     #[doc(hidden)]
     const SHUFFLES: bool;
 
-    /// Checks that palettes have `joints` entries, and what is per vertex fits `vertices`.
+    /// Checks that each palette has `joints` entries and each slice with a value per vertex has
+    /// `vertices` entries.
     ///
     /// # Errors
-    /// If not.
+    /// If a slice has another length.
     #[doc(hidden)]
     fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError>;
-    /// The sum of a group of influences. `None` where an index is out of range, which has been
-    /// checked.
+    /// Returns the weighted sum of a group of influences. Returns `None` for an index out of range,
+    /// which the checks before the loop rule out.
     #[doc(hidden)]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
         scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
-    /// Poses plain points, where that is quicker than on lanes, and says how many; `None` if none.
+    /// Poses plain points one after the other where this is quicker than a vertex in each lane.
+    /// Returns the number of points that are posed; `None` if this blend has no such way.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points<V: Level, J: Index, W: Weight>(
@@ -47,10 +50,10 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
         let _ = (level, skin, points);
         None
     }
-    /// The sum of two groups.
+    /// Returns the sum of two groups of influences.
     #[doc(hidden)]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;
-    /// The map of the vertices from `first` on.
+    /// Returns the map of the vertices that start at index `first`.
     #[doc(hidden)]
     fn map<L: Lanes<Real = R>>(
         &self,
@@ -60,7 +63,8 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
     ) -> Self::Map<L>;
 }
 
-/// Points that lie one after the other, from vertex `first` on: as many posed as at rest.
+/// The points of consecutive vertices, the first of them with the index `first`, at rest and posed.
+/// Both slices have the same length.
 #[derive(Debug)]
 pub struct PlainPoints<'m, R> {
     pub(super) first: usize,
@@ -68,12 +72,12 @@ pub struct PlainPoints<'m, R> {
     pub(super) posed: &'m mut [[R; 3]],
 }
 
-/// A blend, as it acts on a surface.
+/// The map by which a blend moves a surface.
 pub trait SurfaceMap<L>: Copy {
-    /// A point of it.
+    /// Moves a point.
     fn point(&self, point: [L; 3]) -> [L; 3];
-    /// A normal, of length 1 again.
+    /// Moves a normal, and scales the result to length 1.
     fn normal(&self, normal: [L; 3]) -> [L; 3];
-    /// A tangent, of length 1 again.
+    /// Moves a tangent, and scales the result to length 1.
     fn tangent(&self, tangent: [L; 3]) -> [L; 3];
 }

@@ -1,4 +1,5 @@
-//! Blends that are made of two others: one after the other, or a mix of both.
+//! Blends that combine two others: [`StretchedDualBlend`] applies one after the other, [`Mixed`]
+//! interpolates between the results of both.
 
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
@@ -13,12 +14,13 @@ use core::fmt::Debug;
 use dq8_simd::Lanes;
 use dq8_simd::internal::Index;
 
-/// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, S = Σ
-/// wᵢSᵢ, σ as of [`DualBlend`]. What a joint's matrix has beyond a motion comes first, blended
-/// linearly (UsdSkel's `dualQuaternion`); [`split_palette`](super::split_palette) takes matrices
-/// apart.
+/// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, where S = Σ
+/// wᵢSᵢ and σ is the motion of [`DualBlend`]. The stretch Sᵢ is the part of a joint's matrix
+/// that is not a motion; stretches are blended linearly and applied first (UsdSkel's
+/// `dualQuaternion`). [`split_palette`](super::split_palette) splits matrices into stretches and
+/// motions.
 ///
-/// Normals become σ applied to cof(S)n, normalized; tangents σ applied to St, normalized.
+/// Normals become σ applied to cof(S)n and tangents σ applied to St, both normalized.
 #[derive(Clone, Copy, Debug)]
 pub struct StretchedDualBlend<'a, R> {
     stretch: Linear<'a, R>,
@@ -26,15 +28,15 @@ pub struct StretchedDualBlend<'a, R> {
 }
 
 impl<'a, R: Scalar> StretchedDualBlend<'a, R> {
-    /// Each joint's motion, unit, and before it its stretch: the rows of a 3×4 matrix without
-    /// translation.
+    /// Makes a blend from the unit motion and the stretch of each joint. A stretch is a 3×4 matrix
+    /// by rows without translation.
     #[must_use]
     pub fn new(motions: &'a [DualQuat<R>], stretches: &'a [[[R; 4]; 3]]) -> Self {
         Self { stretch: Linear::new(stretches), rigid: DualBlend::new(motions) }
     }
 }
 
-/// First a stretch, then a motion.
+/// The map that applies a stretch first and then a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct StretchedMap<L>(LinearMap<L>, ScaledMotion<L>);
 
@@ -86,10 +88,10 @@ impl<R: Scalar> Blender<R> for StretchedDualBlend<'_, R> {
     }
 }
 
-/// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With
-/// [`Linear`](super::Linear) and [`DualBlend`](super::DualBlend) that is the usual weighted blend
-/// of the two, against the bulge of the second at bent joints. Normals and tangents are mixed in
-/// the same way and normalized.
+/// Two blends mixed by a share s for each vertex: v ↦ (1 − s) A(v) + s B(v). With
+/// [`Linear`](super::Linear) and [`DualBlend`](super::DualBlend) this is the usual remedy for the
+/// bulge that the dual blend makes at bent joints. Normals and tangents are mixed in the same way
+/// and normalized.
 #[derive(Clone, Copy)]
 pub struct Mixed<'a, A, B, R> {
     a: A,
@@ -100,10 +102,10 @@ pub struct Mixed<'a, A, B, R> {
 brief!([A: Debug, B: Debug, R] Mixed<'_, A, B, R>: Mixed |it| { a: it.a, b: it.b, vertices: it.shares.len() });
 
 impl<'a, A, B, R: Scalar> Mixed<'a, A, B, R> {
-    /// The share of `b` for each vertex, from 0 to 1.
+    /// Makes a blend from the share of `b` for each vertex, between 0 and 1.
     ///
     /// # Errors
-    /// If a share is not.
+    /// If a share is not between 0 and 1.
     pub fn new(a: A, b: B, shares: &'a [R]) -> Result<Self, SkinningError> {
         let outside = |&share: &R| !(R::ZERO <= share && share <= R::ONE);
         match shares.iter().enumerate().find(|(_, share)| outside(share)) {
@@ -113,7 +115,7 @@ impl<'a, A, B, R: Scalar> Mixed<'a, A, B, R> {
     }
 }
 
-/// Between two maps.
+/// The map that interpolates between the results of two maps.
 #[derive(Clone, Copy, Debug)]
 pub struct MixedMap<A, B, L> {
     a: A,

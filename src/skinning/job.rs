@@ -1,23 +1,25 @@
-//! A run over the vertices of a mesh, the same for all blends.
+//! [`Job`], the options of skinning, and the loop over the vertices of a mesh that all blends
+//! share.
 //!
 //! # The algorithm
 //!
-//! A register holds as many vertices as it has lanes. For each tile of vertices: read their joints
-//! and weights, in groups of a few influences; sum the palette's entries by weight, the gather that
-//! everything else waits for; turn the sum into one map for each vertex; take position, normal and
-//! tangent through it.
+//! Each lane of a register holds one vertex. For each tile of vertices the loop reads their joints
+//! and weights in groups of a few influences. It sums the palette's entries by weight; the rest
+//! waits for this gather. It makes one map for each vertex from the sum, and applies the map to
+//! position, normal and tangent.
 //!
 //! # Why it is as it is
 //!
 //! - *Blends differ in four steps only* ([`Blender`]: check, sum, join, map), so linear, dual
 //!   quaternion and mixed blends, plain and interleaved meshes share this loop, and another blend
 //!   is four functions.
-//! - *Influences go through scratch in groups* of a fixed number: the sum of a group is straight
-//!   code without a branch on how many a vertex has, and eight influences are two groups.
-//! - *Positions alone have a path of their own* ([`Blender::points`]): linear blends of nothing
-//!   else need no map at all. The general loop poses the points that are left over, and those that
-//!   share a tile with them once more, to the same bits.
-//! - *Everything was checked before*: no index can be wrong here, and nothing is written if one is.
+//! - *Influences are copied to scratch in groups* of a fixed size. The sum of a group is code
+//!   without a branch on the number of a vertex's influences; eight influences are two groups.
+//! - *Positions alone have a path of their own* ([`Blender::points`]): a linear blend of positions
+//!   alone needs no map. The general loop poses the points that this path leaves over. It poses
+//!   other points of the same tile once more, with the same bits.
+//! - *All inputs are checked before the loop*: no index can be out of range in it, and an error
+//!   leaves the output untouched.
 
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
@@ -32,7 +34,7 @@ use crate::storage::{self, Element, Layout, Number, Register};
 use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
-/// A run that poses the mesh of a [`Skin`], with options that all have a default.
+/// The options of posing the mesh of a [`Skin`]; each has a default. Its methods pose the mesh.
 ///
 /// ```
 /// use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
@@ -55,10 +57,10 @@ pub struct Job<'s, J, W> {
 brief!([J: Index, W: Weight] Job<'_, J, W>: Job |it| { skin: it.skin, choice: it.choice });
 
 impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
-    /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`],
-    /// [`DualBlend`], [`StretchedDualBlend`] or a mix of those ([`Mixed`]). Positions, and normals
-    /// and tangents where `rest` has them, in plain slices or blocks; see
-    /// [`skinning`](crate::skinning).
+    /// Poses a mesh: each vertex moves by the blend of the motions of its joints. The blend is
+    /// [`Linear`], [`DualBlend`], [`StretchedDualBlend`] or a mix of two blends ([`Mixed`]). `rest`
+    /// and `posed` hold positions, and normals and tangents if both have them, in plain slices or
+    /// blocks: see [`skinning`](crate::skinning).
     ///
     /// # Errors
     /// If the slices, the palette and the skin do not fit each other; `posed` is untouched.
@@ -72,7 +74,7 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
         self.job().pose(blend, rest, posed)
     }
 
-    /// A run with options.
+    /// Returns a [`Job`], which poses the mesh with options.
     pub fn job(&self) -> Job<'s, J, W> {
         Job { skin: *self, choice: Choice::default() }
     }
@@ -81,7 +83,7 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
 impl<J: Index, W: Weight> Job<'_, J, W> {
     crate::backend::options!();
 
-    /// Poses a mesh: [`Skin::pose`].
+    /// Poses a mesh as [`Skin::pose`] does, with the options of this job.
     ///
     /// # Errors
     /// If the slices, the palette and the skin do not fit each other; `posed` is untouched.
@@ -95,13 +97,13 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
         self.run(blend, Separate { rest, posed })
     }
 
-    /// [`pose`](Self::pose) of vertices that are records of several fields, such as the vertex
-    /// buffer of a GPU: `rest` and `posed` hold the numbers of one vertex after those of another,
-    /// and the two [`VertexFields`] say where its position is, and its normal and tangent.
-    /// Everything else in `posed` is left alone.
+    /// Poses vertices that are records of several fields, such as the vertex buffer of a GPU.
+    /// `rest` and `posed` hold one vertex after the other, and the two [`VertexFields`] give the
+    /// offsets of position, normal and tangent in a vertex. All other fields of `posed` stay as
+    /// they are.
     ///
-    /// A slice of a user's own vertices is one of numbers by `bytemuck::cast_slice`, whatever
-    /// fields of other types of the same size it has.
+    /// A slice of your own vertex type becomes a slice of `R` by `bytemuck::cast_slice`, even if it
+    /// has fields of other types of the same size.
     ///
     /// # Errors
     /// If a field lies beyond its vertex or in another one, not both buffers have the same fields,
@@ -129,7 +131,7 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
         self.run(blend, Interleaved { rest, from, posed, to })
     }
 
-    /// Poses a mesh, once everything fits.
+    /// Checks that all inputs fit each other, and poses the mesh.
     fn run<B, M>(&self, blend: B, mesh: M) -> Result<(), SkinningError>
     where
         B: Blender<Number<M::Point, 3>>,
@@ -144,14 +146,14 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
     }
 }
 
-/// The vertices to each thread at least: some microseconds of work.
+/// The least number of vertices for a task: some microseconds of work.
 const GRAIN: usize = 4096;
 
-/// Lanes are vertices.
+/// The loop over the vertices of a mesh, with a vertex in each lane.
 struct Run<'s, 'a, J, W, B, M> {
     skin: &'s Skin<'a, J, W>,
     blend: B,
-    /// The vertex that the mesh begins with.
+    /// The index of the first vertex of `mesh` in the skin: a thread poses a part of the mesh.
     first: usize,
     mesh: M,
 }
@@ -176,7 +178,7 @@ where
         }
         let things = <M::Point as Element<3>>::Layout::THINGS;
         let mut scratch = skin.scratch();
-        // Points that share a tile with what is left are posed again, to the same bits.
+        // Points that share a tile with the remaining points are posed again, with the same bits.
         for tile in storage::tiles::<M::Point, V, 3>(mesh.elements()).skip(done / lanes) {
             let vertex = first + tile.element * things + tile.register * lanes;
             skin.read(vertex, lanes, 0, &mut scratch.influences);

@@ -7,12 +7,12 @@ use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::internal::Index;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat, Records};
 
-/// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. Needs weights that
-/// sum to one. Cheapest, and right for any matrix, but the sum of two rotations is not a rotation:
-/// elbows and twisted wrists collapse.
+/// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. The weights must sum
+/// to one. This blend is the cheapest and takes any matrix, but the sum of two rotations is not a
+/// rotation, so bent elbows and twisted wrists collapse.
 ///
-/// Normals become cof(Σ wᵢMᵢ)n, normalized; tangents (Σ wᵢMᵢ)t, normalized; zero where
-/// that is zero.
+/// Normals become cof(Σ wᵢMᵢ)n and tangents (Σ wᵢMᵢ)t, both normalized. A vector that
+/// becomes zero stays zero.
 #[derive(Clone, Copy)]
 pub struct Linear<'a, R> {
     palette: &'a [[[R; 4]; 3]],
@@ -21,8 +21,8 @@ pub struct Linear<'a, R> {
 brief!([R] Linear<'_, R>: Linear |it| { joints: it.palette.len() });
 
 impl<'a, R: Scalar> Linear<'a, R> {
-    /// The rows of each joint's 3×4 matrix, from the mesh at rest to the posed mesh:
-    /// [`MatrixOrder::Rows`], as palettes are unless told otherwise.
+    /// Makes a blend from the 3×4 matrix of each joint, which takes the mesh at rest to the posed
+    /// mesh. Matrices are stored by rows ([`MatrixOrder::Rows`]), the default order of palettes.
     ///
     /// [`MatrixOrder::Rows`]: crate::hierarchy::MatrixOrder
     #[must_use]
@@ -35,10 +35,10 @@ impl<'a, R: Scalar> Linear<'a, R> {
     }
 }
 
-/// A register of two rows of a matrix, and one of the third.
+/// A 3×4 matrix in registers: one register holds the first two rows, the other the third row.
 type Rows<R, V> = (<R as Float>::Packed<V>, <R as Float>::Half<V>);
 
-/// The weighted sum of four matrices.
+/// Returns the weighted sum of four matrices.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn blended<R: Scalar, V: Level>(
     level: V,
@@ -65,14 +65,15 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
     type Sum<L: Lanes<Real = R>> = [[L; 4]; 3];
     type Map<L: Lanes<Real = R>> = LinearMap<L>;
 
-    // Sums of matrices are made in half as wide registers, and transposed.
+    // The sums of matrices are computed in registers of half the width and then transposed by
+    // shuffles.
     const SHUFFLES: bool = true;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("palette", self.palette.len(), joints)
     }
-    /// First in memory, one vertex after the other: fewer instructions than lanes of vertices,
-    /// which would transpose every matrix. Here it is the sums only.
+    /// Sums the matrices of one vertex after the other, with the entries of a matrix in the lanes.
+    /// Only the sums are then transposed; with a vertex in each lane every matrix would be.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
@@ -97,9 +98,9 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
             L::load_four(level, sums, 8)?,
         ])
     }
-    /// Four points at a time, each times the rows of its sum of matrices; then the products are
-    /// added, and half of the numbers are gone at each step of the transpose. On lanes all twelve
-    /// of a sum would be transposed.
+    /// Poses four points at a time. Each point is multiplied by the rows of its summed matrix, and
+    /// the transpose adds the products in its steps, so that each step halves the number of
+    /// registers. With a vertex in each lane all twelve entries of a sum would be transposed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points<V: Level, J: Index, W: Weight>(
         &self,
@@ -107,11 +108,12 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         skin: &Skin<'_, J, W>,
         PlainPoints { first, rest, posed }: PlainPoints<'_, R>,
     ) -> Option<usize> {
-        // Where a vector of four numbers is several registers, lanes of vertices are quicker.
+        // If a vector of four components takes several registers, a vertex in each lane is quicker.
         if R::Lanes::<V>::LANES < 4 {
             return None;
         }
-        // A point is read with the number after it, which the last one does not have.
+        // A point is read as four components, one of which belongs to the next point. The last
+        // point has no next one, so the general loop poses it.
         let count = posed.len().checked_sub(1)? & !3;
         let (rest, posed) = (rest.as_flattened().get(..3 * count + 1)?, posed.get_mut(..count)?);
         let palette: &[[R; 12]] = bytemuck::must_cast_slice(self.palette);
@@ -157,7 +159,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
     }
 }
 
-/// v ↦ Lv + t, the rows of [L | t].
+/// The affine map v ↦ Lv + t, as the rows of the matrix [L | t].
 #[derive(Clone, Copy, Debug)]
 pub struct LinearMap<L>(pub(super) [[L; 4]; 3]);
 
@@ -166,7 +168,7 @@ impl<L: Lanes> SurfaceMap<L> for LinearMap<L> {
     fn point(&self, [x, y, z]: [L; 3]) -> [L; 3] {
         let mut moved = [x; 3];
         for (moved, [a, b, c, t]) in moved.iter_mut().zip(self.0) {
-            // As Linear::points does, to the last bit.
+            // This is the order of operations in `Linear::points`, so both give the same bits.
             *moved = (x * a + z * c) + (y * b + t);
         }
         moved
@@ -189,26 +191,26 @@ impl<L: Lanes> LinearMap<L> {
     }
 }
 
-/// Lv
+/// Returns Lv, the product of a 3×3 matrix by rows and a vector.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn turned<L: Lanes>(rows: [[L; 3]; 3], v: [L; 3]) -> [L; 3] {
     let [x, y, z] = rows;
     [vector::dot(x, v), vector::dot(y, v), vector::dot(z, v)]
 }
 
-/// cof(L) n: how a surface with normal n lies after L. That is det(L) L⁻ᵀn, which exists for
-/// every L.
+/// Returns cof(L) n, which is normal to the image under L of a surface with the normal n. It equals
+/// det(L) L⁻ᵀn, and also exists if L has no inverse.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn cofactors<L: Lanes>([x, y, z]: [[L; 3]; 3], normal: [L; 3]) -> [L; 3] {
     turned([vector::cross(y, z), vector::cross(z, x), vector::cross(x, y)], normal)
 }
 
-/// v/|v|, or zero where v has no direction.
+/// Returns v/|v|, or zero if v is so short that it has no direction.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn unit<L: Lanes>(v: [L; 3]) -> [L; 3] {
     let square = vector::dot(v, v);
     let (zero, one) = (square.constant(0.0), square.constant(1.0));
-    // Below the smallest normal number the quotient is not finite.
+    // If the square of the length is subnormal, the quotient may overflow.
     let smallest = if L::Real::SINGLE { f32::MIN_POSITIVE.into() } else { f64::MIN_POSITIVE };
     let none = square.lt(square.constant(smallest));
     let factor = L::select(none, zero, one / L::select(none, one, square).sqrt());

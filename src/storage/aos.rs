@@ -1,4 +1,5 @@
-//! Plain records, one after the other; [`LinearFirst`] is a twist whose linear part comes first.
+//! [`Aos`], the layout of plain records that lie one after the other, and [`LinearFirst`], a twist
+//! whose linear part comes first.
 
 use super::element::Tile;
 use super::element::{Element, Layout, Register, sealed};
@@ -10,10 +11,10 @@ use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, Records};
 
-/// Array of structures: one thing after the other. They are transposed in registers on the way in,
-/// and back on the way out. An error of the compiler that expects `Aos<f32>` and finds `Aos<f64>`
-/// has met numbers of two precisions: a slice of bare literals such as `&[0.5; 4]` is one of `f64`,
-/// and `&[0.5_f32; 4]` is not.
+/// Array of structures: one thing lies after the other. Kernels transpose the things in registers
+/// when they read them, and back when they write them. If the compiler expects `Aos<f32>` and finds
+/// `Aos<f64>`, a call mixes two precisions: a slice of bare literals such as `&[0.5; 4]` has
+/// elements of type `f64`; write `&[0.5_f32; 4]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Aos<R>(PhantomData<R>);
 
@@ -23,14 +24,15 @@ impl<R: Scalar> Layout for Aos<R> {
     type Record<const C: usize> = [R; C];
     type Register<V: Level> = R::Lanes<V>;
     const THINGS: usize = 1;
-    // Transposes are shuffles, and the compiler makes AVX-512 shuffles of them, which run on one
-    // port instead of two: products take 2.2 ns instead of 1.8, points 0.69 instead of 0.52.
+    // Transposes consist of shuffles. The compiler would make AVX-512 shuffles of them, which run
+    // on one port of the CPU instead of two: products would take 2.2 ns instead of 1.8 ns, points
+    // 0.69 ns instead of 0.52 ns.
     const WIDE: bool = false;
-    // Records are pieces of cache lines, which cannot be written past the caches.
+    // Records are smaller than cache lines, and stores that bypass the caches need whole lines.
     const STREAMS: bool = false;
 }
 
-/// The records of a tile in any lanes.
+/// Reads the records of a tile into lanes, one register for each component.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn load<L: Lanes, const C: usize>(
     level: L::Level,
@@ -42,7 +44,7 @@ pub(crate) fn load<L: Lanes, const C: usize>(
     Some(L::load_strided(level, from, tile.stride, padding))
 }
 
-/// The records of a tile from any lanes.
+/// Writes the records of a tile from lanes, one register for each component.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn store<L: Lanes, const C: usize>(
     components: [L; C],
@@ -54,7 +56,8 @@ pub(crate) fn store<L: Lanes, const C: usize>(
     }
 }
 
-/// Types that are `C` numbers and nothing else: their bytes are those of the record.
+/// Implements [`Element`] for types that consist of `C` components and nothing else, so that their
+/// bytes are those of an array `[R; C]`.
 macro_rules! casts {
     ($($thing:ty: $components:tt of $real:ident $(, any $any:ident)? $(, any size $size:ident)?;)*) => {$(
         impl<$($any: Scalar,)? $(const $size: usize)?> Element<$components> for $thing {
@@ -126,8 +129,9 @@ impl<T, const N: usize> sealed::Sealed for [T; N] {}
 crate::macros::pod! {
     /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many
     /// controllers; `[R; 6]`, [`Twist`] and a [`Block`](super::Block) of six rows have the angular
-    /// part first. It may be any element of six numbers: a column of a Jacobian, a velocity, an
-    /// acceleration. Six of them are a matrix whose rows and columns have that order: a covariance.
+    /// part first. It may stand for any element of six components: a column of a Jacobian, a
+    /// velocity, an acceleration. An array of six of them is a matrix whose rows and columns have
+    /// this order, such as a covariance.
     ///
     /// ```
     /// use dq8::{Twist, storage::LinearFirst};
@@ -140,7 +144,7 @@ crate::macros::pod! {
     pub struct LinearFirst<R>(pub [R; 6]);
 }
 
-/// The two halves, the other first.
+/// Swaps the two halves of a twist's six components.
 #[cfg_attr(not(opt_level_0), inline(always))]
 const fn other<T: Copy>([a, b, c, d, e, f]: [T; 6]) -> [T; 6] {
     [d, e, f, a, b, c]
@@ -181,7 +185,7 @@ impl<R: Scalar> Element<6> for LinearFirst<R> {
     }
 }
 
-/// The numbers of a 6×6 matrix, the halves of rows and columns changed.
+/// Swaps the halves of the rows, and of the columns, of a 6×6 matrix.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn others<T: Copy>(matrix: [T; 36]) -> [T; 36] {
     let mut changed = matrix;

@@ -4,13 +4,13 @@ use crate::number::Scalar;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level, Native, Row};
 
-/// `N` things of `C` components each: `C` rows of `N` numbers, of motions ([px, py, pz, pw, qx, qy,
-/// qz, qw]) where nothing else is said. `Block<f32, 8>` is 256 bytes; `Block<f32, 8, 3>` holds
-/// eight points.
+/// `N` things of `C` components each, stored as `C` rows: row `c` holds component `c` of all `N`
+/// things. By default `C` is 8 and the things are motions [px, py, pz, pw, qx, qy, qz, qw].
+/// `Block<f32, 8>` is 256 bytes; `Block<f32, 8, 3>` holds eight points.
 pub type Block<R, const N: usize, const C: usize = 8> = dq8_simd::Block<[R; N], C>;
 
-/// Array of structures of arrays: [`Row::LANES`] things to a block, a row `A` of numbers for each
-/// component. They are read as they are, a register at a time.
+/// Array of structures of arrays: a block holds [`Row::LANES`] things, with one row of type `A` for
+/// each component. Kernels read a row as it is, a register at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct AoSoA<A>(PhantomData<A>);
 
@@ -21,7 +21,8 @@ impl<A: Row<Real: Scalar>> Layout for AoSoA<A> {
     type Register<V: Level> = Native<A, V>;
     const THINGS: usize = A::LANES;
     const WIDE: bool = true;
-    // Other targets never hold as much as pays.
+    // Stores past the caches pay for large outputs only, and other targets have too little memory
+    // for those.
     const STREAMS: bool = cfg!(target_arch = "x86_64");
 }
 
@@ -57,7 +58,7 @@ impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> 
     #[inline]
     fn set(slice: &mut [Self], index: usize, thing: [A::Real; C]) {
         if let Some(block) = slice.get_mut(index / A::LANES) {
-            // There is such a lane.
+            // The lane exists, because the index is taken modulo `A::LANES`, so `set` cannot fail.
             let _ = block.set(index % A::LANES, thing);
         }
     }

@@ -1,33 +1,35 @@
-//! [`Layout`] and [`Element`], which name each other: a layout has elements of any number of
-//! components, and an element has a layout.
+//! [`Layout`], the form in which things lie in memory, and [`Element`], an element of a slice in
+//! such a form. Each trait names the other: a layout has elements of any number of components, and
+//! an element has a layout.
 
 use crate::number::Scalar;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level};
 
-/// The things that a register reads: register `register` of the block `element`; or, where a record
-/// is one thing, those at `element`, `element + stride`, `element + 2·stride`, … one in each
-/// lane.
+/// The things that one register holds. In blocks they are the things of register `register` within
+/// the block at index `element`. In plain records they are the records at `element`,
+/// `element + stride`, `element + 2·stride`, …, one in each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
     pub(crate) element: usize,
     pub(crate) register: usize,
-    /// `None` is 1, which the compiler can see.
+    /// The distance between two records. `None` means 1, a constant that lets the compiler simplify
+    /// the addresses.
     pub(crate) stride: Option<usize>,
 }
 
 impl Tile {
-    /// The lanes of one register of the block `element`, or as many records as it reads from there
-    /// on.
+    /// Returns the tile of one register of the block `element`; or, of plain records, the tile of
+    /// the consecutive records from index `element` on.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn at(element: usize, register: usize) -> Self {
         Self { element, register, stride: None }
     }
 
-    /// The same, of plain records that lie `stride` records apart; of blocks, the register alone
-    /// counts.
+    /// Returns the tile of plain records that lie `stride` records apart, the first at index
+    /// `element`. For blocks the stride has no meaning and is ignored.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn strided(self, stride: usize) -> Self {
@@ -35,20 +37,21 @@ impl Tile {
     }
 }
 
-/// The filling of lanes without a thing: the motion, rotation or matrix that changes nothing, and
-/// zero for vectors and numbers. Computing with it is never slow, as it is with garbage.
+/// Returns the record that fills lanes without a thing: the identity for motions, rotations and
+/// matrices, and zero for vectors and scalars. Arithmetic with these values is never slow, unlike
+/// arithmetic with the subnormals that garbage may hold.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn identity<R: Scalar, const C: usize>() -> [R; C] {
     Identity::<R, C>::RECORD
 }
 
-/// A constant, so that nothing is built where it is passed on.
+/// The identity as a constant, so that passing it to a function does not build it again.
 struct Identity<R, const C: usize>(PhantomData<R>);
 
 impl<R: Scalar, const C: usize> Identity<R, C> {
     const RECORD: [R; C] = {
-        // Ones begin at `one`, with this stride.
+        // The components with the value 1 lie at `one`, `one + stride`, `one + 2·stride`, ….
         let (mut one, stride) = match C {
             4 | 7 | 8 => (3, C),
             12 | 16 => (0, 5),
@@ -64,39 +67,39 @@ impl<R: Scalar, const C: usize> Identity<R, C> {
 }
 
 /// The form in which things of any number of components lie in memory, and the registers that read
-/// them: [`Aos`](super::Aos) or [`AoSoA`](super::AoSoA). Sealed.
+/// them. It is [`Aos`](super::Aos) or [`AoSoA`](super::AoSoA). The trait is sealed.
 ///
-/// A layout whose numbers in memory are not those in registers, say 16 bits each, would be another
-/// implementation; no kernel would change.
+/// A layout that stores components in another type than registers hold, such as 16 bits each, would
+/// be another implementation of this trait; no kernel would change.
 pub trait Layout: Copy + Debug + sealed::Sealed {
-    /// The number in a register.
+    /// The type of a component in a register.
     type Real: Scalar;
-    /// The element of a slice of which only the number of components is known: `[R; C]`, or a
+    /// The element type for things of `C` components without a name of their own: `[R; C]`, or a
     /// block.
     type Record<const C: usize>: Element<C, Layout = Self>;
-    /// One register of `V`.
+    /// The register of the level `V` that holds one component of several things.
     type Register<V: Level>: Lanes<Real = Self::Real, Level = V>;
     /// The number of things in a [`Record`](Self::Record).
     const THINGS: usize;
     /// `true` if kernels over this layout gain from AVX-512.
     const WIDE: bool;
-    /// `true` if it can be written past the caches, on targets that may have more memory than
-    /// caches.
+    /// `true` if outputs in this layout can be written past the caches.
     const STREAMS: bool;
 
-    /// The number of registers that read one component of a record.
+    /// Returns the number of registers that hold one component of a whole record.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn registers<V: Level>() -> usize {
         (Self::THINGS / Self::Register::<V>::LANES).max(1)
     }
-    /// The number of records that a register reads.
+    /// Returns the number of records that one register covers.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn records<V: Level>() -> usize {
         (Self::Register::<V>::LANES / Self::THINGS).max(1)
     }
-    /// `true` if a register reads one thing from each of several records.
+    /// Returns `true` if a record is one thing, so that a register takes one thing from each of
+    /// several records.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn transposes<V: Level>() -> bool {
@@ -104,8 +107,9 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     }
 }
 
-/// An element of a slice: a thing of `C` numbers, or a block of such things. The one bound that
-/// code for any [`Layout`] needs; [the table](super) says what implements it. Sealed.
+/// An element of a slice: a thing of `C` components, or a block of such things. This is the only
+/// bound that code for any [`Layout`] needs; [the table](super) lists the types that implement it.
+/// The trait is sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not known to dq8 as a thing of {C} numbers",
     label = "not an element of {C} numbers",
@@ -114,11 +118,12 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     note = "slices of glam's, nalgebra's and mint's types become slices of dq8's by a cast: `dq8::interop`"
 )]
 pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
-    /// The form in which it lies in memory.
+    /// The layout of this element in memory.
     type Layout: Layout;
 
-    /// Each component of the things of a tile, a register each. What lies beyond the end of `from`
-    /// is `padding` (see [`identity`](super::identity)); `None` if the tile begins beyond it.
+    /// Reads the things of a tile, one register for each component. Lanes beyond the end of `from`
+    /// hold `padding` (see [`identity`](super::identity)). Returns `None` if the whole tile lies
+    /// beyond the end.
     fn load<V: Level>(
         level: V,
         from: &[Self],
@@ -126,10 +131,11 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
         padding: &[Number<Self, C>; C],
     ) -> Option<[Register<Self, V, C>; C]>;
 
-    /// The things of a tile from each component; what lies beyond the end of `to` is dropped.
+    /// Writes the things of a tile from one register for each component. Lanes beyond the end of
+    /// `to` are dropped.
     fn store<V: Level>(components: [Register<Self, V, C>; C], to: &mut [Self], tile: Tile);
 
-    /// [`store`](Self::store) of components that lie in memory as registers hold them.
+    /// [`store`](Self::store), for components that lie in memory as arrays of lanes.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn copy<V: Level>(
@@ -146,14 +152,15 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
         Self::store(components, to, tile);
     }
 
-    /// Thing number `index`.
+    /// Returns the thing at `index`, counted over all things of all elements; `None` beyond the
+    /// end.
     #[must_use]
     fn get(slice: &[Self], index: usize) -> Option<[Number<Self, C>; C]>;
-    /// Writes thing number `index`; nothing beyond the last.
+    /// Writes the thing at `index`; does nothing beyond the end.
     fn set(slice: &mut [Self], index: usize, thing: [Number<Self, C>; C]);
 
-    /// [`store`](Self::store)s what `each` makes of every tile, past the caches where the layout
-    /// [can](Layout::STREAMS). The first `None` ends.
+    /// Calls `each` for every tile and [`store`](Self::store)s its result, past the caches where
+    /// the layout [allows it](Layout::STREAMS). Stops when `each` returns `None`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn stream<V: Level>(
         level: V,
@@ -167,15 +174,15 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
         }
     }
 
-    /// The same numbers as arrays, if they lie one after the other: for one thing this is faster
-    /// than lanes. `None` for blocks.
+    /// Returns the slice as arrays of `C` components if the things lie one after the other, which
+    /// is faster than lanes for a single thing. Returns `None` for blocks.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn plain(slice: &[Self]) -> Option<&[[Number<Self, C>; C]]> {
         let _ = slice;
         None
     }
-    /// [`plain`](Self::plain), to be written.
+    /// Returns the mutable slice as arrays, as [`plain`](Self::plain) does.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn plain_mut(slice: &mut [Self]) -> Option<&mut [[Number<Self, C>; C]]> {
@@ -184,12 +191,13 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     }
 }
 
-/// The number that an element is made of.
+/// The type of an element's components, such as `f32`.
 pub type Number<E, const C: usize> = <<E as Element<C>>::Layout as Layout>::Real;
-/// The register that reads one component of an element.
+/// The register of the level `V` that holds one component of an element's things.
 pub type Register<E, V, const C: usize> = <<E as Element<C>>::Layout as Layout>::Register<V>;
 
-/// The tiles of a slice of `length` elements, in order: each is a register for each component.
+/// Returns the tiles of a slice of `length` elements in order. Each tile is read into one register
+/// for each component.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub fn tiles<E: Element<C>, V: Level, const C: usize>(length: usize) -> impl Iterator<Item = Tile> {
     Tiles {

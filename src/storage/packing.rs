@@ -1,4 +1,5 @@
-//! Between slices of single things and blocks: instances, or segments of a chain, become lanes.
+//! Conversion between slices of single things and blocks. Instances, or segments of a chain, become
+//! the lanes of the blocks.
 
 use super::{Block, Element, Tile, identity};
 use crate::backend::{Backend, Kernel};
@@ -10,12 +11,12 @@ use dq8_simd::{Lanes, Level, Row};
 /// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the
 /// last blocks that have no instance hold the [`identity`], with which arithmetic is never slow.
 ///
-/// For everything that blocks hold: motions, rotations, points, twists, matrices, numbers. Things
-/// that do not belong to a skeleton have one joint.
+/// Works for everything that blocks hold: motions, rotations, points, twists, matrices, scalars.
+/// Pass 1 as `joints` for things that do not belong to a skeleton.
 ///
 /// # Errors
-/// If `things` holds no whole number of instances, or `blocks` is not just large enough for them;
-/// `blocks` is untouched.
+/// If `things` does not hold a whole number of instances, or `blocks` has not exactly the length
+/// that they need; `blocks` is untouched.
 ///
 /// ```
 /// use dq8::storage::{Block, pack, unpack};
@@ -48,8 +49,8 @@ where
 /// the last instance are dropped.
 ///
 /// # Errors
-/// If `things` holds no whole number of instances, or `blocks` is not just large enough for them;
-/// `things` is untouched.
+/// If `things` does not hold a whole number of instances, or `blocks` has not exactly the length
+/// that they need; `things` is untouched.
 pub fn unpack<R: Scalar, E, const N: usize, const C: usize>(
     joints: usize,
     blocks: &[Block<R, N, C>],
@@ -69,7 +70,7 @@ where
 /// `i / blocks.len()` of block `i % blocks.len()`. Lanes beyond the last link hold the identity.
 ///
 /// # Errors
-/// If there are not just as many blocks as the links fill; `blocks` is untouched.
+/// If the number of blocks is not exactly the number that the links fill; `blocks` is untouched.
 ///
 /// ```
 /// use dq8::storage::{Block, pack_chain, unpack_chain};
@@ -92,15 +93,15 @@ where
     E: Element<C, Layout = super::Aos<R>>,
 {
     same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
-    // One instance in each lane, of as many joints as a segment has links.
+    // A segment of the chain is packed as one instance, with a joint for each of its links.
     Backend::best().run(Pack { stride: blocks.len(), things: links, blocks });
     Ok(())
 }
 
-/// Reads a chain from blocks, see [`pack_chain`].
+/// Writes the links of a chain from blocks in the order that [`pack_chain`] uses.
 ///
 /// # Errors
-/// If there are not just as many blocks as the links fill; `links` is untouched.
+/// If the number of blocks is not exactly the number that the links fill; `links` is untouched.
 pub fn unpack_chain<R: Scalar, E, const N: usize, const C: usize>(
     blocks: &[Block<R, N, C>],
     links: &mut [E],
@@ -114,13 +115,14 @@ where
     Ok(())
 }
 
-/// The number of blocks that `instances` of `joints` take.
+/// Returns the number of blocks that `instances` instances of `joints` joints take.
 pub(crate) fn blocks_for<const N: usize>(joints: usize, instances: usize) -> usize {
     instances.div_ceil(N).saturating_mul(joints)
 }
 
-/// Thing `lane · stride + joint` of each group of `N · stride` goes to `lane` of its block
-/// `joint`. Lengths have been checked.
+/// The kernel of [`pack`]: in each group of `N · stride` things, the thing
+/// `lane · stride + joint` goes to the lane `lane` of the block `joint`. The caller has checked
+/// the lengths.
 pub(crate) struct Pack<'s, E, B> {
     pub(crate) stride: usize,
     pub(crate) things: &'s [E],
@@ -133,7 +135,7 @@ where
     E: Element<C, Layout = super::Aos<R>>,
 {
     type Output = ();
-    // Transposes: see `Aos`.
+    // The kernel consists of transposes, which AVX-512 makes slower: see `Aos::WIDE`.
     const WIDE: bool = false;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -161,7 +163,8 @@ where
     }
 }
 
-/// [`Pack`], the other way.
+/// The kernel of [`unpack`]: each lane of each block goes back to the place that [`Pack`] took it
+/// from.
 pub(crate) struct Unpack<'s, E, B> {
     pub(crate) stride: usize,
     pub(crate) blocks: &'s [B],
@@ -180,7 +183,8 @@ where
     fn run<V: Level>(self, level: V) {
         let Self { stride, blocks, things } = self;
         for (group, blocks) in blocks.chunks(stride.max(1)).enumerate() {
-            // Registers may have more lanes than blocks: those must not be written.
+            // A register may have more lanes than a block. The slice ends with the group, so that
+            // the lanes beyond the block are dropped.
             let end = (group + 1).saturating_mul(N).saturating_mul(stride).min(things.len());
             let Some(things) = things.get_mut(..end) else { return };
             for (joint, block) in blocks.iter().enumerate() {

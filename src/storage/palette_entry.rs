@@ -1,26 +1,29 @@
-//! [`PaletteEntry`]: the forms in which motions are handed out, and [`MatrixOrder`].
+//! [`PaletteEntry`], the forms in which palettes hold motions, and [`MatrixOrder`], the order of a
+//! matrix in memory.
 
 use super::element::Element;
 use crate::batch;
 use dq8_simd::Lanes;
 
-/// The order in which the numbers of a matrix lie in memory.
+/// The order in which the entries of a matrix lie in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MatrixOrder {
-    /// Row after row: HLSL `row_major`, C arrays, `[[R; 4]; 3]` as used everywhere in this crate.
+    /// Row after row, as in HLSL `row_major`, in C arrays, and in `[[R; 4]; 3]` everywhere in this
+    /// crate.
     #[default]
     Rows,
-    /// Column after column: GLSL, WGSL, glam and nalgebra. For matrices that others read: dq8
-    /// itself reads rows.
+    /// Column after column, as in GLSL, WGSL, glam and nalgebra. This is for matrices that other
+    /// programs read: dq8 itself reads rows.
     Columns,
 }
 
 /// An element of a skinning palette: a motion (`C` = 8), a 3×4 matrix (12), or a 4×4 matrix with
-/// the row 0 0 0 1 (16); one thing or a block of them, as the models are. Sealed, like [`Element`].
+/// the row 0 0 0 1 (16); one thing, or a block if the models are blocks. The trait is sealed, like
+/// [`Element`].
 ///
 /// Plain matrices are `[[f32; 4]; 3]` and `[[f32; 4]; 4]` by rows. By columns a 4×4 matrix is
-/// `[[f32; 4]; 4]` too; for the twelve numbers of a 3×4 matrix take `[f32; 12]`, so that nobody
-/// reads them as rows.
+/// `[[f32; 4]; 4]` too; a 3×4 matrix by columns is `[f32; 12]`, so that nobody takes its entries
+/// for rows.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no entry of a palette",
     note = "motions (`DualQuat`), 3×4 matrices (`[[f32; 4]; 3]` by rows, `[f32; 12]` by columns) and 4×4 matrices \
@@ -28,7 +31,7 @@ pub enum MatrixOrder {
     note = "a slice of `glam::Mat4` becomes one by `dq8::interop::glam_034::mat4s_mut`, with `MatrixOrder::Columns`"
 )]
 pub trait PaletteEntry<const C: usize>: Element<C> {
-    /// The numbers of a unit motion in this form.
+    /// Returns a unit motion in this form.
     #[doc(hidden)]
     #[must_use]
     fn of<L: Lanes>(motion: batch::DualQuat<L>, order: MatrixOrder) -> [L; C];

@@ -1,10 +1,10 @@
-//! [`ShapeError`]: slices that do not fit each other, and the checks that return it.
+//! [`ShapeError`], the error of slices that do not fit each other, and the checks that return it.
 
 use crate::macros::{Count, errors};
 use core::ops::Range;
 
 errors! {
-    /// Slices that do not fit a hierarchy, or each other. Nothing has been written.
+    /// The error of slices that do not fit a hierarchy or each other. No output has been written.
     #[derive(Clone, Debug, PartialEq, Eq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     ShapeError {
@@ -96,27 +96,27 @@ errors! {
     }
 }
 
-/// Checks that the slice that is called `what` holds as many elements as it must.
+/// Checks that the slice with the name `what` has the length `expected`.
 ///
 /// # Errors
-/// If it does not.
+/// If the length is another one.
 #[inline]
 pub fn same_length(what: &'static str, length: usize, expected: usize) -> Result<(), ShapeError> {
     if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
 }
 
-/// The number of instances of `joints` joints (links, values …) in the slice that is called
-/// `what`.
+/// Returns the number of instances in the slice with the name `what`, each of `joints` joints (or
+/// links, or values).
 ///
 /// # Errors
-/// If it holds no whole number of them.
+/// If `length` is not a multiple of `joints`.
 #[inline]
 pub fn whole_instances(
     what: &'static str,
     joints: usize,
     length: usize,
 ) -> Result<usize, ShapeError> {
-    // Divisions are slow, and most callers have one instance.
+    // Most callers have one instance, for which this comparison saves a slow division.
     if length == joints && length > 0 {
         return Ok(1);
     }
@@ -127,7 +127,7 @@ pub fn whole_instances(
     }
 }
 
-/// Checks that these are joints of a hierarchy.
+/// Checks that a range of joints lies within a hierarchy of `joints` joints.
 pub(crate) fn joints_within(range: &Range<usize>, joints: usize) -> Result<(), ShapeError> {
     if range.start <= range.end && range.end <= joints {
         return Ok(());

@@ -1,11 +1,12 @@
-//! The input of kernels: a slice, or what their output still holds; and motions from it.
+//! [`Source`], the input of kernels (a slice, or their own output in place), and the reading of
+//! motions from it.
 
 use super::element::{Element, Register, Tile, identity};
 use crate::batch;
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// The input of a kernel: a slice of its own, or, in place, what its output still holds.
+/// The input of a kernel: a slice, or, for a kernel in place, the present contents of its output.
 #[derive(Clone, Copy, Debug)]
 pub enum Source<'s, E> {
     Slice(&'s [E]),
@@ -13,7 +14,7 @@ pub enum Source<'s, E> {
 }
 
 impl<'s, E> Source<'s, E> {
-    /// The slice to read, of a kernel that writes `output`.
+    /// Returns the slice that a kernel reads when it writes `output`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn or<'o>(self, output: &'o [E]) -> &'o [E]
     where
@@ -25,7 +26,7 @@ impl<'s, E> Source<'s, E> {
         }
     }
 
-    /// The input at these elements; nothing beyond the end of a slice.
+    /// Returns the part of the input at these indices; a part beyond the end of a slice is empty.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn part(self, elements: Range<usize>) -> Self {
         match self {
@@ -40,10 +41,10 @@ impl<'s, E> Source<'s, E> {
     }
 }
 
-/// The motions of one register.
+/// The motions that one register for each component holds.
 pub(crate) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
 
-/// The motions of a tile; the identity in lanes beyond the end of `slice`.
+/// Reads the motions of a tile; lanes beyond the end of `slice` hold the identity.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn motions<E: Element<8>, V: Level>(
     level: V,
