@@ -147,10 +147,10 @@ impl<R: Real> Spectrum<R> {
     }
 
     /// The rotation R for which the sum of the products of its elements and those of A is largest,
-    /// w ≥ 0. It is the one nearest to A, also if A mirrors: then the smallest axis of A is turned
-    /// over (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum, σ₁ +
-    /// σ₂ ± σ₃ of the singular values, less where A mirrors; and σ₂ ± σ₃, by which R is
-    /// told from others.
+    /// w ≥ 0. It is the one nearest to A, also if A mirrors: then the smallest axis of A is
+    /// turned over (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum,
+    /// σ₁ + σ₂ ± σ₃ of the singular values, less where A mirrors; and σ₂ ± σ₃, by
+    /// which R is told from others.
     ///
     /// # Errors
     /// If many rotations are as good: A squeezes space into a line or a point within rounding, or
@@ -163,8 +163,9 @@ impl<R: Real> Spectrum<R> {
     }
 
     /// The singular values σ₁ ≥ σ₂ ≥ σ₃, the last one negated where A mirrors. The
-    /// eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ − σ₁ − σ₃ and σ₃ −
-    /// σ₁ − σ₂, so these are half of the sums of the largest with each of the others.
+    /// eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ −
+    /// σ₁ − σ₃ and σ₃ − σ₁ − σ₂, so these are half of the sums of the largest
+    /// with each of the others.
     pub(crate) fn singular_values(&self) -> [R; 3] {
         let Self { largest, values: [a, b, c, d], .. } = *self;
         // Not by `sort`, which has code for orders that contradict themselves, and panics there.
