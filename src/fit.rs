@@ -17,7 +17,7 @@
 
 use crate::macros::errors;
 use crate::number::Real;
-use crate::representation::polar::{best_rotation, singular_values};
+use crate::representation::polar::Spectrum;
 use crate::scalar::{DualQuat, Quat, vector};
 
 /// Points x and where they went, y, each pair with a weight w ≥ 0; lengths in one unit.
@@ -179,7 +179,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
     /// values are the same. In `f32`, points closer than about 1e-18 count as one. Or if the map
     /// overflows.
     pub fn rigid(&self) -> Result<Fit<R>, FitError> {
-        self.best_of_all(false)
+        self.best_of_all(self.spectrum().as_ref(), false)
     }
 
     /// The same with a scale, s = (σ₁ + σ₂ ± σ₃)/Σ w|x|² (Umeyama 1991, equation 42).
@@ -195,7 +195,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
     /// # Errors
     /// As [`rigid`](Self::rigid).
     pub fn similarity(&self) -> Result<Fit<R>, FitError> {
-        self.best_of_all(true)
+        self.best_of_all(self.spectrum().as_ref(), true)
     }
 
     /// The motion with least squares of those that turn about the direction `axis`, of any length
@@ -232,43 +232,70 @@ impl<'a, R: Real> PointPairs<'a, R> {
         let sine = vector::dot(v, to_u) - vector::dot(u, to_v);
         let gap = vector::norm([cosine, sine]);
         let rotation = Quat::from_axis_angle(axis, sine.atan2(cosine));
-        self.fit(rotation, gap, R::ONE)
+        let ambiguous = || self.ambiguous(self.spectrum().as_ref());
+        self.fit(rotation, gap, R::ONE, ambiguous)
     }
 
     /// The root of the mean square of what a fit of these pairs leaves, and what rank and condition
     /// the pairs have for a rotation about any axis.
     #[must_use]
     pub fn quality(&self, fit: &Fit<R>) -> Quality<R> {
+        self.quality_of(self.spectrum().as_ref(), fit)
+    }
+
+    fn quality_of(&self, spectrum: Option<&Spectrum<R>>, fit: &Fit<R>) -> Quality<R> {
         let (mut total, mut sum) = (R::ZERO, R::ZERO);
         for ([x, y], weight) in self.pairs.iter() {
             let left = vector::sub(vector::sub(y, fit.to), fit.turned(x));
             total += weight;
             sum += weight * vector::dot(left, left);
         }
-        let [first, second, third] = singular_values(self.products);
+        let values = self.singular_values(spectrum);
+        let [first, second, third] = values;
         let gap = second + third;
         let condition = if gap > self.rounding { (first + second) / gap } else { R::ONE / R::ZERO };
-        Quality { rms: (sum / total).sqrt(), rank: self.rank(), condition }
+        Quality { rms: (sum / total).sqrt(), rank: self.rank(values), condition }
     }
 
-    fn rank(&self) -> usize {
-        let values = singular_values(self.products);
+    /// `None` where the products vanish or are not finite.
+    fn spectrum(&self) -> Option<Spectrum<R>> {
+        Spectrum::of(self.products).ok()
+    }
+
+    fn singular_values(&self, spectrum: Option<&Spectrum<R>>) -> [R; 3] {
+        let largest = || [vector::largest(self.products.map(vector::largest)); 3];
+        spectrum.map_or_else(largest, Spectrum::singular_values)
+    }
+
+    fn rank(&self, values: [R; 3]) -> usize {
         values.into_iter().filter(|value| value.abs() > self.rounding).count()
     }
 
-    fn best_of_all(&self, scaled: bool) -> Result<Fit<R>, FitError> {
+    fn best_of_all(
+        &self,
+        spectrum: Option<&Spectrum<R>>,
+        scaled: bool,
+    ) -> Result<Fit<R>, FitError> {
         // Only the mixed term of Σ w|y − s·r x r*|² depends on the rotation: the sum of the
         // products of its elements and these, which is to be largest.
-        let (rotation, [sum, gap]) = best_rotation(self.products).map_err(|_| self.ambiguous())?;
-        self.fit(rotation, gap, if scaled { sum / self.squares } else { R::ONE })
+        let best = spectrum.and_then(|spectrum| spectrum.best_rotation().ok());
+        let (rotation, [sum, gap]) = best.ok_or_else(|| self.ambiguous(spectrum))?;
+        let scale = if scaled { sum / self.squares } else { R::ONE };
+        self.fit(rotation, gap, scale, || self.ambiguous(spectrum))
     }
 
     /// The map with the rotation, if others fit less by the gap.
-    fn fit(&self, rotation: Quat<R>, gap: R, scale: R) -> Result<Fit<R>, FitError> {
+    fn fit(
+        &self,
+        rotation: Quat<R>,
+        gap: R,
+        scale: R,
+        ambiguous: impl FnOnce() -> FitError,
+    ) -> Result<Fit<R>, FitError> {
         // False for NaN too.
         let clear = gap > self.rounding;
         if !clear {
-            return Err(self.ambiguous());
+            return Err(ambiguous());
         }
         let [from, to] = self.centers;
         let shift = rotation.rotate(vector::scale(from, scale));
@@ -279,8 +306,9 @@ impl<'a, R: Real> PointPairs<'a, R> {
         Ok(Fit { motion, scale, from, to })
     }
 
-    fn ambiguous(&self) -> FitError {
-        FitError::Ambiguous { pairs: self.pairs.iter().count(), rank: self.rank() }
+    fn ambiguous(&self, spectrum: Option<&Spectrum<R>>) -> FitError {
+        let rank = self.rank(self.singular_values(spectrum));
+        FitError::Ambiguous { pairs: self.pairs.iter().count(), rank }
     }
 }
 

@@ -128,49 +128,15 @@ impl<R: Real> Polar<R> {
     }
 }
 
-/// The rotation R for which the sum of the products of its elements and those of A is largest, w
-/// ≥
-/// 0. It is the one nearest to A, also if A mirrors: then the smallest axis of A is turned over
-///    (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum, σ₁ + σ₂
-///    ± σ₃ of the singular values, less where A mirrors; and σ₂ ± σ₃, by which R is told
-///    from others.
-///
-/// # Errors
-/// If an element is not finite, or many rotations are as good: A squeezes space into a line or a
-/// point within rounding, or mirrors and has its two smaller singular values in common.
-pub(crate) fn best_rotation<R: Real>(
-    rows: [[R; 3]; 3],
-) -> Result<(Quat<R>, [R; 2]), OrthonormalError> {
-    let Spectrum { largest, values, vectors } = Spectrum::of(rows)?;
-    let best = place_of_the_largest(values);
-    let (rotation, gap) = rotation(values, vectors, best)?;
-    Ok((rotation, [R::ONE, gap].map(|share| share * values[best] * largest)))
-}
-
-/// The singular values σ₁ ≥ σ₂ ≥ σ₃, the last one negated where A mirrors; NaN or
-/// infinite if an element is. The eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ −
-/// σ₂ − σ₃, σ₂ − σ₁ − σ₃ and σ₃ − σ₁ − σ₂, so these are half of
-/// the sums of the largest with each of the others.
-pub(crate) fn singular_values<R: Real>(rows: [[R; 3]; 3]) -> [R; 3] {
-    let largest = vector::largest(rows.map(vector::largest));
-    let Ok(Spectrum { values: [a, b, c, d], .. }) = Spectrum::of(rows) else { return [largest; 3] };
-    // Not by `sort`, which has code for orders that contradict themselves, and panics there.
-    let order = |a: R, b: R| if a < b { [b, a] } else { [a, b] };
-    let ([a, b], [c, d]) = (order(a, b), order(c, d));
-    let ([first, c], [b, fourth]) = (order(a, c), order(b, d));
-    let [second, third] = order(b, c);
-    [second, third, fourth].map(|other| (first + other) * R::HALF * largest)
-}
-
 /// The eigenvalues and eigenvectors of [`horn`], of A over its largest element.
-struct Spectrum<R> {
+pub(crate) struct Spectrum<R> {
     largest: R,
     values: [R; 4],
     vectors: [[R; 4]; 4],
 }
 
 impl<R: Real> Spectrum<R> {
-    fn of(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
+    pub(crate) fn of(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
         all_finite(rows)?;
         let largest = vector::largest(rows.map(vector::largest));
         if largest == R::ZERO {
@@ -178,6 +144,36 @@ impl<R: Real> Spectrum<R> {
         }
         let (values, vectors) = eigen(horn(rows.map(|row| row.map(|c| c / largest))));
         Ok(Self { largest, values, vectors })
+    }
+
+    /// The rotation R for which the sum of the products of its elements and those of A is largest,
+    /// w ≥ 0. It is the one nearest to A, also if A mirrors: then the smallest axis of A is
+    /// turned over (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum,
+    /// σ₁ + σ₂ ± σ₃ of the singular values, less where A mirrors; and σ₂ ± σ₃, by
+    /// which R is told from others.
+    ///
+    /// # Errors
+    /// If many rotations are as good: A squeezes space into a line or a point within rounding, or
+    /// mirrors and has its two smaller singular values in common.
+    pub(crate) fn best_rotation(&self) -> Result<(Quat<R>, [R; 2]), OrthonormalError> {
+        let Self { largest, values, vectors } = *self;
+        let best = place_of_the_largest(values);
+        let (rotation, gap) = rotation(values, vectors, best)?;
+        Ok((rotation, [R::ONE, gap].map(|share| share * values[best] * largest)))
+    }
+
+    /// The singular values σ₁ ≥ σ₂ ≥ σ₃, the last one negated where A mirrors. The
+    /// eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ −
+    /// σ₁ − σ₃ and σ₃ − σ₁ − σ₂, so these are half of the sums of the largest
+    /// with each of the others.
+    pub(crate) fn singular_values(&self) -> [R; 3] {
+        let Self { largest, values: [a, b, c, d], .. } = *self;
+        // Not by `sort`, which has code for orders that contradict themselves, and panics there.
+        let order = |a: R, b: R| if a < b { [b, a] } else { [a, b] };
+        let ([a, b], [c, d]) = (order(a, b), order(c, d));
+        let ([first, c], [b, fourth]) = (order(a, c), order(b, d));
+        let [second, third] = order(b, c);
+        [second, third, fourth].map(|other| (first + other) * R::HALF * largest)
     }
 }
 
