@@ -262,8 +262,7 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
     }
 }
 
-/// left · right, of which the left factor comes whole and the right one number by number from
-/// memory.
+/// left · right, of which the left factor comes whole and the right one number by number.
 ///
 /// In left · (p + εq), the part left · q is raised by ε, and what is beyond ε dropped: eight
 /// multiplications of vectors. The last sum adds −0 to the real part, which leaves every bit of
@@ -276,13 +275,9 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
     let [x, y, z, w] = left.columns();
-    let [px, py, pz, pw, qx, qy, qz, qw] = level.locate(right);
-    let dual = x.mul_add(L::splat(level, *qx), w * L::splat(level, *qw));
-    let dual = y.mul_add(L::splat(level, *qy), dual);
-    let dual = z.mul_add(L::splat(level, *qz), dual);
-    let both = x.mul_add(L::splat(level, *px), w * L::splat(level, *pw));
-    let both = y.mul_add(L::splat(level, *py), both);
-    let both = z.mul_add(L::splat(level, *pz), both);
+    let [px, py, pz, pw, qx, qy, qz, qw] = L::splat_each(level, right);
+    let dual = z.mul_add(qz, y.mul_add(qy, x.mul_add(qx, w * qw)));
+    let both = z.mul_add(pz, y.mul_add(py, x.mul_add(px, w * pw)));
     both + dual.times_epsilon()
 }
 
