@@ -220,12 +220,11 @@ pub trait Records: Lanes {
             Some(stride) if const { C >= 4 } => has_all::<Self, C>(records, stride),
             _ => flat.len() >= reach(Self::LANES, spacing, C),
         };
-        // SAFETY: `to` has a record for each lane.
-        if stride.is_none()
-            && fits
-            && unsafe { Self::store_adjoining(components, flat.as_mut_ptr()) }
-        {
-            return;
+        if stride.is_none() && fits {
+            // SAFETY: `to` has a record for each lane.
+            if unsafe { Self::store_adjoining(components, flat.as_mut_ptr()) } {
+                return;
+            }
         }
         if const { C == 3 }
             && let (&[x, y, z], true, 3) = (components.as_slice(), fits, spacing)
