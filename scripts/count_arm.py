@@ -215,7 +215,10 @@ def check(table):
             wrong.append(f"{': '.join(key)}: not in the file")
         elif key[1].startswith("dq8 ") and count > LOSS * before[key][0]:
             wrong.append(f"{': '.join(key)}: {count:.2f} instructions, {before[key][0]:.2f} in the file")
-    return wrong + [f"{': '.join(key)}: in the file alone" for key in before if key not in table]
+    wrong += [f"{': '.join(key)}: in the file alone" for key in before if key not in table]
+    if page(before) not in PAGE.read_text():
+        wrong.append(f"{PAGE.relative_to(ROOT)} has other numbers than the file")
+    return wrong
 
 
 def main():
@@ -230,7 +233,8 @@ def main():
     table = measure(arguments.rows, with_cycles=not (arguments.no_cycles or arguments.check))
     if arguments.update:
         write(table)
-        update_page(table)
+        # As the file has the numbers, rounded.
+        update_page(read())
     if arguments.check:
         wrong = check(table)
         print("\n".join(wrong) or f"{len(table)} counts are as in {FILE.relative_to(ROOT)}")
