@@ -55,7 +55,7 @@ def test_the_tutorial_runs_and_plots(tmp_path):
     command = [sys.executable, PROJECT / "tutorial" / "tutorial.py", tmp_path]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    for name in ("between.png", "keys.png", "arm.png", "robot.png", "skin.png"):
+    for name in ("between.png", "keys.png", "deskew.png", "arm.png", "robot.png", "skin.png"):
         assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")
 
 

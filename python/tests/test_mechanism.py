@@ -304,7 +304,7 @@ def test_mechanisms_of_arrays_are_pickled(rng):
         (lambda m: m.from_urdf(CRANE.replace('"hook"', '"tower"')), ValueError, r"two <link> have the name \"tower\""),
         (lambda m: m.from_urdf(5), TypeError, r"int"),
         (lambda m: dq8.Mechanism([], [], [0, 0, 1], np.eye(8)[3]), ValueError, r"`parents` to have an element"),
-        (lambda m: dq8.Mechanism([0], "fixed", [0, 0, 1], np.eye(8)[3]), ValueError, r"the parent of joint 0 is 0"),
+        (lambda m: dq8.Mechanism([0], "fixed", [0, 0, 1], np.eye(8)[3]), ValueError, r"joint 0 has the parent 0"),
         (lambda m: dq8.Mechanism([-1], "ball", [0, 0, 1], np.eye(8)[3]), ValueError, r"Expected `kinds` to be .*\"ball\""),
         (lambda m: dq8.Mechanism([-1], ["fixed"] * 2, [0, 0, 1], np.eye(8)[3]), ValueError, r"`kinds` to have 1 elem"),
         (lambda m: dq8.Mechanism([-1], 5, [0, 0, 1], np.eye(8)[3]), TypeError, r"Expected `kinds` to be a string"),

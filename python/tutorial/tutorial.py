@@ -98,6 +98,37 @@ steps = [dq8.distance_to(path[1:], path[:-1]).std() for path in (shaken, calm)]
 assert calm.shape == (46, 8) and steps[1] < 0.5 * steps[0]
 
 # %% [markdown]
+# ## A scan, deskewed
+#
+# A scanner turns once in a tenth of a second, on a robot that drives and turns meanwhile. It measures each point in the
+# frame of another moment, so its walls bend. `deskew` moves each point by the pose at its own time into one frame, here
+# that of the first moment; between two poses of the odometer it follows a screw. `skew` leads back.
+
+# %%
+stamps = np.linspace(0, 0.1, 11)
+odometer = dq8.from_twist(stamps[:, None] * [0.0, 0, 4, 12, 0, 0])  # 4 radians and 12 metres a second
+moments = (np.arange(720) + 0.5) * (0.1 / 720)
+beams = np.stack([np.cos(20 * np.pi * moments), np.sin(20 * np.pi * moments), 0 * moments], axis=-1)
+# The walls of the room are at x = ±4 and y = ±3. A beam ends at the nearest one ahead.
+there = dq8.resample(stamps, odometer, moments)
+ahead = dq8.transform_vectors(there, beams)[:, :2]
+ranges = ((np.copysign([4.0, 3.0], ahead) - dq8.translation(there)[:, :2]) / ahead).min(axis=1)
+scan = ranges[:, None] * beams  # as the scanner has it
+moved = dq8.deskew(scan, moments, stamps, odometer, frame="start")
+
+figure, both = plt.subplots(1, 2, figsize=(8, 3.4), sharex=True, sharey=True, layout="constrained")
+for axes, points, title in zip(both, (scan, moved), ("as measured", "deskewed"), strict=True):
+    axes.plot([-4, 4, 4, -4, -4], [-3, -3, 3, 3, -3], color="0.8", linewidth=5, zorder=0, label="room")
+    axes.scatter(points[:, 0], points[:, 1], c=moments, s=3, label="points, from first to last")
+    axes.set_aspect("equal")
+    axes.set_title(title)
+both[0].legend(loc="center")
+figure.savefig(directory / "deskew.png")
+off = [np.abs(np.abs(points[:, :2] / [4, 3]).max(axis=1) - 1).max() for points in (scan, moved)]
+assert off[0] > 0.2 and off[1] < 1e-12
+assert np.allclose(dq8.skew(moved, moments, stamps, odometer, frame="start"), scan)
+
+# %% [markdown]
 # ## An arm
 #
 # A `Hierarchy` has the parent of every joint. The pose of a link in its parent is an offset, then a turn

@@ -1,30 +1,30 @@
-//! Robots: from joint values to poses of links, Jacobians and velocities, and back by inverse
-//! kinematics.
+//! Robots as trees of joints: poses, Jacobians and velocities of links are computed from joint
+//! values, and joint values from poses by inverse kinematics.
 //!
-//! Motions are dual quaternions of [`dq8`], one configuration at a time in any [`Real`](dq8::Real)
-//! number, or many on the lanes of the CPU.
+//! Motions are dual quaternions of [`dq8`]. A call computes one configuration in any element type
+//! that is [`Real`](dq8::Real), or many configurations at once on the lanes of the CPU.
 //!
 #![doc = include_str!("frames.svg")]
 //!
-//! The `guide` (feature `urdf`) goes from a file to inverse kinematics, and says which array is
-//! indexed by what.
+//! The page `guide` (feature `urdf`) leads from a robot's file to inverse kinematics, and names the
+//! index of each array.
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`Joint`], [`JointKind`], [`Mimic`] | how a link is joined to the one that carries it |
-//! | [`Mechanism`], [`Step`] | a tree of joints, or an arm from screws or a [`Dh`] table |
+//! | [`Joint`], [`JointKind`], [`Mimic`] | the joint between a link and its parent link |
+//! | [`Mechanism`], [`Step`] | a tree of joints, screws or [`Dh`] rows, and its memory |
 //! | [`Job`] | a run over many configurations, with options |
-//! | [`OwnedMechanism`] | the same with memory of its own (feature `alloc`) |
-//! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
-//! | [`JointValues`] | how values of many configurations lie in memory |
-//! | [`Reach`], [`Goal`], [`ik`] | inverse kinematics: which values bring links to their targets |
-//! | [`OwnedReach`], [`ik::OwnedSixAxisArm`] | the same, owning their memory (`alloc`) |
+//! | [`OwnedMechanism`] | a mechanism that owns its memory (feature `alloc`) |
+//! | [`World`], [`Body`], [`WorldAligned`] | the frames in which a Jacobian can be given |
+//! | [`JointValues`] | the layouts of values of many configurations in memory |
+//! | [`Reach`], [`Goal`], [`ik`] | inverse kinematics: values that bring links to targets |
+//! | [`OwnedReach`], [`ik::OwnedSixAxisArm`] | solvers that own their memory (`alloc`) |
 //! | [`ik::SixAxisArm`] | all solutions of an arm of six hinges: elbow up and down, and so on |
 //! | `urdf` | robots from files (feature `urdf`) |
 //!
-//! Everything is there twice: for one configuration and any [`Real`](dq8::Real), by the book, as a
-//! method of [`Mechanism`]; and for many on lanes, as a method of its [`Job`], or of a
-//! [`ReachJob`](ik::ReachJob).
+//! Each computation has two forms. A method of [`Mechanism`], [`Reach`] or [`ik::SixAxisArm`]
+//! computes one configuration, in any [`Real`](dq8::Real). A method of their jobs, such as [`Job`]
+//! and [`ReachJob`](ik::ReachJob), computes many configurations, one per lane.
 //!
 //! | one configuration | many |
 //! |---|---|
@@ -39,18 +39,18 @@
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //! | [`Mechanism::link_points`] | [`Job::points`] |
 //!
-//! An angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero; beyond, poses,
-//! velocities and accelerations are NaN, of one configuration as on lanes. Sine and cosine of half
-//! an `f32` angle, taken as exact, are off by
-//! at most 2.71 and 3.35 units of 2⁻²⁴ at any angle up to there, the cosine by 2.19 up to π.
-//! All floats were tried.
+//! An angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero; beyond that range,
+//! both forms give NaN for poses, velocities and accelerations. If an `f32` angle is taken as
+//! exact, the sine and the cosine of its half have errors of at most 2.71 and 3.35 units of
+//! 2⁻²⁴ at any angle in the range. Up to π the error of the cosine is at most 2.19. All
+//! floats were tried.
 //!
 //! # Firmware
 //!
 //! Without default features and with `libm` nothing is allocated and only `core` is linked; a
 //! mechanism borrows the caller's memory.
-//! [`dq8::guide::firmware`](https://docs.rs/dq8/latest/dq8/guide/firmware) says what is proved of
-//! it. An arm of two joints and a tool:
+//! [`dq8::guide::firmware`](https://docs.rs/dq8/latest/dq8/guide/firmware) says which of this is
+//! proved. The example is an arm of two joints and a tool:
 //!
 //! ```
 //! use dq8::DualQuat;
@@ -72,8 +72,9 @@
 //!
 //! # Features
 //!
-//! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files, and
-//! `urdf-encodings` those that are in neither UTF-8 nor UTF-16; `defmt` formats errors and reports.
+//! `std` (default), `alloc`, `libm` and `rayon` switch on the features of the same names in dq8.
+//! `urdf` reads robots from files, and `urdf-encodings` reads files in encodings other than UTF-8
+//! and UTF-16. `defmt` formats errors and reports for the crate of that name.
 #![cfg_attr(not(feature = "urdf"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
@@ -81,7 +82,8 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
-/// A page of documentation: robots, from a file to inverse kinematics, and the index of each array.
+/// A page of documentation that leads from a robot's file to inverse kinematics, and names the
+/// index of each array.
 #[cfg(feature = "urdf")]
 #[doc = include_str!("guide.md")]
 pub mod guide {}

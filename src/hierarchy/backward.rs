@@ -1,4 +1,4 @@
-//! local(j) = model(parent(j))* · model(j), and locals of any form written down as motions.
+//! local(j) = model(parent(j))* · model(j); and locals of any form, written to memory as motions.
 
 use super::locals::{Locals, Pass};
 use super::plain::MANY;
@@ -39,7 +39,7 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
 }
 
 impl<E: Element<8>> Backward<'_, '_, E> {
-    /// Computes the locals on the instances' threads.
+    /// Computes the locals, on the threads of the backend.
     #[inline]
     pub(super) fn on_threads(self) {
         #[cfg(feature = "rayon")]
@@ -58,8 +58,8 @@ impl<E: Element<8>> Backward<'_, '_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
-    /// The locals of one block, whose lanes are instances, or of one instance where a register
-    /// holds one number.
+    /// Computes the locals of one block, whose lanes are instances, or, on targets without SIMD, of
+    /// one plain instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn locals_of_block<V: Level>(
         &self,
@@ -74,7 +74,8 @@ impl<E: Element<8>> Run<'_, E> {
                 let models = models.or(locals);
                 let Some(&parent) = self.parents.get(joint) else { return };
                 let Some(mut local) = motions(level, models, tile) else { return };
-                // ROOT is beyond the last joint: there is no such model.
+                // The parent of a root is `ROOT`, which is beyond all models: loading it gives
+                // `None`.
                 let parent = motions(level, models, Tile::at(parent as usize, register));
                 let parent = match parent {
                     Some(parent) => Some(parent),
@@ -88,8 +89,8 @@ impl<E: Element<8>> Run<'_, E> {
         }
     }
 
-    /// The locals of one plain instance: lanes are joints, and their parents are gathered one by
-    /// one.
+    /// Computes the locals of one plain instance. Lanes are joints, whose parents are gathered one
+    /// by one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn locals_of_plain<V: Level>(
         &self,
@@ -101,14 +102,15 @@ impl<E: Element<8>> Run<'_, E> {
         let root = self.root_of(instance);
         let lanes = E::Layout::records::<V>();
         let nothing = root.unwrap_or(identity());
-        // One array of both: of two that begin alike, the compiler would copy one from the other by
-        // a call.
+        // Both copies are halves of one array. Of two arrays with the same initial values, the
+        // compiler would copy one from the other by a function call.
         let mut both = [nothing; 2 * MAX_LANES];
         let (own, parents) = both.split_at_mut(MAX_LANES);
         let mut end = self.joints.end;
         while end > self.joints.start {
             let start = end.saturating_sub(lanes).max(self.joints.start);
-            // Both are copied before anything is written: a parent may be among these joints.
+            // The models of the joints and of their parents are copied before any local is written:
+            // in place, a parent may be among these joints.
             let Some(from) = E::plain(models.or(locals)) else { return };
             for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut *parents)) {
                 let (Some(model), Some(&of)) = (from.get(joint), self.parents.get(joint)) else {
@@ -131,11 +133,12 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// poses(j) = local(j). Lanes are instances in blocks, and for plain instances where locals are
-/// computed: a clip or a layer is quicker for a batch of joints at a time, and a small skeleton has
-/// fewer registers of joints than that, of which the last one is half empty. What lies in memory,
-/// and the instances left over, have joints of one instance in the lanes: no joint waits for
-/// another here, and joints side by side are not strided. The bits are the same.
+/// The loop that writes locals as motions: poses(j) = local(j). In blocks, and for plain instances
+/// whose locals are computed, lanes are instances: clips and layers are faster for a batch of
+/// joints at a time, and the joints of a small skeleton would fill few registers, the last of them
+/// partly. For locals that lie in memory, and for instances left over, lanes are joints of one
+/// instance: here no joint waits for another, and joints side by side are not strided. The results
+/// have the same bits.
 pub(super) struct Write<'r, 's, E: Element<8>, L> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
@@ -145,7 +148,7 @@ pub(super) struct Write<'r, 's, E: Element<8>, L> {
 impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE || L::COMPUTED;
-    // A fifth to a quarter less time where 512 bits are shuffled as quickly as 256.
+    // AVX-512 takes a fifth to a quarter less time on CPUs that shuffle 512 bits as quickly as 256.
     const SHUFFLES: bool = !E::Layout::WIDE && L::COMPUTED;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -187,7 +190,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
 }
 
 impl<E: Element<8>, L: Locals<E>> Write<'_, '_, E, L> {
-    /// Writes the poses on the instances' threads.
+    /// Writes the poses, on the threads of the backend.
     #[inline]
     pub(super) fn on_threads(self) {
         #[cfg(feature = "rayon")]

@@ -1,4 +1,5 @@
-//! model(j) = model(parent(j)) · local(j), for blocks: lanes are instances in memory already.
+//! model(j) = model(parent(j)) · local(j) for blocks, in whose memory the lanes are instances
+//! already.
 
 use super::locals::{BATCH, InPlace, LocalBatch, Locals, Pass, Registers};
 use super::run::{Epilogue, Forward, JointSlot};
@@ -7,29 +8,30 @@ use crate::storage::{Element, Layout, Register, Tile, motions};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
 
-/// `true` if instructions that wait do not keep others from running. Microcontrollers execute one
-/// after the other, and have little room for code.
+/// `true` on CPUs that execute other instructions while one waits for its operands.
+/// Microcontrollers do not, and they have little memory for code.
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
 
-/// The bytes that instances side by side may fill: the size of the first cache, or less.
+/// The bytes that the models of instances side by side may fill: the size of the first-level cache,
+/// or less.
 const CACHE: usize = 32 << 10;
 
-/// The number of joints that the loop prefetches ahead. It saves 1024 skeletons of 64 joints in
-/// place a tenth of the time with AVX2 and a twentieth with AVX-512, and costs one block of 16,
-/// which never leaves the first cache, a twentieth. Farther ahead is not faster, and from 8 joints
-/// on it is slower.
+/// The number of joints that the loop prefetches ahead. In place, 1024 skeletons of 64 joints take
+/// a tenth less time with AVX2 and a twentieth less with AVX-512; one block of 16 lanes, which
+/// stays in the first-level cache, takes a twentieth more. Prefetching farther ahead is not faster,
+/// and from 8 joints on it is slower.
 const PREFETCH_DISTANCE: usize = 2;
 
-/// Parents first. Three things keep this loop at the speed of its multiplications:
+/// The loop over blocks, parents first. Three measures keep it at the speed of its multiplications:
 ///
-/// - A child waits for its parent, which takes as long as eight products. So two instances (or the
-///   registers of one block) are computed in turns: while one waits, the other multiplies. Two that
-///   do not fit the first cache together would push each other's parents out of it: then one at a
-///   time.
-/// - The turns are kept apart by fences for the compiler: left alone, it mixes two products and
-///   runs out of registers.
-/// - The next joint but one is fetched from memory meanwhile.
+/// - A child waits for its parent, and that takes as long as eight products. So two instance
+///   blocks, or the registers of one block, are computed in turns: while one waits for a parent,
+///   the other multiplies. Two blocks that do not fit the first-level cache together would evict
+///   each other's parents; they are computed one after the other.
+/// - Compiler fences keep the turns apart. Without them the compiler mixes two products and runs
+///   out of registers.
+/// - The loop prefetches the joint that it computes two steps later.
 pub(super) struct Blocks<'r, 's, E: Element<8>, L, X>(pub(super) Forward<'r, 's, E, L, X>);
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Blocks<'_, '_, E, L, X> {
@@ -41,12 +43,13 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Blocks<'_, '_, E, L
         let joints = run.parents.len();
         let pass = Pass { level, run, locals };
         let mut batch = pass.batch();
-        // Registers of one block are side by side already.
+        // If a block has several registers, they are computed in turns, and one block at a time is
+        // enough.
         let one_at_a_time = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
         let side_by_side = if OVERLAPS && !one_at_a_time { 2 } else { 1 };
-        // There are joints where there is anything to do, and no part of an instance. The compiler
-        // does not know: `chunks_mut(0)` or a plain `split_at_mut` would be a path to a panic in
-        // the machine code.
+        // `models` holds whole instances, so `joints` is not 0 where there is a model. The compiler
+        // does not know that: `chunks_mut(0)`, or `split_at_mut` without a check, would be a path
+        // to a panic in the machine code.
         let sets = models.chunks_mut(joints.saturating_mul(side_by_side).max(1));
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
@@ -60,7 +63,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Blocks<'_, '_, E, L
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// `K` blocks of instances, each by its number and with its models, in turns.
+    /// Computes `K` instance blocks in turns, each given by its index and its models.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn blocks<X: Epilogue<E>, const K: usize>(
         self,
@@ -84,7 +87,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     }
                 }
             }
-            // ROOT is beyond the last joint: there is no such model.
+            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
             let Some(&parent) = run.parents.get(joint) else { return };
             let renormalize = run.renormalize.applies_to(joint);
             for (block, models) in &mut blocks {
@@ -93,8 +96,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                 }
                 for register in 0..E::Layout::registers::<V>() {
                     let slot = slot(joint, *block, register);
-                    // One comparison, the bounds check of this load, also tells roots from
-                    // children. *One source*: the model goes to memory on both ways.
+                    // The bounds check of this load also tells roots from children, so that the
+                    // loop compares once. *One source* (docs/measured.md): the model goes to memory
+                    // on both paths.
                     let parent = Tile::at(parent as usize, register);
                     if let Some(parent) = motions(level, models, parent) {
                         let Some(local) = self.local_of_block(models, slot) else { return };
@@ -102,13 +106,14 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     } else {
                         self.root_of_block(*block, models, slot);
                     }
-                    // The turn of this register ends: nothing of the next one may be begun before
-                    // its store.
+                    // The turn of this register ends: the fence keeps the compiler from beginning
+                    // the next turn before this store.
                     compiler_fence(Ordering::SeqCst);
                     if !renormalize && const { !X::ACTIVE } {
                         continue;
                     }
-                    // *One source*: read back, from the first cache.
+                    // *One source*: the model is read back from memory, whichever path stored it;
+                    // it is in the first-level cache.
                     let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
                     if renormalize {
                         model = model.normalize();
@@ -122,8 +127,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         }
     }
 
-    /// The model of a joint without a parent. *Kept apart*: inlined, it would take registers from
-    /// the children.
+    /// Computes the model of a joint without a parent. *Kept apart* (docs/measured.md): inlined,
+    /// this function would take registers from the loop over children.
     #[cold]
     #[inline(never)]
     fn root_of_block(self, block: usize, models: &mut [E], slot: JointSlot) {
@@ -142,7 +147,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         );
     }
 
-    /// The local of a slot. Computed locals lie where their models will.
+    /// Loads the local of a slot. Computed locals were written where the models will be.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn local_of_block(self, models: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
         if const { L::COMPUTED } {

@@ -1,5 +1,6 @@
-//! Chains: the product of all links up to each one. And the product of two motions, one to a
-//! register or one to a lane, that every loop over a hierarchy uses.
+//! Chains: the product of all links up to each link. Also the product of two motions that every
+//! loop over a hierarchy uses, with one motion in a register ([`packed_product`]) or one motion in
+//! each lane ([`product_in_lanes`]).
 
 use crate::backend::{Backend, Kernel};
 use crate::batch;
@@ -9,21 +10,24 @@ use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, ident
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat};
 
-/// The most segments that a chain is cut into: the lanes of the widest block.
+/// The greatest number of segments of a chain: the lanes of the widest block.
 const MAX_SEGMENTS: usize = 16;
 
 impl Backend {
-    /// `products[i] = links[0] · links[1] ⋯ links[i]`: the models of a chain from its locals.
+    /// Computes the models of a chain from its locals:
+    /// `products[i] = links[0] · links[1] ⋯ links[i]`.
     ///
-    /// A product cannot begin before the one before it has ended, and single motions leave lanes
-    /// empty; but products are associative. So the chain is cut into segments of equal length, one
-    /// to a lane. First the products of whole segments are computed, on all lanes at once; then
-    /// what comes before each segment; then, on all lanes again, every product. That is two
-    /// multiplications for each link, and still twice as fast as one after the other. Results
-    /// differ from those in the last bits, as the order of multiplication does.
+    /// Each product needs the product before it, so that one motion at a time would leave lanes
+    /// empty. But products are associative. So the chain is cut into segments of equal length, one
+    /// in each lane. The first pass computes the products of whole segments, on all lanes at once.
+    /// The second pass multiplies these totals, so that each segment knows the product of all links
+    /// before it. The third pass computes every product, on all lanes again. That takes two
+    /// multiplications for each link, and is still twice as fast as one link after the other.
+    /// Results differ in the last bits from those of one after the other, because the
+    /// multiplications are in another order.
     ///
-    /// Links are `[DualQuat<R>]` in order, or `[Block<R, N>]` with a segment in each lane, see
-    /// [`pack_chain`](crate::storage::pack_chain): the fastest way.
+    /// Links are `[DualQuat<R>]` in order, or `[Block<R, N>]` with a segment in each lane, which is
+    /// the fastest way; see [`pack_chain`](crate::storage::pack_chain).
     ///
     /// # Errors
     /// If the slices differ in length; `products` is untouched.
@@ -47,13 +51,13 @@ impl Backend {
         Ok(())
     }
 
-    /// [`chain_products`](Self::chain_products) over the links themselves.
+    /// Computes the products of a chain in place as [`chain_products`](Self::chain_products) does.
     #[inline]
     pub fn chain_products_in_place<E: Element<8>>(self, links: &mut [E]) {
         self.scan(Source::Output, links);
     }
 
-    /// Lengths have been checked.
+    /// Computes the products of a chain whose lengths have been checked.
     #[inline]
     pub(super) fn scan<E: Element<8>>(self, links: Source<'_, E>, products: &mut [E]) {
         self.run(Scan { links, products });
@@ -72,8 +76,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
-        // A chain in blocks was cut when it was packed: its last segment is filled up with
-        // identities.
+        // A chain in blocks was cut into segments when it was packed: the last segment is filled up
+        // with identities.
         if const { E::Layout::THINGS > 1 } {
             scan(InBlocks { level, links, products });
             return;
@@ -82,12 +86,13 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
             Source::Slice(links) => E::plain(links).map(Source::Slice),
             Source::Output => Some(Source::Output),
         };
-        // In place, the third pass reads a link just before it writes the product there, and the
-        // first has read all.
+        // In place, the third pass overwrites a link with its product just after it has read the
+        // link, and the first pass, which reads all links, has ended before that.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
-            // Where a register holds one number, one segment after the other: eight at once would
-            // be memory, and much code.
+            // On targets without SIMD, where a register holds a single value, segments are computed
+            // one after the other. Eight segments at once would not fit the registers, and would be
+            // much code.
             let mut before = if const {
                 <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native::LANES == 1
             } {
@@ -99,7 +104,7 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
                     level, steps, links, products,
                 ))
             };
-            // A chain need not fill its segments: the last few links one by one.
+            // The links that remain after eight segments of equal length are multiplied one by one.
             for index in PLAIN_SEGMENTS * steps..products.len() {
                 let Some(link) = links.or(products).get(index) else { return };
                 before = packed_product(before, link);
@@ -110,32 +115,34 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     }
 }
 
-/// A chain in segments, one to a lane, in as many parts as it takes registers.
+/// A chain in segments, one in each lane. If the segments need several registers, each register is
+/// a part.
 trait Segments {
     type Lanes: Lanes<Real: Scalar>;
     fn level(&self) -> <Self::Lanes as Lanes>::Level;
     fn parts(&self) -> usize;
-    /// The number of links of a segment.
+    /// Returns the number of links of a segment.
     fn steps(&self) -> usize;
-    /// A link of each segment of a part.
+    /// Loads link `step` of each segment of a part.
     fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>>;
-    /// Stores a product of each segment of a part.
+    /// Stores product `step` of each segment of a part.
     fn store(&mut self, product: batch::DualQuat<Self::Lanes>, part: usize, step: usize);
 }
 
-/// The product of all links, after every product has been written.
+/// Writes every product, and returns the product of all links.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (level, steps) = (segments.level(), segments.steps());
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
     // First pass, on all lanes: the product of each segment.
     //
-    // Lanes and parts without a segment stay at the identity, which changes no product.
+    // Totals without a segment stay at the identity, which changes no product.
     let mut totals = [identity(); MAX_SEGMENTS];
     for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
         let mut total = batch::DualQuat::identity(level);
         for step in (1..steps).step_by(2) {
-            // Two links first: that product waits for nothing.
+            // Two links are multiplied with each other first, because that product need not wait
+            // for `total`.
             let Some(first) = segments.load(part, step - 1) else { break };
             let Some(second) = segments.load(part, step) else { break };
             total = total * (first * second);
@@ -147,18 +154,18 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
         }
         total.store_records(totals);
     }
-    // Second pass, an exclusive scan of at most sixteen totals, one motion in a register:
-    // `totals[i]` becomes what comes before segment i, and `before` ends as the product of
-    // everything.
+    // Second pass, an exclusive scan of at most sixteen totals, with one motion in a register:
+    // `totals[i]` becomes the product of all segments before segment i, and `before` ends as the
+    // product of all segments.
     let mut before = Packed::<S>::load(level, &identity());
     for total in totals.iter_mut().take(parts * lanes) {
         let after = packed_product(before, total);
         before.store(total);
         before = after;
     }
-    // Third pass, on all lanes: each segment once more, from what comes before it. The links are
-    // read a second time instead of keeping the partial products of the first pass, which would be
-    // a store and a load for each.
+    // Third pass, on all lanes: each segment is multiplied again, beginning with the product of all
+    // segments before it. The links are read a second time. Keeping the partial products of the
+    // first pass instead would take a store and a load for each.
     for (part, starts) in totals.chunks_exact(lanes).take(parts).enumerate() {
         let mut model = batch::DualQuat::load_records(level, starts);
         for step in 0..steps {
@@ -175,7 +182,7 @@ type Packed<S> = <<<S as Segments>::Lanes as Lanes>::Real as Float>::Packed<
     <<S as Segments>::Lanes as Lanes>::Level,
 >;
 
-/// Blocks: every lane is a segment already.
+/// A chain in blocks, in which every lane is a segment already.
 struct InBlocks<'s, V, E> {
     level: V,
     links: Source<'s, E>,
@@ -206,10 +213,11 @@ impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
     }
 }
 
-/// Segments of plain motions.
+/// The number of segments of a chain of plain motions.
 const PLAIN_SEGMENTS: usize = 8;
 
-/// Plain motions: eight segments lie one after the other, and are transposed in registers.
+/// A chain of plain motions. Its eight segments lie one after the other, and their links are
+/// transposed in registers.
 struct Strided<'s, V, R, L> {
     level: V,
     steps: usize,
@@ -224,7 +232,8 @@ impl<'s, V, R, L> Strided<'s, V, R, L> {
         Self { level, steps, links, products, lanes: PhantomData }
     }
 
-    /// The place of link `step` of each segment of a part; the stride is the length of a segment.
+    /// Returns the place of link `step` of each segment of a part; the stride is the length of a
+    /// segment.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile(&self, part: usize, step: usize) -> Tile
     where
@@ -262,15 +271,17 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
     }
 }
 
-/// left · right, of which the left factor comes whole and the right one number by number.
+/// Computes left · right, where one register holds the left factor and each component of the right
+/// factor fills a register in turn.
 ///
-/// In left · (p + εq), the part left · q is raised by ε, and what is beyond ε dropped: eight
-/// multiplications of vectors. The last sum adds −0 to the real part, which leaves every bit of
-/// it as it is; +0 would take the sign of a zero, which [`product_in_lanes`] keeps.
+/// In left · (p + εq), the product left · q is multiplied by ε, and the term with ε² dropped:
+/// this takes eight multiplications of vectors. The last sum adds −0 to the real part, which
+/// keeps every bit of it; +0 would lose the sign of a zero, which [`product_in_lanes`] keeps.
 ///
-/// Three other ways were measured and are slower on a skeleton of 64 joints: signs by alternating
-/// multiply-adds, which are three instructions less (by a sixth), the left factor number by number
-/// (by a sixth), and joints of one level in the lanes, gathered and scattered (by a twentieth).
+/// Three other ways were measured on a skeleton of 64 joints and are slower: signs by alternating
+/// multiply-adds, although they save three instructions (a sixth slower); the left factor read
+/// component by component (a sixth); and joints of one level in the lanes, gathered and scattered
+/// (a twentieth).
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
@@ -281,7 +292,8 @@ pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -
     both + dual.times_epsilon()
 }
 
-/// [`packed_product`] of a parent and its child in memory.
+/// Returns the [`packed_product`] of the model of a parent and the local of its child, both in
+/// memory.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
     let mut model = [R::ZERO; 8];
@@ -289,11 +301,11 @@ pub(super) fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R
     model
 }
 
-/// [`packed_product`] of a motion in each lane: the same sums in the same order, with the same
-/// signs of zeros, so that the result of an instance does not depend on how many others are
-/// computed with it, nor on how wide the lanes are. (The product of
-/// [`batch::DualQuat`](crate::batch::DualQuat) adds the halves of the dual part as it goes, and
-/// saves four additions.)
+/// The product of two motions in each lane. It has the sums of [`packed_product`] in the same
+/// order, with the same signs of zeros. So the result of an instance depends neither on the number
+/// of instances that are computed together nor on the width of the lanes. (The product of
+/// [`batch::DualQuat`](crate::batch::DualQuat) accumulates both halves of the dual part in one sum,
+/// which saves four additions.)
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn product_in_lanes<L: Lanes>(left: [L; 8], right: [L; 8]) -> [L; 8] {
     let [px, py, pz, pw, qx, qy, qz, qw] = left;
@@ -306,7 +318,7 @@ pub(super) fn product_in_lanes<L: Lanes>(left: [L; 8], right: [L; 8]) -> [L; 8] 
     [x, y, z, w, ex + dx, ey + dy, ez + dz, ew + dw]
 }
 
-/// pq, by the columns of p: w first, then x, y and z.
+/// The quaternion product pq, summed by the components of p: w first, then x, y and z.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn hamilton<L: Lanes>([px, py, pz, pw]: [L; 4], [x, y, z, w]: [L; 4]) -> [L; 4] {
     [

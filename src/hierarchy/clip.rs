@@ -1,5 +1,6 @@
-//! [`Clip`]: key frames of plain numbers. [`Sampled`] plays it, or any other [`Keys`], for many
-//! instances; `pose` and `between` for a single joint, such as the root motion of a character.
+//! [`Clip`]: key frames of plain numbers. [`Sampled`] plays a clip, or any other [`Keys`], for many
+//! instances. `pose` and `between` play a single joint, such as the root of a character for its
+//! root motion.
 
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
@@ -20,8 +21,9 @@ use core::ops::Range;
 use dq8_simd::internal::Gather;
 use dq8_simd::{Lanes, Level, Portable, Records, Unfused};
 
-/// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
-/// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
+/// Key frames at equal distances in time, `[frame][joint]`. A key of type `K` is a motion, or a
+/// rotation with a translation `[x, y, z, w, tx, ty, tz]`. The last frame of a clip that loops is
+/// its first frame again.
 #[derive(Clone, Copy)]
 #[must_use]
 #[doc(alias("animation"))]
@@ -36,10 +38,10 @@ brief!([K] Clip<'_, K>: Clip |it| {
 });
 
 impl<'c, K> Clip<'c, K> {
-    /// A clip of `joints` joints.
+    /// Makes a clip of `joints` joints from its keys `[frame][joint]`.
     ///
     /// # Errors
-    /// If `keys` is empty or holds no whole number of frames.
+    /// If `keys` is empty, or its length is not a multiple of `joints`.
     pub fn new(joints: usize, keys: &'c [K]) -> Result<Self, ShapeError> {
         if keys.is_empty() {
             return Err(ShapeError::Empty { what: "keys" });
@@ -48,18 +50,20 @@ impl<'c, K> Clip<'c, K> {
         Ok(Self { keys, joints, timing: Timing { frames, rate: 1.0, loops: false } })
     }
 
-    /// The clip with times in seconds, at this many frames a second; without a rate, times are
+    /// Sets the rate in frames a second, so that times are in seconds. Without a rate, times are in
     /// frames.
     pub fn with_rate(self, frames_per_second: f64) -> Self {
         Self { timing: self.timing.with_rate(frames_per_second), ..self }
     }
 
-    /// The clip, which begins again where it ends: a time before or after it lies in another round.
+    /// Makes the clip begin again where it ends: a time before its begin or after its end lies in
+    /// another round.
     pub fn looping(self) -> Self {
         Self { timing: self.timing.looping(), ..self }
     }
 
-    /// The time from the first frame to the last.
+    /// The time from the first frame to the last, in seconds if the clip has a rate, otherwise in
+    /// frames.
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.timing.duration()
@@ -71,7 +75,7 @@ impl<'c, K> Clip<'c, K> {
         self.timing.frames
     }
 
-    /// The number of frames a second, or 1 if times are frames.
+    /// The rate in frames a second, or 1 if times are in frames.
     #[must_use]
     pub fn rate(&self) -> f64 {
         self.timing.rate
@@ -83,11 +87,11 @@ impl<'c, K> Clip<'c, K> {
         self.timing.loops
     }
 
-    /// The frame before the time `at`, in frames from the first or, with a [rate](Self::with_rate),
-    /// in seconds, and how far it is to the next one, from 0 to 1 inclusive. What lies outside the
-    /// clip is its first or last frame, unless it [loops](Self::looping); NaN stays NaN. A clip of
-    /// one frame has no next one ([`Sampled::new`](super::Sampled::new) refuses it): give the frame
-    /// twice.
+    /// Returns the frame before the time `at`, and the part of the way from it to the next frame,
+    /// from 0 to 1 inclusive. Times count from the first frame, in frames or, with a
+    /// [rate](Self::with_rate), in seconds. A time outside the clip gives its first or last frame,
+    /// unless the clip [loops](Self::looping); for NaN the part is NaN. A clip of one frame has no
+    /// next frame, and [`Sampled::new`](super::Sampled::new) refuses it: give the frame twice.
     ///
     /// ```
     /// use dq8::hierarchy::Clip;
@@ -105,9 +109,9 @@ impl<'c, K> Clip<'c, K> {
     }
 }
 
-/// The number of a clip's frames, the frames a second, and `loops` if the clip begins again where
-/// it ends. Times are computed in numbers of `T`: of a [`Clip`] in `f64`, of packed clips in those
-/// of the caller, for firmware has no quick `f64`.
+/// The timing of a clip: the number of its frames, its frames a second, and `loops` if it begins
+/// again where it ends. Times are computed in the type `T`. For a [`Clip`] that is `f64`; for
+/// packed clips it is the caller's type, because on microcontrollers `f64` is slow.
 #[derive(Clone, Copy)]
 pub(super) struct Timing<T> {
     pub(super) frames: usize,
@@ -128,34 +132,37 @@ impl<T: Scalar> Timing<T> {
         self.steps() / self.rate
     }
 
-    /// The number of frames that follow another one.
+    /// Returns the number of steps from one frame to the next.
     fn steps(self) -> T {
         T::from_i32(i32::try_from(self.frames.saturating_sub(1)).unwrap_or(i32::MAX))
     }
 
+    /// Returns the frame before the time `at` and the part of the way to the next frame:
     /// [`Clip::place`].
     pub(super) fn place<R: Scalar>(self, at: R) -> (u32, R) {
         self.place_in_round(Real::from_f64(self.round(at).1.into()))
     }
 
-    /// The round of the clip at the time `at`, from 0, and the time in it, in frames.
+    /// Returns the index of the round in which the time `at` lies, and the time in that round, in
+    /// frames.
     fn round<R: Scalar>(self, at: R) -> (T, T) {
-        // From a number to the same number by way of `f64` is no instruction.
+        // If `R` and `T` are the same type, the conversion by way of `f64` compiles to no
+        // instruction.
         let at: T = Real::from_f64(at.into());
         let (time, steps) = (at * self.rate, self.steps());
         if !self.loops || steps == T::ZERO {
             return (T::ZERO, time);
         }
-        // NaN from what is infinite.
+        // An infinite time makes `rest` NaN.
         let round = truncate(time / steps);
         let rest = time - steps * round;
         if rest < T::ZERO { (round - T::ONE, rest + steps) } else { (round, rest) }
     }
 
-    /// The frame before a time in frames, and the part of the way to the next one.
+    /// Returns the frame before a time in frames, and the part of the way to the next frame.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     fn place_in_round<R: Scalar>(self, time: R) -> (u32, R) {
-        // The last frame of all has no next one.
+        // No frame follows the last one, so the frame before a time is at most the last but one.
         let last = self.frames.saturating_sub(2).min(i32::MAX as usize) as u32;
         let before = if R::SINGLE {
             bytemuck::cast::<R, f32>(time) as u32
@@ -164,13 +171,13 @@ impl<T: Scalar> Timing<T> {
         };
         let frame = before.min(last);
         let t = time - R::from_i32(frame.cast_signed());
-        // NaN stays NaN.
+        // The comparisons are written so that NaN stays NaN.
         let t = if t > R::ONE { R::ONE } else { t };
         (frame, if t < R::ZERO { R::ZERO } else { t })
     }
 
-    /// The motion of a joint from one time to another, of its `pose` a part of the way from a frame
-    /// to the next one.
+    /// Returns the motion of a joint from one time to another. `pose` computes its pose from a
+    /// frame and the part of the way to the next frame.
     pub(super) fn between<R: Scalar>(
         self,
         from: R,
@@ -189,8 +196,8 @@ impl<T: Scalar> Timing<T> {
     }
 }
 
-/// The integer toward zero: without std there is no `trunc`. From 2²³, in `f64` from 2⁵² on,
-/// all numbers are integers.
+/// Rounds toward zero; `trunc` needs std. From 2²³ on all values of `f32` are integers, and from
+/// 2⁵² on those of `f64`.
 #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "in range")]
 fn truncate<R: Scalar>(number: R) -> R {
     if R::SINGLE {
@@ -220,7 +227,7 @@ where
     }
 }
 
-/// Frames of a clip, one for each instance, that another one follows.
+/// A clip with a frame for each instance, each of which another frame follows.
 #[derive(Clone, Copy)]
 pub struct Frames<'s, K, R> {
     clip: Clip<'s, K>,
@@ -250,7 +257,7 @@ where
         let keys = K::plain(self.clip.keys)?;
         let (joint, next) = (slot.joint(), slot.joint() + self.clip.joints);
         let [a, b] = if slot.lanes_are_joints() {
-            // One instance: its keys are already side by side.
+            // Lanes are joints of one instance, whose keys already lie side by side.
             let frame = *self.frames.frames().get(slot.instance())? as usize * self.clip.joints;
             let keys = keys.get(frame..)?;
             [
@@ -300,8 +307,8 @@ where
     }
 }
 
-/// Key frames of a skeleton, in numbers of `R`, `C` for each joint: a [`Clip`](super::Clip) or
-/// [`PackedClips`](super::PackedClips). Sealed.
+/// Key frames of a skeleton, with `C` numbers of type `R` for each joint: a [`Clip`](super::Clip)
+/// or [`PackedClips`](super::PackedClips). Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no keys of {C} numbers of `{R}` for each joint",
     note = "packed clips have 7 numbers of `f32` for each joint, a rotation and a translation: the law `NlerpLerp` plays them, in \
@@ -309,25 +316,25 @@ where
     note = "a `Clip` has 7 for `NlerpLerp`, or 8, a motion, for `Nlerp` and `Sclerp`"
 )]
 pub trait Keys<'s, R, const C: usize>: Copy + Sealed {
-    /// The place of an instance: the number of a frame, or a clip and a frame.
+    /// The place of an instance in the keys: the index of a frame, or a clip and a frame.
     type Place;
-    /// The keys, and places that have been checked.
+    /// The keys with a place for each instance, which has been checked.
     #[doc(hidden)]
     type Placed: KeysAt<R, C>;
-    /// These keys at the place of each instance.
+    /// Attaches a place for each instance to these keys.
     ///
     /// # Errors
-    /// If one of the places is not in these keys.
+    /// If a place is not in these keys.
     #[doc(hidden)]
     fn placed(self, places: &'s [Self::Place]) -> Result<Self::Placed, ShapeError>;
 }
 
-/// Keys with a place for each instance.
+/// Keys with a place for each instance; `C` numbers of type `R` are a pose.
 #[doc(hidden)]
 pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
     /// The number of joints.
     fn joints(self) -> usize;
-    /// The poses of a slot.
+    /// Interpolates the poses of a slot, `t` of the way from the key at its place to the next one.
     fn pose<L: Lanes<Real = R>, W: Law<C>>(
         self,
         level: L::Level,
@@ -335,7 +342,8 @@ pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
         slot: JointSlot,
         t: L,
     ) -> Option<[L; C]>;
-    /// The poses of a slot and of those after it, into the first `C` rows of each element of `to`.
+    /// Interpolates the poses of a slot and of the joints after it, into the first `C` rows of each
+    /// element of `to`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_batch<L: Lanes<Real = R>, W: Law<C>>(
         self,
@@ -352,20 +360,21 @@ pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
             |slot| self.pose(level, law, slot, t),
         )
     }
-    /// The keys of some of the instances.
+    /// The keys and places of a range of instances.
     #[must_use]
     fn part(self, instances: Range<usize>) -> Self;
 }
 
-/// Many instances, each at its own place in the same clip: instance i lies `t[i]` of the way from
-/// frame `frames[i]` to the next one, with all of its joints. [Locals](super::Locals) like any
-/// other, in one pass: keys are loaded and interpolated for sixteen joints of as many instances as
-/// there are lanes, then multiplied on.
+/// Locals of many instances, each at its own place in the same clip: all joints of instance i are
+/// `t[i]` of the way from frame `frames[i]` to the next frame. These [locals](super::Locals) are
+/// computed during the run, for sixteen joints at a time and as many instances as there are lanes:
+/// keys are loaded and interpolated, then multiplied onto the parents. `W` is the law of
+/// interpolation, `P` the keys with their places.
 ///
-/// Instances that play different clips share one call if they are
-/// [`PackedClips`](super::PackedClips), or if the keys of all clips lie in one array, one clip
-/// after the other: add the number of frames before a clip to the frame that
-/// [`Clip::place`](super::Clip::place) of that clip gives.
+/// Instances that play different clips can share one call in two ways. One way is
+/// [`PackedClips`](super::PackedClips). In the other, the keys of all clips lie in one array, one
+/// clip after the other; then add the number of frames before a clip to each frame that the clip's
+/// [`Clip::place`](super::Clip::place) returns.
 ///
 /// ```
 /// use dq8::hierarchy::{Clip, Sampled};
@@ -397,14 +406,15 @@ brief!([W: Debug, P: Debug, R, const C: usize] Sampled<'_, W, P, R, C>: Sampled 
 });
 
 impl<'s, W: Law<C>, P: KeysAt<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
-    /// Many instances, by a place and a `t` for each. A place is the number of a frame in a
-    /// [`Clip`](super::Clip), and what [`PackedClips::place`](super::PackedClips::place) gives in
-    /// those. Values of `t` outside [0, 1] go on beyond the two frames of a `Clip`; in packed clips
-    /// they are cut to that. NaN makes poses of NaN.
+    /// Makes locals of many instances from a place and a `t` for each. In a [`Clip`](super::Clip),
+    /// a place is the index of a frame; in packed clips it is the result of
+    /// [`PackedClips::place`](super::PackedClips::place). Values of `t` outside [0, 1] extrapolate
+    /// beyond the two frames of a `Clip`; packed clips clamp them to [0, 1]. NaN makes poses of
+    /// NaN.
     ///
     /// # Errors
-    /// If `places` and `t` differ in length, or a frame is not one of the clip, or the last one,
-    /// which no frame follows, or a place is one of other packed clips.
+    /// If `places` and `t` differ in length, a frame is not in the clip or is its last, which no
+    /// frame follows, or a place is from other packed clips.
     pub fn new<K: Keys<'s, R, C, Placed = P>>(
         law: W,
         clip: K,
@@ -464,9 +474,9 @@ locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |po
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}
 
 impl<K> Clip<'_, K> {
-    /// The local pose of a joint at the time `at`, as [`place`](Self::place) has it; `None` if
-    /// there is no such joint. For whole skeletons take [`Sampled`](super::Sampled) and
-    /// [`Job::locals`](super::Job::locals).
+    /// Returns the local pose of a joint at the time `at`, as [`place`](Self::place) takes it, by
+    /// the law `law`; `None` if there is no such joint. For whole skeletons there are
+    /// [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
     #[must_use]
     pub fn pose<W, R: Scalar, const C: usize>(
         &self,
@@ -481,11 +491,12 @@ impl<K> Clip<'_, K> {
         self.pose_at(law, joint, self.place(at))
     }
 
-    /// The motion of a joint from one time to another, in its frame at the first: pose(from)* ·
-    /// pose(to). Of the root this is the root motion of a character, which goes on where a
-    /// [looping](Self::looping) clip begins again: with r rounds between the times, and the round
-    /// c = pose(first)* · pose(last), it is pose(from)* · pose(first) · cʳ · pose(first)* ·
-    /// pose(to). `None` if there is no such joint.
+    /// Returns the motion of a joint from one time to another, in the joint's frame at the first
+    /// time: pose(from)* · pose(to). For the root this is the root motion of a character. It
+    /// continues where a [looping](Self::looping) clip begins again: if r rounds lie between the
+    /// times, and a round moves the joint by c = pose(first)* · pose(last), then the motion is
+    /// pose(from)* · pose(first) · cʳ · pose(first)* · pose(to). `None` if there is no such
+    /// joint.
     ///
     /// ```
     /// use dq8::{DualQuat, hierarchy::Clip, law::Nlerp};
@@ -514,7 +525,7 @@ impl<K> Clip<'_, K> {
         self.timing.between(from, to, |place| self.pose_at(law, joint, place))
     }
 
-    /// The pose of a joint at a place.
+    /// Returns the pose of a joint at a place.
     fn pose_at<W, R: Scalar, const C: usize>(
         &self,
         law: W,
@@ -525,7 +536,7 @@ impl<K> Clip<'_, K> {
         W: Law<C>,
         K: Element<C, Layout = Aos<R>>,
     {
-        // A single frame is its own next one.
+        // The only frame of a clip is its own next frame.
         let last = self.timing.frames.saturating_sub(1);
         let key = |frame: usize| {
             let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
@@ -537,11 +548,11 @@ impl<K> Clip<'_, K> {
     }
 }
 
-/// The level of a single pose, which has the same bits on every target.
+/// The instructions for single poses, which give the same bits on every target.
 pub(super) type Single = Unfused<Portable>;
 pub(super) const SINGLE: Single = Unfused(Portable);
 
-/// The motion in the first lane.
+/// Returns the motion in the first lane of a pose.
 pub(super) fn first<L: Lanes<Real: Scalar>, W: Law<C>, const C: usize>(
     law: W,
     pose: [L; C],
@@ -552,7 +563,7 @@ pub(super) fn first<L: Lanes<Real: Scalar>, W: Law<C>, const C: usize>(
     DualQuat::from_array(motion)
 }
 
-/// A [`Clip`] with memory of its own: what a loader gives.
+/// A [`Clip`] that owns its keys, as a loader returns it.
 ///
 /// ```
 /// use dq8::hierarchy::OwnedClip;
@@ -580,57 +591,58 @@ brief!([K] OwnedClip<K>: OwnedClip |it| {
 
 #[cfg(feature = "alloc")]
 impl<K> OwnedClip<K> {
-    /// See [`Clip::new`].
+    /// Makes a clip of `joints` joints; see [`Clip::new`].
     ///
     /// # Errors
-    /// As [`Clip::new`].
+    /// The errors of [`Clip::new`].
     pub fn new(joints: usize, keys: impl Into<Vec<K>>) -> Result<Self, ShapeError> {
         let keys = keys.into();
         let timing = Clip::new(joints, &keys)?.timing;
         Ok(Self { keys, joints, timing })
     }
 
-    /// See [`Clip::with_rate`].
+    /// Sets the rate in frames a second; see [`Clip::with_rate`].
     pub fn with_rate(self, frames_per_second: f64) -> Self {
         Self { timing: self.timing.with_rate(frames_per_second), ..self }
     }
 
-    /// See [`Clip::looping`].
+    /// Makes the clip begin again where it ends; see [`Clip::looping`].
     pub fn looping(self) -> Self {
         Self { timing: self.timing.looping(), ..self }
     }
 
-    /// See [`Clip::duration`].
+    /// The time from the first frame to the last; see [`Clip::duration`].
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.timing.duration()
     }
 
-    /// See [`Clip::frames`].
+    /// The number of frames; see [`Clip::frames`].
     #[must_use]
     pub fn frames(&self) -> usize {
         self.timing.frames
     }
 
-    /// See [`Clip::rate`].
+    /// The rate in frames a second; see [`Clip::rate`].
     #[must_use]
     pub fn rate(&self) -> f64 {
         self.timing.rate
     }
 
-    /// See [`Clip::loops`].
+    /// `true` if the clip begins again where it ends; see [`Clip::loops`].
     #[must_use]
     pub fn loops(&self) -> bool {
         self.timing.loops
     }
 
-    /// See [`Clip::place`].
+    /// Returns the frame before the time `at` and the part of the way to the next; see
+    /// [`Clip::place`].
     #[must_use]
     pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
         self.timing.place(at)
     }
 
-    /// See [`Clip::pose`].
+    /// Returns the local pose of a joint at the time `at`; see [`Clip::pose`].
     #[must_use]
     pub fn pose<W, R: Scalar, const C: usize>(
         &self,
@@ -645,7 +657,7 @@ impl<K> OwnedClip<K> {
         self.view().pose(law, joint, at)
     }
 
-    /// See [`Clip::between`].
+    /// Returns the motion of a joint from one time to another; see [`Clip::between`].
     #[must_use]
     pub fn between<W, R: Scalar, const C: usize>(
         &self,
@@ -661,7 +673,7 @@ impl<K> OwnedClip<K> {
         self.view().between(law, joint, from, to)
     }
 
-    /// The clip, borrowed: what [`Sampled`](super::Sampled) takes.
+    /// Borrows the clip, for [`Sampled`](super::Sampled).
     pub fn view(&self) -> Clip<'_, K> {
         Clip { keys: &self.keys, joints: self.joints, timing: self.timing }
     }

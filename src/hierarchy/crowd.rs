@@ -10,9 +10,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use dq8_simd::Row;
 
-/// Things of many instances of one skeleton, in blocks of `N` lanes: lanes are instances. Poses,
-/// unless another number of components `C` says otherwise: 4 for rotations, 7 for rotations and
-/// translations, 12 for matrices (see [`storage`](crate::storage)).
+/// Records of many instances of one skeleton, in blocks of `N` lanes, where each instance has a
+/// lane. A record has `C` components of type `R`: 8 for a pose (the default), 4 for a rotation, 7
+/// for a rotation and a translation, 12 for a matrix (see [`storage`](crate::storage)).
 ///
 /// ```
 /// use dq8::{Crowd, DualQuat, Hierarchy, Quat, hierarchy::Bones};
@@ -48,22 +48,22 @@ impl<R: Scalar, const N: usize, const C: usize> Crowd<R, N, C>
 where
     [R; N]: Row<Real = R>,
 {
-    /// All joints of all instances at the identity (at zero, for what is not a motion, a rotation
-    /// or a matrix).
+    /// Makes a crowd with all joints of all instances at the identity. Records that are not
+    /// motions, rotations or matrices are zero.
     ///
     /// # Panics
-    /// If the memory cannot be allocated, as for any `Vec`; so also if there are more blocks than a
-    /// `usize` can count.
+    /// If the memory cannot be allocated, as for any `Vec`, or there are more blocks than a `usize`
+    /// can count.
     #[must_use]
     pub fn new(joints: usize, instances: usize) -> Self {
         let blocks = vec![Block::splat(identity()); blocks_for::<N>(joints, instances)];
         Self { blocks, joints, instances }
     }
 
-    /// Packs `[instance][joint]`, as [`pack`](crate::storage::pack) does.
+    /// Packs a slice `[instance][joint]` as [`pack`](crate::storage::pack) does.
     ///
     /// # Errors
-    /// If `things` holds no whole number of instances.
+    /// If the length of `things` is not a multiple of `joints`.
     pub fn from_slice<E>(joints: usize, things: &[E]) -> Result<Self, ShapeError>
     where
         E: Element<C, Layout = Aos<R>>,
@@ -73,10 +73,10 @@ where
         Ok(crowd)
     }
 
-    /// Unpacks into `[instance][joint]`.
+    /// Unpacks all records into a slice `[instance][joint]`.
     ///
     /// # Errors
-    /// If `things` is not `instances` · `joints` long; it is untouched then.
+    /// If `things` does not have `instances` · `joints` elements; it is then untouched.
     pub fn copy_to_slice<E>(&self, things: &mut [E]) -> Result<(), ShapeError>
     where
         E: Element<C, Layout = Aos<R>>,
@@ -98,26 +98,27 @@ where
         self.instances
     }
 
-    /// `[instance block][joint]`, for [`Hierarchy`](super::Hierarchy) and kernels of your own.
+    /// The blocks as `[instance block][joint]`, for [`Hierarchy`](super::Hierarchy) and for your
+    /// kernels.
     #[must_use]
     pub fn blocks(&self) -> &[Block<R, N, C>] {
         &self.blocks
     }
 
-    /// `[instance block][joint]`. Lanes beyond the last instance hold the identity; keep them
-    /// finite.
+    /// The blocks as `[instance block][joint]`, to be written. Lanes beyond the last instance hold
+    /// the identity; what you write to them must be finite.
     #[must_use]
     pub fn blocks_mut(&mut self) -> &mut [Block<R, N, C>] {
         &mut self.blocks
     }
 
-    /// The numbers of one joint of one instance; `None` beyond the last of either.
+    /// Returns the record of a joint of an instance; `None` if there is no such instance or joint.
     #[must_use]
     pub fn record(&self, instance: usize, joint: usize) -> Option<[R; C]> {
         self.blocks.get(self.index(instance, joint)?)?.get(instance % N)
     }
 
-    /// Writes the numbers of one joint of one instance.
+    /// Writes the record of a joint of an instance.
     ///
     /// # Errors
     /// If there is no such instance or joint.
@@ -134,7 +135,7 @@ where
         block.set(instance % N, record).map_err(|_| missing)
     }
 
-    /// Unpacks into as many things as there are.
+    /// Unpacks all records into `things`, whose length has been checked.
     fn unpack<E>(&self, things: &mut [E])
     where
         E: Element<C, Layout = Aos<R>>,
@@ -152,10 +153,10 @@ impl<R: Scalar, const N: usize> Crowd<R, N>
 where
     [R; N]: Row<Real = R>,
 {
-    /// Each pose by its instance and joint.
+    /// Makes a crowd of the poses that `pose` returns for each instance and joint, in this order.
     ///
     /// # Panics
-    /// As [`new`](Self::new).
+    /// If the memory cannot be allocated; see [`new`](Self::new).
     ///
     /// ```
     /// use dq8::{Crowd, DualQuat};
@@ -175,24 +176,26 @@ where
         let mut crowd = Self::new(joints, instances);
         for instance in 0..instances {
             for joint in 0..joints {
-                // There is such a pose.
+                // The instance and the joint exist, so there is no error.
                 let _ = crowd.set(instance, joint, pose(instance, joint));
             }
         }
         crowd
     }
 
-    /// The poses of each [`instance`](Self::instance).
+    /// Iterates over the instances, each an iterator over its poses as [`instance`](Self::instance)
+    /// gives them.
     pub fn iter(
         &self,
     ) -> impl ExactSizeIterator<Item = impl ExactSizeIterator<Item = DualQuat<R>>> {
         (0..self.instances).map(|instance| self.instance(instance))
     }
 
-    /// Writes the poses of one instance, joint by joint.
+    /// Writes the poses of one instance, in the order of joints.
     ///
     /// # Errors
-    /// If there is no such instance, or not one pose for each joint; nothing is written then.
+    /// If there is no such instance, or `poses` does not have one pose for each joint; nothing is
+    /// written.
     pub fn set_instance(
         &mut self,
         instance: usize,
@@ -206,7 +209,7 @@ where
         poses.iter().enumerate().try_for_each(|(joint, &pose)| self.set(instance, joint, pose))
     }
 
-    /// As `[instance][joint]`.
+    /// Unpacks all poses into a vector `[instance][joint]`.
     #[must_use]
     pub fn to_vec(&self) -> Vec<DualQuat<R>> {
         let mut poses = vec![DualQuat::IDENTITY; self.instances * self.joints];
@@ -214,7 +217,8 @@ where
         poses
     }
 
-    /// The poses of one instance, joint by joint; none beyond the last.
+    /// Iterates over the poses of one instance, in the order of joints; empty if there is no such
+    /// instance.
     ///
     /// ```
     /// use dq8::{Crowd, DualQuat};
@@ -228,13 +232,13 @@ where
         (0..joints).map(move |joint| self.get(instance, joint).unwrap_or_default())
     }
 
-    /// The pose of a joint of an instance; `None` beyond the last instance or joint.
+    /// Returns the pose of a joint of an instance; `None` if there is no such instance or joint.
     #[must_use]
     pub fn get(&self, instance: usize, joint: usize) -> Option<DualQuat<R>> {
         self.record(instance, joint).map(DualQuat::from_array)
     }
 
-    /// Writes one pose.
+    /// Writes the pose of a joint of an instance.
     ///
     /// # Errors
     /// If there is no such instance or joint.
@@ -248,7 +252,8 @@ where
     }
 }
 
-/// Equal if joints, instances and their numbers are; lanes without an instance do not count.
+/// Crowds are equal if their joints, instances and records are; lanes without an instance do not
+/// count.
 impl<R: Scalar, const N: usize, const C: usize> PartialEq for Crowd<R, N, C>
 where
     [R; N]: Row<Real = R>,

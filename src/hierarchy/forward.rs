@@ -1,4 +1,5 @@
-//! Models of whole instances, by the loop for their layout, on one thread or on several.
+//! Models of whole instances: the loop for their layout is chosen, and run on one thread or on
+//! several.
 
 use super::blocks::Blocks;
 use super::locals::Locals;
@@ -12,7 +13,7 @@ use crate::backend::Outputs;
 use crate::storage::{Element, Layout};
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
-    /// Computes the models, in the order of a plan if there is one for them.
+    /// Computes the models, in the order of `plan` if it has one and there is one whole instance.
     #[inline]
     pub(super) fn run<P: Plans>(self, plan: &P) {
         match plan.plan() {
@@ -25,7 +26,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
 
     #[inline]
     fn on_this_thread(self) {
-        // Decided before there is code of the other loops: half of what a program would compile.
+        // The condition is a constant, so that a program compiles the loops for its layout alone;
+        // code for both layouts would be twice as much.
         if const { E::Layout::THINGS > 1 } {
             self.run.backend.run(Blocks(self));
         } else {
@@ -78,7 +80,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
         }
     }
 
-    /// Each task has its part of `scratch`, so there are no more tasks than that serves well.
+    /// Computes the palette of all instances. Each task has its part of `scratch`, which must hold
+    /// the models of at least one group of instances; this limits the number of tasks.
     #[cfg(feature = "rayon")]
     fn on_threads(self) {
         let Self { run, locals, instances, scratch, epilogue } = self;
@@ -96,7 +99,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
     }
 }
 
-/// Models of whole instances, and what is computed from them.
+/// The models of whole instances, and the epilogue that computes its output from them.
 #[cfg(feature = "rayon")]
 struct Models<'s, E, X> {
     models: &'s mut [E],
@@ -118,7 +121,7 @@ impl<E: Element<8>, X: Epilogue<E>> Outputs for Models<'_, E, X> {
     }
 }
 
-/// A palette, and the scratch memory that its models go through.
+/// A palette, and the scratch memory that holds the models on the way to it.
 #[cfg(feature = "rayon")]
 struct Entries<'s, E, X> {
     epilogue: X,
@@ -134,7 +137,8 @@ impl<E: Element<8>, X: Epilogue<E>> Outputs for Entries<'_, E, X> {
     }
     fn split(self, at: usize) -> (Self, Self) {
         let (epilogue, rest) = self.epilogue.split(at * self.joints);
-        // Memory in proportion, whole instances of it.
+        // Each half has scratch memory for whole instances, in proportion to its number of
+        // instances.
         let owned = self.scratch.len() / self.joints;
         let (scratch, other) = self.scratch.split_at_mut(owned * at / self.instances * self.joints);
         let of = |epilogue, instances, scratch| Self {

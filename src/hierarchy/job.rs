@@ -1,5 +1,5 @@
-//! [`Job`]: the options of a run over a hierarchy, and its entries: models, palettes, locals from
-//! models, and locals of any form as motions.
+//! [`Job`]: the options of a run over a hierarchy, and the methods that run it. They compute
+//! models, palettes, locals from models, or locals of any form as motions.
 
 use super::Hierarchy;
 use super::backward::{Backward, Write};
@@ -15,7 +15,8 @@ use crate::storage::shape::{ShapeError, joints_within, same_length, whole_instan
 use crate::storage::{Element, MatrixOrder, Number, PaletteEntry, Source};
 use core::ops::{Bound, Range, RangeBounds};
 
-/// A run over a hierarchy: with a root transform, or on some of the joints.
+/// A run over a hierarchy and its options, such as a root transform or a range of joints. `S` is
+/// the type of the base of root joints, and `P` is a plan or [`NoPlan`].
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy};
@@ -49,14 +50,16 @@ brief!([S, P] Job<'_, S, P>: Job |it| {
 });
 
 impl<'a> Hierarchy<'a> {
-    /// Model poses of all joints from local ones: model(j) = model(parent(j)) · local(j).
+    /// Computes the model poses of all joints from their local poses:
+    /// model(j) = model(parent(j)) · local(j).
     ///
-    /// `locals` and `models` hold one element per joint, or several whole instances one after the
-    /// other. A [`Job`] does the same with a root transform, on some of the joints, in place, on
-    /// threads.
+    /// `locals` and `models` have one element for each joint of one instance, or of several
+    /// instances one after the other. A [`Job`] can also do this with a root transform, on a range
+    /// of joints, in place, or on several threads.
     ///
     /// # Errors
-    /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
+    /// If the slices differ in length, or their length is not a multiple of the number of joints;
+    /// `models` is untouched.
     #[inline]
     #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
@@ -67,8 +70,8 @@ impl<'a> Hierarchy<'a> {
         self.job().local_to_model(locals, models)
     }
 
-    /// A run with options, each of which has a default. The element type belongs to what is called
-    /// at the end, so one job serves `f32` and `f64`, plain slices and blocks.
+    /// Begins a run, with a default for each option. The element type is chosen by the method that
+    /// runs the job, so one job serves `f32` and `f64`, plain slices and blocks.
     #[inline]
     pub fn job(&self) -> Job<'a> {
         Job {
@@ -84,8 +87,9 @@ impl<'a> Hierarchy<'a> {
 }
 
 impl<'a, P> Job<'a, NoRoot, P> {
-    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances. A
-    /// job has either this or [`roots`](Self::roots), so that neither is dropped without a word:
+    /// Multiplies every root joint onto `root`, the same for all instances:
+    /// model(j) = root · local(j). A job has either this base or [`roots`](Self::roots). Setting
+    /// both does not compile, because one of them would be ignored:
     ///
     /// ```compile_fail,E0599
     /// # use dq8::{DualQuat, Hierarchy};
@@ -98,12 +102,13 @@ impl<'a, P> Job<'a, NoRoot, P> {
         self.with(root)
     }
 
-    /// Puts the root joints of each instance (block) on its own element of `roots`.
+    /// Multiplies the root joints of each instance onto a motion of its own: `roots` has one
+    /// element for each instance or block of instances.
     pub fn roots<E>(self, roots: &'a [E]) -> Job<'a, &'a [E], P> {
         self.with(roots)
     }
 
-    /// Puts root joints on a base that is chosen when the program runs.
+    /// Multiplies root joints onto a base whose form is chosen at run time.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Root};
@@ -133,8 +138,9 @@ impl<'a, S, P> Job<'a, S, P> {
         }
     }
 
-    /// Limits the run to these joints; no other joint is written. Parents outside the range must
-    /// already hold their model poses.
+    /// Limits the run to a range of joints; no other joint is written. A joint whose parent is
+    /// outside the range is multiplied onto the parent's pose in `models`, which must be there
+    /// already.
     pub fn joints(mut self, joints: impl RangeBounds<usize>) -> Self {
         let start = match joints.start_bound() {
             Bound::Included(&start) => start,
@@ -150,14 +156,14 @@ impl<'a, S, P> Job<'a, S, P> {
         self
     }
 
-    /// Sets the order of the numbers in a palette's matrices; rows by default, which is what
+    /// Sets the order of components in the matrices of a palette. The default is rows, which
     /// [skins](crate::skinning::Linear) read.
     pub fn matrix_order(mut self, order: MatrixOrder) -> Self {
         self.order = order;
         self
     }
 
-    /// Sets the joints at which models are normalized; none by default.
+    /// Sets the joints whose models are normalized; by default no model is.
     pub fn renormalize(mut self, policy: Renormalize) -> Self {
         self.renormalize = policy;
         self
@@ -177,8 +183,8 @@ impl<'a, S, P> Job<'a, S, P> {
         /// ```
     }
 
-    /// Computes one instance in the order of this plan. A [`Skeleton`](super::Skeleton)'s job has
-    /// its own.
+    /// Computes single instances in the order of a plan. The job of a [`Skeleton`](super::Skeleton)
+    /// has the skeleton's plan already.
     #[inline]
     pub fn plan(self, plan: &Plan<'a>) -> Job<'a, S, Plan<'a>> {
         Job {
@@ -194,10 +200,11 @@ impl<'a, S, P> Job<'a, S, P> {
 }
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// As [`Hierarchy::local_to_model`].
+    /// Computes models from locals as [`Hierarchy::local_to_model`] does, with the options of this
+    /// job.
     ///
     /// # Errors
-    /// If lengths or the range do not fit; `models` is untouched.
+    /// If lengths or the range of joints do not fit; `models` is untouched.
     #[inline]
     #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
@@ -211,11 +218,12 @@ impl<S, P: Plans> Job<'_, S, P> {
         self.locals_to_model(Poses(locals), models)
     }
 
-    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory. A
-    /// [`Crowd`](super::Crowd) gives its poses by [`blocks_mut`](super::Crowd::blocks_mut).
+    /// Replaces locals by their models as [`local_to_model`](Self::local_to_model) computes them,
+    /// in half the memory. The poses of a [`Crowd`](super::Crowd) are its
+    /// [`blocks_mut`](super::Crowd::blocks_mut).
     ///
     /// # Errors
-    /// If lengths or the range do not fit; `poses` is untouched.
+    /// If lengths or the range of joints do not fit; `poses` is untouched.
     #[inline]
     pub fn local_to_model_in_place<E: Element<8>>(&self, poses: &mut [E]) -> Result<(), ShapeError>
     where
@@ -224,10 +232,11 @@ impl<S, P: Plans> Job<'_, S, P> {
         self.locals_to_model(InPlace, poses)
     }
 
-    /// [`local_to_model`](Self::local_to_model) of locals in any form.
+    /// Computes models from locals in any form of [`Locals`]; see
+    /// [`local_to_model`](Self::local_to_model).
     ///
     /// # Errors
-    /// If lengths or the range do not fit; `models` is untouched.
+    /// If lengths or the range of joints do not fit; `models` is untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Bones};
@@ -254,9 +263,9 @@ impl<S, P: Plans> Job<'_, S, P> {
         Ok(())
     }
 
-    /// Checks that the range, the plan and the roots fit the hierarchy, that `length` elements of
-    /// `what` are whole instances, and that there are as many models. Returns the run that all
-    /// loops read.
+    /// Checks that the range of joints, the plan and the roots fit the hierarchy, that `length`
+    /// elements of the slice `what` are whole instances, and that there are `length` models.
+    /// Returns the data that all loops read.
     #[inline]
     pub(super) fn check<E: Element<8>>(
         &self,
@@ -268,8 +277,8 @@ impl<S, P: Plans> Job<'_, S, P> {
     {
         let joints = self.parents.len();
         joints_within(&self.joints, joints)?;
-        // The plan of a skeleton was made for the same slice of parents, and then the comparison
-        // reads no number.
+        // A skeleton's plan was made for the same slice of parents. Then the pointers are equal,
+        // and no parents are compared.
         if let Some(plan) = self.plan.plan()
             && !core::ptr::eq(plan.parents, self.parents)
             && plan.parents != self.parents
@@ -292,15 +301,15 @@ impl<S, P: Plans> Job<'_, S, P> {
 }
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// Computes models and their skinning palette in one pass, for callers who need both
-    /// ([`palette`](Self::palette) keeps no models): `models` like
-    /// [`locals_to_model`](Self::locals_to_model), and `palette[j]` = model(j) ·
-    /// `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose to where joint j has
-    /// moved it. `inverse_binds` holds one per joint, the same for all instances; the palette is of
-    /// motions, 3×4 or 4×4 matrices: [`PaletteEntry`].
+    /// Computes models and their skinning palette in one pass, for callers who need both;
+    /// [`palette`](Self::palette) keeps no models. `models` are those of
+    /// [`locals_to_model`](Self::locals_to_model). `palette[j]` = model(j) · `inverse_binds[j]`
+    /// takes a vertex from the mesh in its rest pose to where joint j has moved it. `inverse_binds`
+    /// has one motion for each joint, for all instances. An entry of the palette is a motion, a
+    /// 3×4 matrix or a 4×4 matrix: see [`PaletteEntry`].
     ///
     /// # Errors
-    /// If lengths or the range do not fit; `models` and `palette` are untouched.
+    /// If lengths or the range of joints do not fit; `models` and `palette` are untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};
@@ -338,16 +347,17 @@ impl<S, P: Plans> Job<'_, S, P> {
         Ok(())
     }
 
-    /// The skinning palette alone: models are not kept
-    /// ([`palette_and_models`](Self::palette_and_models) keeps them). They go through `scratch`,
-    /// which holds some whole instances, again and again. 16 instances serve plain motions and two
-    /// blocks serve blocks best, for each thread: as few as fill the lanes, so that they stay in
-    /// the first cache. What is in it afterwards has no meaning: with plain motions, models stay
-    /// there in the order of registers.
+    /// Computes the skinning palette without models;
+    /// [`palette_and_models`](Self::palette_and_models) keeps them. `scratch` has memory for the
+    /// models of some whole instances, and is used again for the next. Best is memory for 16
+    /// plain instances, or for two blocks, for each thread: that fills the lanes, and stays in the
+    /// first-level cache. After the call the contents of `scratch` have no meaning; models of plain
+    /// motions lie there in the order of registers.
     ///
     /// # Errors
-    /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of
-    /// the range is not in it, so that nothing holds its model; `palette` is untouched.
+    /// If lengths or the range of joints do not fit, `scratch` is too small for one instance, or a
+    /// joint of the range has a parent before the range, whose model no slice holds; `palette`
+    /// is untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};
@@ -375,8 +385,9 @@ impl<S, P: Plans> Job<'_, S, P> {
         L: Locals<E>,
         M: PaletteEntry<C, Layout = E::Layout>,
     {
-        // *Settled* (docs/measured.md): copied before the job is lent to checks, so that a compiler
-        // that has seen the order written keeps the stores of that one alone.
+        // *Settled* (docs/measured.md): the order is copied before the checks get a reference to
+        // the job. So a compiler that sees which order the caller has set compiles the stores of
+        // that order alone.
         let order = self.order;
         let run = self.check(locals.shape(self.parents.len(), palette.len())?, palette.len())?;
         let joints = run.parents.len();
@@ -402,11 +413,12 @@ impl<S, P: Plans> Job<'_, S, P> {
 }
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// Local poses of all joints from model ones: local(j) = model(parent(j))* · model(j). The
-    /// models must be unit. With [`joints`](Self::joints), only those locals are written.
+    /// Computes the local poses of joints from unit models:
+    /// local(j) = model(parent(j))* · model(j). With a range of [`joints`](Self::joints), only
+    /// their locals are written.
     ///
     /// # Errors
-    /// If lengths or the range do not fit; `locals` is untouched.
+    /// If lengths or the range of joints do not fit; `locals` is untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy};
@@ -433,10 +445,10 @@ impl<S, P: Plans> Job<'_, S, P> {
         Ok(())
     }
 
-    /// [`model_to_local`](Self::model_to_local) over the models themselves.
+    /// Replaces models by their locals as [`model_to_local`](Self::model_to_local) computes them.
     ///
     /// # Errors
-    /// If lengths or the range do not fit; `poses` is untouched.
+    /// If lengths or the range of joints do not fit; `poses` is untouched.
     #[inline]
     pub fn model_to_local_in_place<E: Element<8>>(&self, poses: &mut [E]) -> Result<(), ShapeError>
     where
@@ -449,13 +461,13 @@ impl<S, P: Plans> Job<'_, S, P> {
 }
 
 impl<P: Plans> Job<'_, NoRoot, P> {
-    /// Writes locals of any form, such as a clip or layers at a time, as motions: for inverse
-    /// kinematics after animation, for root motion, and for export.
-    /// [`locals_to_model`](Self::locals_to_model) computes models without them. With
-    /// [`joints`](Self::joints), only those are written.
+    /// Writes locals of any form, such as a sampled clip or layers, as motions: for inverse
+    /// kinematics after animation, for root motion, or for export. For models alone this step is
+    /// not needed, because [`locals_to_model`](Self::locals_to_model) takes locals of any form.
+    /// With a range of [`joints`](Self::joints), only their poses are written.
     ///
     /// # Errors
-    /// If lengths or the range do not fit; `poses` is untouched.
+    /// If lengths or the range of joints do not fit; `poses` is untouched.
     ///
     /// ```
     /// use dq8::hierarchy::{Clip, Sampled};

@@ -1,5 +1,5 @@
-//! [`PoseSource`]: stored or computed poses. Sources nest: [`Layered`] loads from two other
-//! sources, and [`Either`] from one of two.
+//! [`PoseSource`]: poses of joints in their parents, stored or computed. Sources nest: [`Layered`]
+//! blends the poses of two sources, and [`Either`] is one of two sources.
 
 use super::locals::sealed::Sealed;
 use super::locals::{
@@ -17,8 +17,8 @@ use core::fmt::Debug;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// Poses of whole instances, `C` numbers each, which are loaded into registers of the layout `M`.
-/// They are stored ([`Poses`], [`RotationsTranslations`], [`Tracks`]), sampled from a clip
+/// Poses of whole instances with `C` components each, which are loaded into registers of the layout
+/// `M`. They are stored ([`Poses`], [`RotationsTranslations`], [`Tracks`]), sampled from a clip
 /// ([`Sampled`](super::Sampled)), or [`Layered`]. Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no poses of {C} numbers each",
@@ -28,26 +28,29 @@ use dq8_simd::{Lanes, Level};
     note = "all are of one precision, and lie in the layout of the models: plain slices, or blocks"
 )]
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
-    /// The name of the poses in errors, and the number of elements of the layout that they fill.
+    /// Returns the name of the poses for error texts, and the number of elements of the layout that
+    /// they fill.
     ///
     /// # Errors
-    /// If they do not fit a skeleton of `joints` joints, or each other.
+    /// If the poses do not fit a skeleton of `joints` joints, or the parts of the source do not fit
+    /// each other.
     #[doc(hidden)]
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// The number of instances. `None` if it is not known, because the last block may have lanes
-    /// without an instance.
+    /// Returns the number of instances, or `None` if the source does not know it: a slice of blocks
+    /// does not tell in how many lanes of its last block there is an instance.
     #[doc(hidden)]
     fn instances(&self) -> Option<usize> {
         None
     }
-    /// `true` if the poses are computed, not loaded.
+    /// `true` if the poses are computed; `false` if they are loaded as they are stored.
     #[doc(hidden)]
     const COMPUTED: bool;
-    /// The poses of a slot.
+    /// Loads or computes the poses of a slot.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
-    /// Loads the poses of a slot and of the slots after it, at most a batch, into the first `C`
-    /// rows of each element of `to`. It is not inlined, so that it has registers of its own.
+    /// Loads or computes the poses of a slot and of the slots after it, at most a batch, into the
+    /// first `C` rows of each element of `to`. The function is not inlined, so that all registers
+    /// are free for it.
     #[doc(hidden)]
     #[inline(never)]
     fn load_batch<V: Level>(
@@ -68,14 +71,14 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
             },
         )
     }
-    /// The poses of some of the instances (blocks).
+    /// The poses of a range of instances (or blocks); an instance has `joints` elements.
     #[doc(hidden)]
     #[must_use]
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
-/// Implements [`Locals`] for poses: their law turns each pose into a motion, and multiplies it by
-/// the model of the parent.
+/// Implements [`Locals`] for a source of poses by its [`Law`], which converts each pose to a
+/// motion, and multiplies it onto the model of the parent.
 macro_rules! locals_by_law {
     ([$($generics:tt)*] $Poses:ty, $C:tt, |$poses:ident| $law:expr; $($bounds:tt)*) => {
         impl<E: Element<8>, $($generics)*> Locals<E> for $Poses
@@ -175,9 +178,11 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
     }
 }
 
-/// A layer over other poses, by a weight for each instance and, where it is masked, for each joint.
+/// Poses of `base` with a second source of poses, `layer`, blended over or added to them. Each
+/// instance has a weight, which a mask multiplies by a factor for each joint. `W` is the [`Law`],
+/// `A` and `B` are the types of the two sources, and `ADDS` is `true` if the layer is added.
 ///
-/// In debug builds each layer takes [stack](crate::guide::firmware#stack).
+/// In debug builds each nested layer needs [stack](crate::guide::firmware#stack).
 ///
 /// ```
 /// use dq8::hierarchy::Layered;
@@ -209,27 +214,29 @@ brief!([W: Debug, A: Debug, B: Debug, R, const C: usize, const ADDS: bool] Layer
 });
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
-    /// Blends from `base` (weight 0) to `layer` (weight 1), with a weight for each instance.
+    /// Blends from the poses of `base` (weight 0) to those of `layer` (weight 1); `weights` has one
+    /// weight for each instance.
     pub fn blend(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
 }
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, true> {
-    /// Adds `layer`, a difference of poses, to `base` by the [`Law`], in proportion to the weight
-    /// of the instance.
+    /// Adds `layer`, a source of differences of poses, to `base` by the [`Law`]. The difference is
+    /// scaled by the weight of the instance; `weights` has one weight for each instance.
     pub fn add(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
 }
 
 impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C, ADDS> {
-    /// Sets a factor of the weight for each joint.
+    /// Sets a mask: one factor for each joint, which multiplies the weights.
     pub fn mask(self, mask: &'w [R]) -> Self {
         Self { mask: Some(mask), ..self }
     }
 
-    /// The weight of the slot's instances and joint.
+    /// Computes the weight of each lane of a slot: the weight of its instance times the mask of its
+    /// joint.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn weight<L: Lanes<Real = R>>(&self, level: L::Level, slot: JointSlot) -> Option<L>
     where
@@ -241,7 +248,7 @@ impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C
         Some(weight * factor)
     }
 
-    /// The layer over its base.
+    /// Blends or adds the poses of the layer to those of the base.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn over<L: Lanes>(&self, base: [L; C], layer: [L; C], weight: L) -> [L; C]
     where
@@ -271,7 +278,8 @@ where
         if let Some(mask) = self.mask {
             same_length("mask", mask.len(), joints)?;
         }
-        // Blocks may have lanes without an instance.
+        // In blocks there may be fewer weights than lanes, because lanes of the last block may have
+        // no instance.
         let blocks = length.checked_div(joints).unwrap_or(0);
         if self.weights.len().div_ceil(M::THINGS) != blocks {
             same_length("weights", self.weights.len(), blocks.saturating_mul(M::THINGS))?;
@@ -327,10 +335,10 @@ locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, 
 
 impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}
 
-/// Rotations and translations of one of two forms, chosen when the program runs: a plain
-/// clip or a [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest.
-/// The kernel is compiled once for all forms, and each source of poses once; but in firmware the
-/// kernel contains both sources.
+/// Rotations and translations of one of two forms, chosen at run time: for instance a plain clip or
+/// a [packed](super::PackedClips) clip, or one clip or [layers](super::Layered). Forms nest. The
+/// kernel is compiled once for both forms, and each source of poses once, as a function that the
+/// kernel calls. In firmware the kernel contains the code of both sources.
 ///
 /// ```
 /// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};
@@ -360,7 +368,7 @@ pub enum Either<A, B> {
     Other(B),
 }
 
-/// Evaluates an expression with the form that the locals have.
+/// Evaluates an expression for the form of locals that `$either` holds.
 macro_rules! match_either {
     ($either:ident, $locals:ident => $made:expr) => {
         match $either {

@@ -1,4 +1,4 @@
-//! Two-bone inverse kinematics: new locals of three joints, which take the last one to a target.
+//! Two-bone inverse kinematics: new locals of three joints, which take the last joint to a target.
 
 use super::plan::Plans;
 use super::run::{Roots, Run, grain};
@@ -12,21 +12,23 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl<S, P: Plans> Job<'_, S, P> {
-    /// Takes the end of a limb to a target in each instance, by new locals of its three joints:
-    /// [`TwoBone::reach`](crate::ik::TwoBone::reach) from where its root is, with the lengths that
-    /// its locals have. The knee is on the side of the pole, the end keeps its turn in model space,
-    /// and translations stay as they are. Out of reach the limb is stretched toward the target, or
-    /// folded.
+    /// Takes the end of a limb to a target in each instance, by new locals of the limb's three
+    /// joints. The rotations are those of [`TwoBone::reach`](crate::ik::TwoBone::reach), with the
+    /// limb's root where the models of its parent put it and the lengths of its locals. The knee
+    /// bends to the side of the pole. The end keeps its rotation in model space, and translations
+    /// stay as they are. If the target is out of reach, the limb is stretched or folded toward it.
     ///
-    /// `models` are those of `locals`; only the limb's parent and its end are read. One
-    /// target and one pole for each instance (block), in model space. Models of the limb and of
-    /// what hangs from it are old afterwards: a job of those [`joints`](Self::joints) computes them
-    /// anew. The range of this job itself has no effect here.
+    /// `models` are the models of `locals`; only the models of the limb's parent and of its end are
+    /// read. There is one target and one pole for each instance (or block of instances), in model
+    /// space. After the call, the models of the limb and of its descendants are outdated: run a job
+    /// on those [`joints`](Self::joints) to compute them again. This call ignores the job's own
+    /// range of joints.
     ///
     /// # Errors
-    /// If lengths do not fit, the joints are no limb, or a target cannot be reached for, because it
-    /// or what the limb stands on is not finite: the first such instance. `locals` are untouched.
-    /// (What is not finite in the model of the end goes to its own local alone.)
+    /// If lengths do not fit, the joints are no limb, or a limb cannot be bent because its root, a
+    /// length, its target or its pole is not finite; the error has the index of the first such
+    /// instance. `locals` are then untouched. (Values of the end's model that are not finite are no
+    /// error: they reach the new local of the end alone.)
     ///
     /// ```
     /// use dq8::ik::Limb;
@@ -64,8 +66,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         let parent =
             |joint: usize| run.parents.get(joint).filter(|&&parent| parent != Hierarchy::ROOT);
         limb.check(|joint| parent(joint).map(|&parent| parent as usize))?;
-        // There are three at least, which the compiler does not know: division by zero would be a
-        // path to a panic.
+        // A limb has at least three joints, so `max` changes nothing. It tells the compiler that no
+        // division by zero, which would panic, can happen.
         let joints = run.parents.len().max(1);
         same_length("locals", locals.len(), models.len())?;
         for (what, length) in [("targets", targets.len()), ("poles", poles.len())] {
@@ -85,7 +87,7 @@ impl<S, P: Plans> Job<'_, S, P> {
     }
 }
 
-/// The limbs of a job, before they are bent: slices of lengths that have been checked.
+/// The limbs of a job, before they are bent; the lengths of the slices have been checked.
 struct Limbs<'s, E: Element<8>, T> {
     run: &'s Run<'s, E>,
     limb: &'s Limb<Number<E, 8>>,
@@ -101,12 +103,12 @@ impl<E: Element<8>, T> Clone for Limbs<'_, E, T> {
 }
 impl<E: Element<8>, T> Copy for Limbs<'_, E, T> {}
 
-/// A limb in each lane: the model of its parent, if it has one, the local poses of its joints, and
-/// the task.
+/// A limb in each lane: the model of its parent, if it has a parent; the local poses of its three
+/// joints; and the root, lengths, target and pole for [`TwoBone`](crate::ik::TwoBone).
 type Loaded<L> = (Option<batch::DualQuat<L>>, [batch::DualQuat<L>; 3], Asked<L>);
 
 impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
-    /// The limbs of a tile of targets.
+    /// Loads the limbs of a tile of targets.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(
         &self,
@@ -133,7 +135,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
         Some((parent, locals, (root, lengths, target, pole)))
     }
 
-    /// A joint of the instances of a tile.
+    /// Loads a joint of each instance of a tile.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<V: Level>(
         &self,
@@ -152,7 +154,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
         Tile::at(tile.element * joints + joint, tile.register).strided(joints)
     }
 
-    /// The limbs of some of the instances (blocks).
+    /// The limbs of a range of instances (or blocks).
     fn part<'p>(&'p self, run: &'p Run<'p, E>, instances: Range<usize>) -> Limbs<'p, E, T> {
         let joints = run.parents.len();
         let models = instances.start * joints..instances.end * joints;
@@ -166,7 +168,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
     }
 }
 
-/// The loop that looks for the first limb that cannot be bent.
+/// The loop that searches for the first limb that cannot be bent.
 struct Check<'s, E: Element<8>, T> {
     limbs: Limbs<'s, E, T>,
     locals: &'s [E],
@@ -198,7 +200,8 @@ struct Reach<'s, E: Element<8>, T> {
 
 impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Kernel for Reach<'_, E, T> {
     type Output = ();
-    // Wide for plain limbs too: roots and quotients are most of it.
+    // AVX-512 pays for plain limbs too: square roots and divisions take most of the time, and the
+    // transposes little.
     const WIDE: bool = true;
 
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -1,5 +1,6 @@
-//! [`Locals`]: the pose of a joint in its parent, and its form in memory. Locals that are computed
-//! are computed for a group of joints at a time, into [`Stored`], which a [`LocalBatch`] holds.
+//! [`Locals`]: the poses of joints in their parents, in any form in memory. Computed locals, such
+//! as those of a clip, are computed for a group of joints at a time and [`Stored`] in a
+//! [`LocalBatch`].
 
 use super::run::{JointSlot, Run};
 use crate::batch;
@@ -11,8 +12,8 @@ use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// The local pose of each lane. Eight registers hold a motion. If a pose has seven numbers, the
-/// last register is not read.
+/// The local pose of each lane, with a register for each component. A motion has eight components.
+/// A rotation with a translation has seven, and the last register is not read.
 pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
@@ -26,8 +27,8 @@ pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
     note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
 )]
 pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
-    /// The name of the locals in errors, and the number of locals. A skeleton of `joints` joints is
-    /// to get `models` models.
+    /// Returns the name of the locals for error texts, and the number of their elements. The
+    /// skeleton has `joints` joints, and the caller wants `models` elements of models.
     ///
     /// # Errors
     /// If a slice that all instances share, such as the offsets, does not have one element per
@@ -35,14 +36,14 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
-    /// The locals of a slot. `models` are the models of its instances; those of earlier joints are
-    /// known.
+    /// Loads the locals of a slot. `models` are the models of its instances, in which those of
+    /// earlier joints have been computed; locals in place are read from there.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Registers<E, V>>;
 
-    /// `true` if the locals are computed. A kernel then calls [`load_batch`](Self::load_batch). If
-    /// the computation were part of the kernel, it would take registers of the kernel, and would
-    /// repeat for each joint what is the same for all joints.
+    /// `true` if the locals are computed, such as those of a clip. A kernel then calls
+    /// [`load_batch`](Self::load_batch). Inlined into the kernel, the computation would take
+    /// registers from it, and would repeat for each joint the work that is the same for all joints.
     #[doc(hidden)]
     const COMPUTED: bool = false;
 
@@ -63,36 +64,36 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
         )
     }
 
-    /// A local as a motion.
+    /// Converts a local to a motion.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<V: Level>(self, local: Registers<E, V>) -> Motions<E, V> {
         batch::DualQuat::from_array(local)
     }
 
-    /// parent · local
+    /// Multiplies a local onto the model of its parent: parent · local.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(self, parent: Motions<E, V>, local: Registers<E, V>) -> Motions<E, V> {
         parent * self.motion(local)
     }
 
-    /// The motions in memory. `None` if the locals are not motions in memory.
+    /// Returns the locals if they are motions in memory, otherwise `None`.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
         None
     }
-    /// The locals of some of the instances (blocks).
+    /// The locals of a range of instances (or blocks); an instance has `joints` elements.
     #[doc(hidden)]
     #[must_use]
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
-/// Motions, one for each joint.
+/// Motions, one for each joint of each instance.
 #[derive(Clone, Copy)]
 pub struct Poses<'s, E>(
-    /// One for each joint.
+    /// One motion for each joint of each instance, `[instance][joint]`.
     pub &'s [E],
 );
 
@@ -115,7 +116,7 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     }
 }
 
-/// Motions that lie in the memory of the models, which replace them.
+/// Motions that lie in the memory of the models, and are overwritten by the models.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InPlace;
 
@@ -136,19 +137,20 @@ impl<E: Element<8>> Locals<E> for InPlace {
     }
 }
 
-/// Rotations and translations, r + ½εtr. They take an eighth less memory than motions, and no
-/// more operations.
+/// Rotations r with translations t, for the motions r + ½εtr. They take an eighth less memory
+/// than motions, and no more operations.
 #[derive(Clone, Copy)]
 pub struct RotationsTranslations<'s, T>(
-    /// One for each joint: [`RotationTranslation`](crate::representation::RotationTranslation),
+    /// One element for each joint of each instance:
+    /// [`RotationTranslation`](crate::representation::RotationTranslation),
     /// `[x, y, z, w, tx, ty, tz]`, or blocks of seven rows.
     pub &'s [T],
 );
 
 brief!([T] RotationsTranslations<'_, T>: RotationsTranslations |it| { elements: it.0.len() });
 
-/// Rotations and translations of each joint in two arrays, the form of animation tracks.
-/// [`RotationsTranslations`] have both in one array.
+/// Rotations and translations of each joint in two arrays, as animation tracks have them. In
+/// [`RotationsTranslations`] they are in one array.
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Tracks};
@@ -164,9 +166,9 @@ brief!([T] RotationsTranslations<'_, T>: RotationsTranslations |it| { elements: 
 /// ```
 #[derive(Clone, Copy)]
 pub struct Tracks<'s, Q, T> {
-    /// One for each joint.
+    /// One rotation for each joint of each instance.
     pub rotations: &'s [Q],
-    /// One for each joint.
+    /// One translation for each joint of each instance.
     pub translations: &'s [T],
 }
 
@@ -178,9 +180,9 @@ brief!([Q, T] Tracks<'_, Q, T>: Tracks |it| {
 /// instances. It is the form of many animation clips, and takes half the memory of motions.
 #[derive(Clone, Copy)]
 pub struct Bones<'s, Q: Element<4>> {
-    /// One for each joint.
+    /// One rotation for each joint of each instance.
     pub rotations: &'s [Q],
-    /// The position of each joint of the skeleton in its parent.
+    /// The position of each joint in its parent; one for each joint of the skeleton.
     pub offsets: &'s [[Number<Q, 4>; 3]],
 }
 
@@ -212,8 +214,8 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     }
 }
 
-/// The elements of some instances in a slice with `count` elements for each instance; fewer at the
-/// end of the slice.
+/// Returns the elements of a range of instances in a slice with `count` elements for each instance.
+/// If the slice ends before, they are fewer.
 pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
     let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
     slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()
@@ -229,16 +231,16 @@ pub(super) mod sealed {
     impl<Q: Element<4>> Sealed for Bones<'_, Q> {}
 }
 
-/// The pose or motion of each lane in memory, in the order of registers: a row for each component.
-/// A pose of seven numbers does not change the last row.
+/// The poses or motions of the lanes in memory, as registers hold them: a row for each component.
+/// Poses of seven components leave the last row as it is.
 pub(super) type Stored<L> = [<L as Lanes>::Array; 8];
 
-/// The number of slots in a batch. It is so large that a call of each source costs little, and so
-/// small that the batch stays in the first cache.
+/// The number of slots in a batch. It is so large that the cost of calling each source hardly
+/// counts, and so small that the batch stays in the first-level cache.
 pub(super) const BATCH: usize = 16;
 
-/// `true` if computed locals are computed in batches. Firmware, which counts the bytes of its code
-/// and stack, computes them one by one.
+/// `true` if computed locals are computed in batches. Firmware has little memory for code and
+/// stack, and computes the locals of each slot alone.
 pub(super) const BATCHES: bool = cfg!(not(target_os = "none"));
 
 /// Fills `to` with the poses of a slot and of the slots after it, by a call of `pose` for each.
@@ -254,7 +256,7 @@ pub(super) fn each<L: Lanes, const C: usize>(
     Some(())
 }
 
-/// Loads the first `C` rows.
+/// Loads the first `C` rows into registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Stored<L>) -> [L; C] {
     let mut registers = [L::splat(level, L::Real::default()); C];
@@ -264,7 +266,7 @@ pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Stored<L>) 
     registers
 }
 
-/// Stores to the first `C` rows.
+/// Stores registers to the first `C` rows.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Stored<L>) {
     for (register, row) in registers.iter().zip(to) {
@@ -272,8 +274,8 @@ pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Stored
     }
 }
 
-/// An array of another length with the same first elements. Further elements are copies of the
-/// first one, and nobody reads them.
+/// Copies an array to an array of another length. Elements beyond the length of `from` are copies
+/// of its first element, and are never read.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) -> [L; B] {
     // This is a loop and not a closure, because a closure in an inlined kernel would be compiled
@@ -290,8 +292,8 @@ pub(super) struct LocalBatch<E: Element<8>, V: Level>(Option<[Stored<Register<E,
 
 /// The data that every loop over joints reads; each loop is a method. Loops copy the fields that
 /// they read into variables before the first joint, and get each slice that they write as a
-/// parameter. The compiler must assume that a store changes whatever a reference or a field points
-/// to, so it would load fields again for every joint.
+/// parameter. Otherwise the compiler must assume that a store changes whatever a reference or field
+/// leads to, and loads the fields again for every joint.
 pub(super) struct Pass<'r, E: Element<8>, L, V> {
     pub(super) level: V,
     pub(super) run: &'r Run<'r, E>,
@@ -307,13 +309,14 @@ impl<E: Element<8>, L: Copy, V: Copy> Clone for Pass<'_, E, L, V> {
 impl<E: Element<8>, L: Copy, V: Copy> Copy for Pass<'_, E, L, V> {}
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// Memory for a batch, if the locals are computed.
+    /// Makes the memory for a batch, if the locals are computed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn batch(self) -> LocalBatch<E, V> {
         LocalBatch(if const { L::COMPUTED } { Some([Zeroable::zeroed(); BATCH]) } else { None })
     }
 
-    /// The local of a slot. Slots must come in the order of joints, and none may be left out.
+    /// Returns the local of a slot. At the first slot of a batch it computes the whole batch, so
+    /// slots must come in the order of joints, and none may be left out.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn local(
         &self,

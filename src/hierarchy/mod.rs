@@ -1,29 +1,29 @@
-//! Joint hierarchies: local poses to model space and back.
+//! Joint hierarchies: local poses become poses in model space, and back.
 //!
 //! | item | |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
-//! | [`Skeleton`] | a hierarchy that owns its parents, in any order, and its plan (`alloc`) |
-//! | [`Job`] | a run over it: with a root, on some joints, with a palette, or backwards |
+//! | [`Skeleton`] | a hierarchy that owns its parents and its plan (feature `alloc`) |
+//! | [`Job`] | a run over a hierarchy: with a root, on some joints, with a palette, or backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
-//! | [`Clip`], [`Sampled`], [`Layered`] | locals, sampled and blended as they are used |
-//! | [`Either`] | locals of one of two forms, which the running program chooses |
-//! | [`OwnedClip`] | a clip with memory of its own (feature `alloc`) |
-//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes per frame and moving track |
+//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled and blended during the run |
+//! | [`Either`] | locals of one of two forms, chosen at run time |
+//! | [`OwnedClip`] | a clip that owns its keys (feature `alloc`) |
+//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes for each frame of each moving track |
 //! | [`Plan`], [`PlanScratch`] | the order that computes one instance fastest, without a heap |
-//! | [`Renormalize`] | when a run normalizes what it has multiplied |
+//! | [`Renormalize`] | the choice of when a run normalizes its products |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //!
 //! # Layout
 //!
-//! One instance is one element for each joint; several instances stand one after the other,
-//! `[instance][joint]`. Plain elements are transposed in registers, as many instances at a time as
-//! there are lanes. Instances in blocks share a lane position,
-//! `[instance block][joint][component][lane]`, so that a child finds its parent in the same lane of
-//! another block, without any shuffling: the fastest way. See [`storage`](crate::storage).
+//! One instance has one element for each joint. Several instances follow each other in one slice,
+//! `[instance][joint]`. Plain elements are transposed in registers, for as many instances at a time
+//! as there are lanes. In blocks, `[instance block][joint][component][lane]`, each instance has one
+//! lane. A child finds its parent in the same lane of another block, so that nothing is shuffled,
+//! which is the fastest way. See [`storage`](crate::storage).
 
-// In reading order: parents, skeleton, job; run, slot, locals, layers, clip, packed_clips,
-// packed_clip; forward, blocks, plain, plan, backward, chain, limb; crowd.
+// The best order to read these files is: parents, skeleton, job; run, locals, layers, clip,
+// packed_clips, packed_clip; forward, blocks, plain, plan, backward, chain, limb; crowd.
 mod backward;
 mod blocks;
 mod chain;
@@ -63,8 +63,8 @@ pub use run::{Renormalize, Root};
 #[cfg(feature = "alloc")]
 pub use skeleton::{JointOrder, ParentIndex, Skeleton};
 
-/// Types and traits that signatures need and users do not: hidden, and free to change. Packages
-/// that name them pin the version of this one.
+/// Types and traits that public signatures name but users do not: hidden, and free to change.
+/// Packages of this project that name them depend on this exact version of the crate.
 #[doc(hidden)]
 pub use {
     clip::{Frames, Keys, KeysAt},

@@ -1,4 +1,5 @@
-//! [`PackedClip`]: packed clips that own their bytes; the packing of frames, and its error.
+//! [`PackedClip`]: packed clips that own their bytes, the packing of frames, and the error of
+//! packing.
 
 use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
@@ -18,7 +19,7 @@ use alloc::vec::Vec;
 use core::ops::Range;
 use dq8_simd::internal::OwnedTracks;
 
-/// `[x, y, z, w, tx, ty, tz]`
+/// A rotation and a translation: `[x, y, z, w, tx, ty, tz]`.
 type Key = [f32; 7];
 
 /// Packed clips of one skeleton, with their bytes: the owned form of [`PackedClips`].
@@ -59,10 +60,11 @@ brief!([] PackedClip: PackedClip |it| {
     joints: it.clips().joints(), clips: it.clips().clips(), bytes: it.as_bytes().len(),
 });
 
-/// The movement up to which a track of a clip is kept as one key.
+/// The greatest change of a track of a clip for which the track is kept as a single key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// An angle in radians, by default 2·10⁻⁵: less than a key of 16 bits holds.
+    /// An angle in radians, by default 2·10⁻⁵, which is less than the error of a key of 16
+    /// bits.
     pub angle: f32,
     /// A length in the unit of the translations, by default 10⁻⁵: with metres, a hundredth of a
     /// millimetre.
@@ -75,7 +77,8 @@ impl Default for Tolerance {
     }
 }
 
-/// The distances of points that hang from joints to where they were before packing.
+/// The error of packing: statistics of the distances of points that are fixed to joints from where
+/// they were before packing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The greatest distance.
@@ -85,15 +88,16 @@ pub struct Deviation {
 }
 
 impl PackedClip {
-    /// Packs one clip of rotations and translations,
-    /// [`RotationTranslation`](crate::representation::RotationTranslation) or `[x, y, z, w, tx, ty,
-    /// tz]`, with its rate, and looping if it loops. A clip in which a joint turns by 60° or more
-    /// from one frame to the next gets so many frames between its own that none does, at most three
-    /// between two: as [`NlerpLerp`] plays it.
+    /// Packs one clip of rotations and translations, which are
+    /// [`RotationTranslation`](crate::representation::RotationTranslation) or
+    /// `[x, y, z, w, tx, ty, tz]`, with the clip's rate and its looping. If a joint turns by 60°
+    /// or more from one frame to the next, each step of the clip is divided by inserted frames, at
+    /// most three, so that no joint turns by 60° in one step. The inserted frames are those that
+    /// [`NlerpLerp`] plays.
     ///
     /// # Errors
-    /// If rotations are not unit, or translations not finite: which joint in which frame. If its
-    /// frames a second are no positive number.
+    /// If a rotation is not unit or a translation is not finite; the error has the joint and the
+    /// frame. If the rate is not a positive number.
     pub fn new<K: Element<7, Layout = Aos<f32>>>(
         clip: Clip<'_, K>,
         tolerance: Tolerance,
@@ -101,13 +105,13 @@ impl PackedClip {
         Self::library(&[clip], tolerance)
     }
 
-    /// Packs many clips of one skeleton, which share the range of each joint's translations:
-    /// 1/65534 of the longest side of the box that it moves in is a step. A root that walks far is
-    /// better kept apart, and given as the root of a job.
+    /// Packs many clips of one skeleton. The clips share one scale of translations for each joint,
+    /// whose step is 1/65534 of the longest side of the box in which the joint moves in all clips.
+    /// A root that walks far is better left out of the clips and given as the root of a job.
     ///
     /// # Errors
-    /// As for [`new`](Self::new), or if there is no clip, one has other joints than the first, or
-    /// there are more keys or joints than the form counts.
+    /// The errors of [`new`](Self::new); if there is no clip, or a clip has another number of
+    /// joints than the first; or if there are more keys or joints than the format can count.
     pub fn library<K: Element<7, Layout = Aos<f32>>>(
         clips: &[Clip<'_, K>],
         tolerance: Tolerance,
@@ -135,13 +139,15 @@ impl PackedClip {
             let tracks = (0..2 * joints)
                 .map(|column| track(frames, joints, column, &rests, tolerance))
                 .collect::<Vec<_>>();
-            // Constants, then row by row what moves, joint after joint as they are sampled: a row
-            // is read from end to end.
+            // The order of keys: first the tracks with one key; then, frame by frame, the keys of
+            // the moving tracks, joint by joint as the sampler reads them, so that a frame is read
+            // from end to end.
             let ordered = || (0..joints).flat_map(|joint| [joint, joints + joint]);
             let long = |&column: &usize| tracks[column].len() > 1;
             let moving: Vec<_> = ordered().filter(long).collect();
             let still: Vec<_> = ordered().filter(|&column| tracks[column].len() == 1).collect();
-            // A joint that no clip moves has no key; its step is 0, whatever is read.
+            // A joint that no clip translates has no key. Its place stays 0; whatever key is read
+            // there is multiplied by the step, which is 0.
             let mut row = vec![0; 2 * joints];
             for (place, &column) in still.iter().chain(&moving).enumerate() {
                 let entry = u16::try_from(2 * place + usize::from(long(&column)));
@@ -182,10 +188,11 @@ impl PackedClip {
         Self::from_bytes(bytes.into())
     }
 
-    /// Packed clips from the bytes that [`as_bytes`](Self::as_bytes) gave. Reads all of them once.
+    /// Takes packed clips from the bytes of [`as_bytes`](Self::as_bytes). All bytes are read once,
+    /// to check them.
     ///
     /// # Errors
-    /// If they are not a packed clip file: the first offset at which something is wrong.
+    /// If the bytes are not a packed clip file; the error has the first offset of a fault.
     pub fn from_bytes(bytes: Box<[u8]>) -> Result<Self, PackedError> {
         PackedClips::from_bytes(&bytes)?;
         let (ranges, joints) = form::parts(&bytes)?;
@@ -194,13 +201,13 @@ impl PackedClip {
         Ok(Self { tracks: tracks.map_err(|at| form::beyond(&ranges, at))?, rests, timings })
     }
 
-    /// The bytes, the same on every target.
+    /// The bytes of the packed clip file, which are the same on every target.
     #[must_use]
     pub fn as_bytes(&self) -> &[u8] {
         self.tracks.bytes()
     }
 
-    /// The clips, not checked again.
+    /// Borrows the clips; their bytes were checked when `self` was made.
     #[must_use]
     pub fn clips(&self) -> PackedClips<'_> {
         let part = |range: &Range<usize>| self.as_bytes().get(range.clone()).unwrap_or_default();
@@ -211,13 +218,13 @@ impl PackedClip {
         }
     }
 
-    /// The error of packing a clip: how far the points `distance` from each joint along its three
-    /// axes are, in model space, from where the given frames have them. Nothing is measured between
-    /// frames.
+    /// Measures the error of packing a clip. Three points are fixed to each joint, one on each axis
+    /// at the distance `distance`; their distances in model space from where the given `frames` put
+    /// them are measured, at the frames but not between them.
     ///
     /// # Errors
-    /// If there is no such clip, or it was packed of another number of frames, or the hierarchy has
-    /// other joints.
+    /// If there is no such clip, or it was packed from another number of frames, or the hierarchy
+    /// has another number of joints.
     pub fn deviation<K: Element<7, Layout = Aos<f32>>>(
         &self,
         hierarchy: &Hierarchy<'_>,
@@ -260,8 +267,8 @@ impl PackedClip {
     }
 }
 
-/// Bytes that [`PackedClips`] reads as these frames a second, whether the clip loops, and how many
-/// pieces its steps have.
+/// Encodes the timing of a clip for [`PackedClips`]: its rate in frames a second, whether it loops,
+/// and the number of pieces that each of its steps is cut into.
 fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     let single = <f32 as Real>::from_f64(rate);
     let rest = <f32 as Real>::from_f64(rate - f64::from(single));
@@ -269,15 +276,15 @@ fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     bytemuck::must_cast(words.map(u32::to_le_bytes))
 }
 
-/// The number of pieces that a turn is cut into, and the least cosine of half its angle: one piece
+/// The number of pieces that a turn is cut into, with the least cosine of half its angle: one piece
 /// up to 59.8°, two up to 119.6°, three up to 154.6°, otherwise four, so that each piece is less
-/// than 60°. The longest of n pieces is in the middle, for normalized means go fastest there: 2
-/// atan(tan(φ/2)/n) of a way of φ between quaternions if n is odd, and atan(2 tan(φ/2)/n) if it
-/// is even.
+/// than 60°. Normalized means go fastest in the middle, so the longest of n pieces is there. For a
+/// distance φ between the quaternions it is 2 atan(tan(φ/2)/n) if n is odd, and atan(2
+/// tan(φ/2)/n) if n is even.
 const PIECES: [(u16, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
 
-/// The number of pieces that every step of a clip is cut into, so that no joint turns by 60° or
-/// more in one.
+/// Returns the number of pieces that every step of a clip is cut into, so that no joint turns by
+/// 60° or more in one piece.
 fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError> {
     let mut most = 1;
     for joint in 0..joints {
@@ -298,7 +305,8 @@ fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError
     Ok(most)
 }
 
-/// The frames, and as many between as make `pieces` steps of one, by the law that plays them.
+/// Cuts each step between frames into `pieces`, by inserting the frames that [`NlerpLerp`] plays
+/// there.
 fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     if pieces == 1 {
         return frames.into();
@@ -315,7 +323,8 @@ fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     finer.chain(last.iter().copied()).collect()
 }
 
-/// The position of a joint at rest, and 2⁻¹⁴ of a step of its translations.
+/// Returns the middle of the box in which a joint moves in all clips, and 2⁻¹⁴ of a step of
+/// its translations. The step is 0 if no side of the box is longer than the tolerance.
 fn rest(
     clips: &[&[Key]],
     joints: usize,
@@ -339,8 +348,8 @@ fn rest(
     Ok([x, y, z, if longest > tolerance.length { longest / (65534.0 * 16384.0) } else { 0.0 }])
 }
 
-/// The keys of a column: one for each frame, or one if it stays; none for translations of a joint
-/// that never moves.
+/// Returns the keys of a column: a key for each frame, a single key if the track stays within the
+/// tolerance, or none for the translations of a joint that no clip translates.
 fn track(
     frames: &[Key],
     joints: usize,
@@ -377,10 +386,11 @@ fn track(
     for &[x, y, z, w, ..] in own() {
         let exact = [x, y, z, w].map(f64::from);
         let norm = Real::sqrt(dot(exact, exact));
-        // In the hemisphere of the key before.
+        // The sign is chosen so that the key lies in the hemisphere of the key before.
         let dots = keys.last().map_or(1.0, |last| dot(last.map(f64::from), exact));
         let unit = exact.map(|c| c.copysign(c * dots) / norm);
-        // A chord of quaternions is half of the angle.
+        // The distance between two unit quaternions is about half of the angle between the
+        // rotations.
         let first = *before.get_or_insert(unit);
         let chord: [f64; 4] = core::array::from_fn(|i| unit[i] - first[i]);
         still &= 2.0 * Real::sqrt(dot(chord, chord)) <= f64::from(tolerance.angle);
@@ -390,8 +400,9 @@ fn track(
     keys
 }
 
-/// The key whose direction is nearest to that of a unit quaternion, of lengths a little below
-/// 32767: the length means nothing, and some are rounded with half of the error.
+/// Returns the key whose direction is nearest to that of a unit quaternion. It tries lengths a
+/// little below 32767, because the length of a key has no meaning and some lengths round with half
+/// the error.
 fn nearest(unit: [f64; 4]) -> [i16; 4] {
     let key = |turn: u8| unit.map(|c| round((ONE - 0.1875 * f64::from(turn)) * c));
     let off = |key: [i16; 4]| {
@@ -405,7 +416,7 @@ fn nearest(unit: [f64; 4]) -> [i16; 4] {
 
 #[allow(clippy::cast_possible_truncation, reason = "saturates")]
 fn round(number: f64) -> i16 {
-    // Half away from zero, without the standard library.
+    // Rounds half away from zero without the standard library; the conversion truncates.
     (number + 0.5_f64.copysign(number)) as i16
 }
 

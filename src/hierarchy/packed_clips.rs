@@ -1,4 +1,4 @@
-//! [`PackedClips`]: clips of a skeleton in 8 bytes for each track that moves, and frame, decoded in
+//! [`PackedClips`]: clips of a skeleton in 8 bytes for each frame of each moving track, decoded in
 //! registers.
 
 use super::clip::{Keys, KeysAt, SINGLE, Single, Timing, first};
@@ -15,33 +15,35 @@ use core::ops::Range;
 use dq8_simd::internal::{PlacedTracks, TrackError, TrackPlace, Tracks};
 use dq8_simd::{Lanes, MAX_LANES, Mask, Records};
 
-/// What 1 is in a key of a rotation.
+/// The integer that stands for 1 in a key of a rotation.
 pub(super) const ONE: f64 = 32767.0;
-/// 32767² cos 30°: the product of neighbouring keys is no less, for rotations 60° apart are
-/// quaternions 30° apart.
+/// 32767² cos 30°, the least dot product of neighbouring keys: rotations less than 60° apart are
+/// quaternions less than 30° apart.
 const NEAREST: i64 = 929_830_942;
 
-/// Of each joint the place in its parent that none of its clips changes, and 2⁻¹⁴ of a step of
-/// its translations; 0 if none of them moves it. As four numbers, the lower byte first.
+/// The rest of a joint: the position x, y, z in its parent from which the steps of its translations
+/// count, and 2⁻¹⁴ of a step, which is 0 if no clip translates the joint. It is four `f32`
+/// with the lowest byte first.
 pub(super) type Rest = [u8; 16];
 
-/// The timing of a clip: its frames a second, as the sum of two `f32`; 1 if it loops; and how many
-/// frames here are one of its own.
+/// The timing of a clip as bytes: its rate in frames a second as a sum of two `f32`; 1 if it loops;
+/// and the number of pieces, 1 to 4, into which packing has cut each step between its frames.
 pub(super) type PackedTiming = [u8; 12];
 
-/// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and
-/// checked once. Each has frames at equal distances, as many as it likes.
-/// [`Sampled`](super::Sampled) plays them, each instance its own clip.
+/// Clips of one skeleton, borrowed from their bytes (of a mapped file or of flash, for instance),
+/// which are checked once. Each clip has any number of frames at equal distances in time.
+/// [`Sampled`](super::Sampled) plays them, and each instance may play another clip.
 ///
-/// A key is four integers of 16 bits. A rotation or a translation that stays the same in a clip has
-/// one, any other has one for each frame; a joint that no clip moves in its parent has no key of
-/// that at all. [The guide](crate::guide::clips) says what that costs and what it keeps;
-/// [`PackedClip`](super::PackedClip) makes them.
+/// A key is four integers of 16 bits. A track is the rotation or the translation of one joint in
+/// one clip. A track that stays the same has one key; any other has a key for each frame. The
+/// translation of a joint that no clip translates has no key. [The guide](crate::guide::clips) says
+/// which memory and time this costs and how exact it is; [`PackedClip`](super::PackedClip) packs
+/// clips.
 ///
 /// # Bytes
 ///
-/// All numbers have the lower byte first, and nothing is aligned (a cache line for the start makes
-/// loads quicker).
+/// All numbers have the lowest byte first. The bytes need no alignment, but loads are faster if
+/// they begin at a cache line.
 ///
 /// | bytes | what |
 /// |---|---|
@@ -53,12 +55,13 @@ pub(super) type PackedTiming = [u8; 12];
 /// | N · (`f32`, `f32`, `u16`, `u16`) | the rate and its rounding error; loops; 1 to 4 |
 /// | R · 2J · `u16` | places of keys: J rotations, then J translations |
 ///
-/// The rest of a joint is the place from which the steps of its translations count. The rate of a
-/// clip is the sum of two `f32`, the rounded rate in frames a second and its rounding error; it is
-/// 1 if times are frames. The two `u16` behind it are 1 for a clip that loops, otherwise 0; and the
-/// number of frames in the file for one frame of the clip it was made of, 1 to 4. A place of keys
-/// is twice the distance from the first key of the clip to the first key of the track, plus 1 if
-/// the track has a key for each frame. Clips in which the same tracks move have one row.
+/// The rest of a joint is the position from which the steps of its translations count. The rate of
+/// a clip is the sum of two `f32`, the rounded rate in frames a second and its rounding error; it
+/// is 1 if times are in frames. The first `u16` after the rate is 1 for a clip that loops,
+/// otherwise 0. The second is the number of pieces, 1 to 4, into which packing has cut each step
+/// between frames of the clip. A place of keys is twice the distance from the first
+/// key of the clip to the first key of the track, plus 1 if the track has a key for each frame.
+/// Clips in which the same tracks move share one row of places.
 #[derive(Clone, Copy)]
 pub struct PackedClips<'a> {
     pub(super) tracks: Tracks<'a>,
@@ -72,7 +75,7 @@ pub(super) const MAGIC: &[u8; 8] = b"dq8clips";
 pub(super) const VERSION: u32 = 3;
 const HEAD: usize = 32;
 
-/// The places of keys, rests, clips, timings and rows, and the number of joints.
+/// Returns the byte ranges of keys, rests, clips, timings and rows, and the number of joints.
 pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 5], usize), PackedError> {
     let wrong = |offset, what| PackedError::Bytes { offset, what };
     if bytes.first_chunk() != Some(MAGIC) {
@@ -108,33 +111,35 @@ fn word(bytes: &[u8], index: usize) -> Option<u32> {
     bytes.as_chunks().0.get(index).map(|&word| u32::from_le_bytes(word))
 }
 
-/// Whether these are keys of unit rotations between which normalizing to the third order is exact
-/// to `f32`.
+/// Returns `true` if both keys are unit rotations, and near enough that normalizing their mean by a
+/// polynomial of third order is exact to `f32`; see [`unit()`].
 pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     let dot = |a: [i16; 4], b: [i16; 4]| -> i64 {
         a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum()
     };
-    // Four units from the sphere, where rounding leaves one.
+    // The bounds of a squared length are 32767 ± 4, squared; rounding a unit rotation changes its
+    // length by at most 1.
     let unit = |key| (1_073_414_169..=1_073_938_441).contains(&dot(key, key));
     unit(a) && unit(b) && dot(a, b) >= NEAREST
 }
 
-/// What is wrong with bytes in which keys belong to several tracks.
+/// The fault of bytes in which several tracks share keys.
 const SHARED: &str = "clips have more tracks and frames than there are keys";
 
 impl<'a> PackedClips<'a> {
-    /// Packed clips in the bytes that [`PackedClip::as_bytes`](super::PackedClip::as_bytes) gave,
-    /// without a copy.
-    /// Reads all of them once.
+    /// Borrows packed clips from the bytes of
+    /// [`PackedClip::as_bytes`](super::PackedClip::as_bytes), without a copy. All bytes are read
+    /// once, to check them.
     ///
     /// # Errors
-    /// If they are not a packed clip file: the first offset at which something is wrong.
+    /// If the bytes are not a packed clip file; the error has the first offset of a fault.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, PackedError> {
         let (ranges, joints) = parts(bytes)?;
         let [keys, rests, clips, timings, rows] =
             ranges.clone().map(|range| bytes.get(range).unwrap_or_default());
-        // Each clip has a key of its own for each rotation at the least. So what is checked for
-        // each joint of each clip is no more than there are keys, whatever the bytes are.
+        // Each rotation has at least one key of its own in each clip. This bounds the checks for
+        // each joint of each clip by the number of keys, so that hostile bytes cannot make them
+        // take long.
         let own = (clips.len() / 16).saturating_mul(joints);
         if own > keys.len() / 8 {
             return Err(PackedError::Bytes { offset: ranges[2].start, what: SHARED });
@@ -147,8 +152,8 @@ impl<'a> PackedClips<'a> {
         Ok(packed)
     }
 
-    /// Whether clips have as many keys as they name. None is in two clips, so that they are read
-    /// once each.
+    /// Checks that the file has as many keys as its clips name. No key belongs to two clips, so
+    /// that the checks read each key once.
     fn check_counts(&self, ranges: &[Range<usize>; 5], keys: usize) -> Result<(), PackedError> {
         let mut left = keys;
         for clip in 0..self.clips() {
@@ -163,7 +168,8 @@ impl<'a> PackedClips<'a> {
         Ok(())
     }
 
-    /// Checks that rotations are unit and near their neighbours, rests finite, and rates positive.
+    /// Checks that rotations are unit and near their neighbours, rests are finite, and rates are
+    /// positive.
     fn check(&self, [keys, rests, _, timings, _]: &[Range<usize>; 5]) -> Result<(), PackedError> {
         if let Some(joint) =
             self.rests.iter().position(|rest| floats(rest).iter().any(|c| !c.is_finite()))
@@ -211,28 +217,29 @@ impl<'a> PackedClips<'a> {
         self.tracks.clips()
     }
 
-    /// The number of frames of a clip, without those that
-    /// [`PackedClip::new`](super::PackedClip::new) has put between them. `None` if there is no such
+    /// The number of frames of a clip, without the frames that
+    /// [`PackedClip::new`](super::PackedClip::new) inserts between them. `None` if there is no such
     /// clip.
     #[must_use]
     pub fn frames(&self, clip: usize) -> Option<usize> {
         Some((self.own_frames(clip)? - 1) / self.pieces(clip)? + 1)
     }
 
-    /// The number of frames here, with those between.
+    /// The number of frames of a clip in the file, with the inserted ones.
     fn own_frames(&self, clip: usize) -> Option<usize> {
         self.tracks.frames(clip).map(|frames| frames as usize)
     }
 
-    /// The number of frames here for each step of the clip.
+    /// The number of pieces into which packing has cut each step between frames of the clip.
     pub(super) fn pieces(&self, clip: usize) -> Option<usize> {
         let [_, pieces] = loops_and_pieces(self.timings.get(clip)?);
-        // Checked, which the compiler does not know.
+        // The number was checked and is at least 1, but the compiler does not know that.
         Some(pieces.max(1) as usize)
     }
 
-    /// How many tracks of a clip, rotations and translations of its joints, have a key for each
-    /// frame; the others have one. `None` if there is no such clip.
+    /// The number of tracks of a clip that have a key for each frame. A track is the rotation or
+    /// the translation of one joint; the other tracks have one key or none. `None` if there is no
+    /// such clip.
     #[must_use]
     pub fn moving(&self, clip: usize) -> Option<usize> {
         self.own_frames(clip)?;
@@ -243,38 +250,39 @@ impl<'a> PackedClips<'a> {
         )
     }
 
-    /// The frames a second of a clip, or 1 if its times are frames. `None` if there is no such
-    /// clip.
+    /// The rate of a clip in frames a second, or 1 if its times are in frames. `None` if there is
+    /// no such clip.
     #[must_use]
     pub fn rate(&self, clip: usize) -> Option<f64> {
         let [rate, rest] = rate(self.timings.get(clip)?).map(f64::from);
         Some(rate + rest)
     }
 
-    /// `true` if a clip begins again where it ends. `None` if there is no such clip.
+    /// Returns `true` if a clip begins again where it ends. `None` if there is no such clip.
     #[must_use]
     pub fn loops(&self, clip: usize) -> Option<bool> {
         Some(self.timing::<f32>(clip)?.loops)
     }
 
-    /// The time from the first frame of a clip to the last:
+    /// The time from the first frame of a clip to the last, in seconds if it has a rate: see
     /// [`Clip::duration`](super::Clip::duration). `None` if there is no such clip.
     #[must_use]
     pub fn duration(&self, clip: usize) -> Option<f64> {
         Some(self.timing::<f64>(clip)?.duration())
     }
 
-    /// The frame of a clip before the time `at`, and how far it is to the next one, from 0 to 1: as
-    /// [`Clip::place`](super::Clip::place), in seconds if the clip has a rate, and in the round
-    /// that `at` lies in if it loops, computed in numbers of `R` alone: after an hour of `f32` that
-    /// is half a hundredth of a frame. NaN stays NaN. `None` if there is no such clip.
+    /// Returns the frame of a clip before the time `at`, and the part of the way to the next frame,
+    /// from 0 to 1, like [`Clip::place`](super::Clip::place). Times are in seconds if the clip has
+    /// a rate; in a clip that loops, `at` may lie in any round. All is computed in the type `R`:
+    /// after an hour, an `f32` is wrong by half a hundredth of a frame. For NaN the part is NaN.
+    /// `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
         let (frame, t) = self.timing::<R>(clip)?.place(at);
         Some((self.tracks.place(clip, frame)?, t))
     }
 
-    /// The timing of the frames here.
+    /// The timing of a clip by its frames in the file.
     pub(super) fn timing<T: Scalar>(&self, clip: usize) -> Option<Timing<T>> {
         let timing = self.timings.get(clip)?;
         let [rate, rest] = rate(timing).map(T::from);
@@ -285,16 +293,16 @@ impl<'a> PackedClips<'a> {
 }
 
 impl PackedClips<'_> {
-    /// The local pose of a joint of a clip at the time `at`, as [`place`](Self::place) has it;
-    /// `None` if there is no such clip or joint. As [`Clip::pose`](super::Clip::pose).
+    /// Returns the local pose of a joint of a clip at the time `at`, as [`place`](Self::place)
+    /// takes it; `None` if there is no such clip or joint. See [`Clip::pose`](super::Clip::pose).
     #[must_use]
     pub fn pose<R: Scalar>(&self, clip: usize, joint: usize, at: R) -> Option<DualQuat<R>> {
         self.pose_at(clip, joint, self.timing::<R>(clip)?.place(at))
     }
 
-    /// The motion of a joint of a clip from one time to another, in its frame at the first: as
-    /// [`Clip::between`](super::Clip::between), of a character's root the root motion. `None` if
-    /// there is no such clip or joint.
+    /// Returns the motion of a joint of a clip from one time to another, in the joint's frame at
+    /// the first time; for the root of a character this is its root motion. See
+    /// [`Clip::between`](super::Clip::between). `None` if there is no such clip or joint.
     ///
     /// ```
     /// use dq8::hierarchy::{Clip, PackedClip, Tolerance};
@@ -317,7 +325,7 @@ impl PackedClips<'_> {
         self.timing::<R>(clip)?.between(from, to, |place| self.pose_at(clip, joint, place))
     }
 
-    /// The pose of a joint at a place of a clip.
+    /// Returns the pose of a joint at a place of a clip.
     fn pose_at<R: Scalar>(
         &self,
         clip: usize,
@@ -338,7 +346,7 @@ fn rate(timing: &PackedTiming) -> [f32; 2] {
     [0, 1].map(|i| word(timing, i).map_or(0.0, f32::from_bits))
 }
 
-/// The place in the bytes of what is wrong with their tracks.
+/// Converts the error of a track to an error with the offset of its bytes.
 pub(super) fn beyond([_, _, clips, _, rows]: &[Range<usize>; 5], error: TrackError) -> PackedError {
     let (offset, what) = match error {
         TrackError::Entry(entry) => (rows.start + 2 * entry, "a track has keys that are not there"),
@@ -349,21 +357,22 @@ pub(super) fn beyond([_, _, clips, _, rows]: &[Range<usize>; 5], error: TrackErr
     PackedError::Bytes { offset, what }
 }
 
-/// 1 if the clip loops, and the number of frames here for each step of the clip.
+/// Returns 1 if the clip loops, otherwise 0; and the number of pieces into which packing has cut
+/// each step between its frames.
 fn loops_and_pieces(timing: &PackedTiming) -> [u32; 2] {
     let both = word(timing, 2).unwrap_or_default();
     [both & 0xffff, both >> 16]
 }
 
-/// `true` if these bytes can be the timing of a clip with so many frames here.
+/// Returns `true` if these bytes can be the timing of a clip with `frames` frames in the file.
 fn is_timing(timing: &PackedTiming, frames: u32) -> bool {
     let ([rate, rest], [loops, pieces]) = (rate(timing), loops_and_pieces(timing));
     let whole = matches!(pieces, 1..=4) && frames.wrapping_sub(1).is_multiple_of(pieces);
-    // A rounding error is less than what is rounded holds.
+    // The rounding error is so small that adding it to the rounded rate changes nothing.
     is_rate(rate) && rate + rest == rate && loops < 2 && whole
 }
 
-/// `true` if so many frames a second can be played.
+/// Returns `true` if a clip can be played at this rate in frames a second.
 pub(super) fn is_rate(rate: f32) -> bool {
     rate.is_finite() && rate > 0.0
 }
@@ -383,7 +392,7 @@ impl<'s, R: Scalar> Keys<'s, R, 7> for PackedClips<'s> {
     }
 }
 
-/// Packed clips, and a place in them for each instance.
+/// Packed clips, with a place for each instance.
 #[derive(Clone, Copy)]
 pub struct Playback<'s> {
     tracks: PlacedTracks<'s, 's>,
@@ -393,7 +402,8 @@ pub struct Playback<'s> {
 brief!([] Playback<'_>: Playback |it| { joints: it.rests.len() });
 
 impl Playback<'_> {
-    /// The numbers of a column, rotations or translations, for the lanes of a slot.
+    /// Interpolates a column of tracks for the lanes of a slot: columns are the rotations of all
+    /// joints, then their translations.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(
         self,
@@ -409,7 +419,8 @@ impl Playback<'_> {
         }
     }
 
-    /// The rests of the lanes' joints, and whether any of these moves.
+    /// Loads the rest positions and steps of the joints in the lanes. The second result is `true`
+    /// if a clip translates any of these joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn rest<L: Lanes<Real: Scalar>>(
         self,
@@ -434,14 +445,15 @@ impl Playback<'_> {
     }
 }
 
-/// Rests that are numbers of `R` where they lie, and aligned.
+/// Returns rests (x, y, z and a step) as arrays of `R` without a copy, if `R` is `f32` in the byte
+/// order of the target and the bytes are aligned.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn as_they_lie<R: Scalar>(rests: &[Rest]) -> Option<&[[R; 4]]> {
     let same = R::SINGLE && cfg!(target_endian = "little");
     if same { bytemuck::try_cast_slice(rests).ok() } else { None }
 }
 
-/// The rests of as many joints as there may be lanes, as numbers of `R`.
+/// Converts the rests of at most as many joints as there are lanes to arrays of `R`.
 #[cold]
 #[inline(never)]
 fn copy<R: Scalar>(rests: &[Rest]) -> [[R; 4]; MAX_LANES] {
@@ -465,11 +477,12 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
         t: L,
     ) -> Option<[L; 7]> {
         if !slot.lanes_are_joints() {
-            // Of the next instances.
+            // The keys of the next instances are prefetched.
             let last = slot.joint() + 1 == self.rests.len();
             self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint(), last);
         }
-        // First: what lies between keys would wait for it in memory.
+        // The rest position is loaded first. Loaded after the interpolation, it would make the
+        // interpolated rotation wait in memory.
         let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
         let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?, t);
         if moves {
@@ -483,10 +496,11 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
     }
 }
 
-/// The mean of two keys of rotations, normalized. Neighbours are less than 60° apart, so the
+/// Normalizes the mean of two keys of rotations. Neighbours are less than 60° apart, so the
 /// squared length 1 − e is near that of 1, and (1 − e)^(−½) is a polynomial of e without
 /// root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005,
-/// 0.068]). NaN if `t` is NaN, which weights that are integers would lose.
+/// 0.068]). The result is NaN if `t` is NaN; the weights of the mean are integers and would lose a
+/// NaN.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);
@@ -503,11 +517,11 @@ fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
 }
 
 errors! {
-    /// Frames that packed clips cannot hold, or bytes that are not a packed clip file.
+    /// Frames that cannot be packed, or bytes that are not a packed clip file.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     PackedError {
-        /// Frames that do not fit the joints.
+        /// The number of keys does not fit the number of joints.
         Shape(error: ShapeError) => "{error}";
         /// A rotation that is not unit, or not finite.
         NotUnit {
@@ -517,11 +531,11 @@ errors! {
             length: f64 = "The length of its quaternion."
         }
             => "joint {joint} in frame {frame} of clip {clip} has a rotation of length {length}, not 1";
-        /// A clip whose frames a second are no positive number.
+        /// A clip whose rate in frames a second is not a positive number.
         Rate { clip: usize = "The clip.", rate: f64 = "Its frames a second." }
             => "clip {clip} has {rate} frames a second, which must be a positive number that `f32` holds";
-        /// A translation whose numbers are not finite, or differ from those of other frames by more
-        /// than `f32` holds.
+        /// A translation with a value that is not finite, or differs from the values of other
+        /// frames by more than `f32` holds.
         Beyond {
             clip: usize = "The clip.",
             frame: usize = "The frame.",

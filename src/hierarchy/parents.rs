@@ -1,10 +1,12 @@
-//! [`Hierarchy`]: a parent array that has been checked, with its families and its errors.
+//! [`Hierarchy`]: a parent array that has been checked, with queries for parents, children and
+//! subtrees, and its errors.
 
 use crate::macros::{Count, brief, errors};
 use core::fmt;
 use core::ops::Range;
 
-/// A joint hierarchy: the parent of every joint, checked once, so that no run has to.
+/// A joint hierarchy: the parent of every joint. The parents are checked once, so that no run has
+/// to check them.
 ///
 /// Joints are numbered so that every parent comes before its children, as in glTF exporters,
 /// ozz-animation and BVH files; there may be several roots.
@@ -28,17 +30,17 @@ pub struct Hierarchy<'a> {
 brief!([] Hierarchy<'_>: Hierarchy |it| { joints: it.joints() });
 
 impl<'a> Hierarchy<'a> {
-    /// The parent of a joint that has none: −1 as a `u32`.
+    /// The parent of a root, which has no parent: −1 as a `u32`.
     pub const ROOT: u32 = u32::MAX;
 
     /// Checks `parents`: `parents[j]` is the parent of joint `j`, or [`ROOT`](Self::ROOT). A
-    /// [`Skeleton`](super::Skeleton) takes parents of another type, such as `usize`, or in another
-    /// order.
+    /// [`Skeleton`](super::Skeleton) takes parents of other integer types, such as `usize`, and in
+    /// any order.
     ///
     /// # Errors
     /// If a parent is not a joint, or does not come before its child (a forward reference or a
     /// cycle). The error names the first such joint and its parent. Also if there are more joints
-    /// than a `u32` can number.
+    /// than a `u32` can count.
     ///
     /// ```
     /// use dq8::{Hierarchy, hierarchy::HierarchyError};
@@ -65,7 +67,7 @@ impl<'a> Hierarchy<'a> {
         Ok(Self { parents })
     }
 
-    /// A hierarchy of parents that have been checked.
+    /// Makes a hierarchy of parents that have been checked already.
     #[cfg(feature = "alloc")]
     pub(super) const fn of_checked(parents: &'a [u32]) -> Self {
         Self { parents }
@@ -85,28 +87,29 @@ impl<'a> Hierarchy<'a> {
 }
 
 impl<'a> Hierarchy<'a> {
-    /// The parent of a joint; `None` of a root, and where there is no such joint.
+    /// Returns the parent of a joint; `None` for a root or if there is no such joint.
     #[must_use]
     pub fn parent(&self, joint: usize) -> Option<usize> {
         let parent = *self.parents().get(joint)?;
         (parent != Self::ROOT).then_some(parent as usize)
     }
 
-    /// The joints without a parent, in rising order.
+    /// Lists the joints without a parent, in rising order.
     pub fn roots(&self) -> impl Iterator<Item = usize> + use<'a> {
         of_parent(self.parents(), 0, Self::ROOT)
     }
 
-    /// The joints whose parent is `joint`, in rising order.
+    /// Lists the joints whose parent is `joint`, in rising order.
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
-        // No joint has the number that marks a root, and none beyond `u32` is a parent.
+        // `ROOT` and values above it are no joints. The search for their children begins behind the
+        // last joint, so that it finds none.
         let parent = u32::try_from(joint).unwrap_or(Self::ROOT);
         let after = if parent == Self::ROOT { usize::MAX } else { joint.saturating_add(1) };
         of_parent(self.parents(), after, parent)
     }
 
-    /// The parent of a joint, its parent, and so on up to the root; none where there is no such
-    /// joint.
+    /// Lists the ancestors of a joint: its parent, the parent of that, and so on up to the root.
+    /// The list is empty if there is no such joint.
     ///
     /// ```
     /// use dq8::Skeleton;
@@ -121,18 +124,18 @@ impl<'a> Hierarchy<'a> {
         core::iter::successors(of.parent(joint), move |&joint| of.parent(joint))
     }
 
-    /// `true` if nothing hangs from the joint; false where there is no such joint.
+    /// Returns `true` if the joint has no children, and `false` if there is no such joint.
     #[must_use]
     pub fn is_leaf(&self, joint: usize) -> bool {
         joint < self.joints() && self.children(joint).next().is_none()
     }
 
-    /// The joint and all that hang from it, as a range of joints: for
-    /// [`Job::joints`](super::Job::joints), for a mask, and for slices of locals and models.
+    /// Returns the range of joints that holds the joint and all its descendants, for
+    /// [`Job::joints`](super::Job::joints), for a mask, or for slices of locals and models.
     ///
     /// # Errors
-    /// If there is no such joint, or what hangs from it does not lie in one range.
-    /// [`Skeleton::sorted`](super::Skeleton::sorted) numbers joints so that it always does.
+    /// If there is no such joint, or the joint and its descendants are not in one range.
+    /// [`Skeleton::sorted`](super::Skeleton::sorted) orders joints so that each subtree is a range.
     ///
     /// ```
     /// use dq8::{Skeleton, hierarchy::HierarchyError};
@@ -159,7 +162,7 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// A line for each joint, indented below its parent.
+    /// Writes a line for each joint, indented below its parent.
     pub(super) fn write<'n>(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -170,7 +173,8 @@ impl<'a> Hierarchy<'a> {
             if let Some(name) = name(joint) {
                 write!(f, " {name}")?;
             }
-            // The indent does not tell the parent if the line before is neither it nor below it.
+            // The indent shows the parent only if the joint of the line before is the parent or a
+            // descendant of the parent. Otherwise the line names the parent.
             if let (Some(parent), Some(before)) = (self.parent(joint), joint.checked_sub(1))
                 && parent != before
                 && !self.ancestors(before).any(|of| of == parent)
@@ -183,14 +187,14 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-/// The joints from `first` on whose parent is `parent`.
+/// Lists the joints from `first` on whose parent is `parent`.
 fn of_parent(parents: &[u32], first: usize, parent: u32) -> impl Iterator<Item = usize> + '_ {
     let joints = parents.iter().enumerate().skip(first);
     joints.filter(move |&(_, &of)| of == parent).map(|(joint, _)| joint)
 }
 
-/// A line for each joint, with two spaces for each joint above it; ` (of 3)` where the lines do not
-/// show its parent.
+/// Writes a line for each joint, with two spaces for each of its ancestors, and ` (of 3)` where the
+/// lines do not show that its parent is joint 3.
 impl fmt::Display for Hierarchy<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write(f, |_| None)
@@ -202,10 +206,10 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     HierarchyError {
-        /// A joint's parent does not come before it: a forward reference, or a cycle.
+        /// The parent of a joint does not come before it: a forward reference or a cycle.
         ParentNotBefore { joint: usize = "The joint.", parent: u32 = "Its parent." }
             => "joint {joint} {}", NotBefore { joint: *joint, parent: *parent };
-        /// A joint's parent is not a joint at all.
+        /// The parent of a joint is not a joint at all.
         ParentOutOfRange {
             joint: usize = "The joint.",
             parent: i128 = "Its parent, as it was written: a number of any type.",
@@ -218,14 +222,14 @@ errors! {
         /// There is no such joint.
         NoJoint { joint: usize = "The joint asked for.", joints: usize = "The number of joints." }
             => "there is no joint {joint} among {}, counted from 0", Count(*joints, "joint");
-        /// The joints below a joint do not lie in one range.
+        /// A joint and its descendants are not in one range.
         Scattered {
             joint: usize = "The joint.",
             beyond: usize = "The first joint below it that comes after one that is not."
         }
             => "the joints below joint {joint} are no range: joint {beyond} is one of them, and comes after others \
                 (`Skeleton::sorted` numbers subtrees in one range)";
-        /// The number of names is not the number of joints.
+        /// The number of names differs from the number of joints.
         Names { names: usize = "The number of names.", joints: usize = "The number of joints." }
             => "{} for {}: each needs one", Count(*names, "name"), Count(*joints, "joint");
         /// A joint has the name of an earlier one.
@@ -236,7 +240,7 @@ errors! {
     }
 }
 
-/// The text about a joint whose parent does not come before it.
+/// The part of an error text about a joint whose parent does not come before it.
 struct NotBefore {
     joint: usize,
     parent: u32,
@@ -255,7 +259,7 @@ impl fmt::Display for NotBefore {
     }
 }
 
-/// The text about a parent that is a negative number in a `u32`; empty for others.
+/// The part of an error text that shows a parent as a signed number; empty if it is not negative.
 struct Signed(i128);
 
 impl fmt::Display for Signed {

@@ -1,24 +1,25 @@
-//! model(j) = model(parent(j)) · local(j), for plain motions, which are transposed in registers.
+//! model(j) = model(parent(j)) · local(j) for plain motions, which are transposed in registers.
 //!
 //! # The algorithm
 //!
-//! Take as many instances as there are lanes. For each joint, parents first: load its local pose of
-//! all these instances, a transpose; take the models of its parent, multiply; store the product,
-//! another transpose. Instances that are left over, and single ones, go one by one, with a motion
-//! of eight numbers in one register.
+//! The loop takes as many instances as there are lanes. For each joint, parents first, it loads the
+//! local poses of all these instances (a transpose), multiplies them onto the models of the joint's
+//! parent, and stores the products (another transpose). Instances that do not fill the lanes, and
+//! single instances, are computed one by one, with the eight components of a motion in one
+//! register.
 //!
-//! # Why it is as it is
+//! # Reasons
 //!
-//! - *A ring of recent models.* A parent is needed as it was in registers, and transposing it a
+//! - *A ring of recent models.* A parent is needed as the registers held it, and transposing it a
 //!   second time would cost as much as the product. Most parents are a few joints back, so the last
-//!   [`RECENT`] models stay in memory as the registers held them; only a parent that lies farther
-//!   back is transposed again, out of line.
+//!   [`RECENT`] models stay in memory as the registers held them. Only a parent that lies farther
+//!   back is transposed again, in a function that is not inlined.
 //! - *One source* (`docs/measured.md`, *What keeps loops in registers*). Roots, near parents and
-//!   far ones all end as a place in the ring, which is where every product reads its left factor.
-//! - *Same operations in the same order, together and one by one*: the model of an instance is the
-//!   same to the last bit, however many others are in the call.
-//! - *Prefetch before a strided store*, once models exceed the second cache: the CPU does not
-//!   foresee so many places.
+//!   far parents all end as a place in the ring, from which every product reads its left factor.
+//! - *The same operations in the same order* for instances in lanes and one by one: the model of an
+//!   instance is the same to the last bit, however many other instances are in the call.
+//! - *A prefetch before a strided store*, once the models exceed the second-level cache: the
+//!   hardware prefetcher does not follow so many streams.
 
 use super::chain::{product, product_in_lanes};
 use super::locals::{BATCH, LocalBatch, Locals, Pass, Registers, Stored, load, store};
@@ -30,17 +31,19 @@ use crate::storage::{Element, Layout, Motions, Register, Source, Tile, identity,
 use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
-/// The number of models that stay in memory as registers held them, for their children. Those
-/// farther back are transposed again. More would fill the first cache, which the instances share.
+/// The number of models that stay in memory as registers held them, for their children. Parents
+/// farther back are transposed again. More models would fill the first-level cache, which also
+/// holds the locals and models of the instances.
 const RECENT: usize = 16;
 
-/// `true` if many instances in plain slices have a loop of their own. Firmware has few instances,
-/// and counts the bytes of code and stack.
+/// `true` if the loop over many plain instances is compiled. Firmware has few instances and little
+/// memory for code and stack.
 pub(super) const MANY: bool = cfg!(not(target_os = "none"));
 
-/// The size of the second cache in bytes. Models that exceed it are prefetched before they are
-/// written, which saves a tenth of the time of models and a sixth of that of palettes with models.
-/// With fewer, prefetching costs a twentieth, and models over their locals gain nothing.
+/// The size of the second-level cache in bytes. Models that exceed it are prefetched before they
+/// are written. That saves a tenth of the time of models, and a sixth of the time of palettes with
+/// models. With fewer models, prefetching costs a twentieth. Models written in place of their
+/// locals gain nothing from it.
 const NEAR: usize = 1 << 20;
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
@@ -48,7 +51,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
     #[inline]
     pub(super) fn plain(mut self) {
         let backend = self.run.backend;
-        // Where a register holds one number, one instance fills it.
+        // On targets without SIMD a register holds a single value, and this loop computes one
+        // instance at a time.
         let mut done = 0;
         if const { Register::<E, Portable, 8>::LANES == 1 }
             || (const { MANY } && self.models.len() > self.run.parents.len())
@@ -61,8 +65,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
     }
 }
 
-/// The loop whose lanes are instances, strided in memory. Returns the number of elements that are
-/// done: groups of as many instances as there are lanes.
+/// The loop whose lanes are instances, strided in memory. It computes groups of as many instances
+/// as there are lanes, and returns the number of elements in these groups.
 struct Instances<'f, 'r, 's, E: Element<8>, L, X>(&'f mut Forward<'r, 's, E, L, X>);
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, '_, E, L, X> {
@@ -96,16 +100,17 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, '
     }
 }
 
-/// The models that wait for their children, and the locals that wait for their parents.
+/// The models that wait for their children, and a batch of locals that wait for their parents.
 struct Waiting<E: Element<8>, V: Level> {
     ring: Ring<E, V>,
     batch: LocalBatch<E, V>,
-    /// `true` if all models are more than [`NEAR`].
+    /// `true` if all models together exceed [`NEAR`].
     prefetch: bool,
 }
 
-/// The recent models as registers hold them: that of joint j is at j % [`RECENT`] until joint j +
-/// [`RECENT`] takes its place. The last place is for a parent that is not among them.
+/// The recent models as registers hold them. The model of joint j is at index j % [`RECENT`] until
+/// that of joint j + [`RECENT`] replaces it. The last element is for a parent that is not among the
+/// recent models.
 struct Ring<E: Element<8>, V: Level>([Registers<E, V>; RECENT + 1]);
 
 impl<E: Element<8>, V: Level> Ring<E, V> {
@@ -114,8 +119,8 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
         Self([Motions::<E, V>::identity(level).to_array(); RECENT + 1])
     }
 
-    /// Takes a model that is not among the recent ones from memory, where it was stored as it was
-    /// here: the same bits.
+    /// Loads a model that is no longer in the ring into its last element. The model was stored to
+    /// memory from this ring, so it has the same bits.
     #[cold]
     #[inline(never)]
     fn fetch(&mut self, level: V, models: &[E], slot: JointSlot) {
@@ -129,7 +134,7 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
         );
     }
 
-    /// Normalizes the model of a joint.
+    /// Normalizes the model of a joint, in the ring and in memory.
     #[cold]
     #[inline(never)]
     fn normalize(&mut self, level: V, models: &mut [E], slot: JointSlot) {
@@ -145,9 +150,10 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// The models of as many instances as there are lanes, from number `instance` on. *One source*
-    /// of every product: parents go through memory that the first cache holds, whether they are
-    /// recent or not, roots or not.
+    /// Computes the models of as many instances as there are lanes, beginning with instance
+    /// `instance`. *One source* (docs/measured.md): every product reads its parent from the ring,
+    /// which is memory in the first-level cache, whether the parent is recent or not, a root or
+    /// not.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn instances<X: Epilogue<E>>(
         self,
@@ -167,9 +173,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                 slot.prefetch_own(level, models, E::Layout::records::<V>());
             }
             if parent < joint {
-                // A parent that is gone, or lies before the range and never was in the ring, is
-                // loaded into the place behind it. So the product has one source, memory at an
-                // index, whatever happened before it.
+                // A parent that the ring no longer holds, or never held because it lies before the
+                // range of joints, is loaded into the last element. So the product reads from
+                // memory at an index, whichever path led here.
                 let mut from = parent % RECENT;
                 if joint - parent >= RECENT || parent < run.joints.start {
                     from = RECENT;
@@ -191,7 +197,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         }
     }
 
-    /// The models of a joint without a parent.
+    /// Computes the models of a joint without a parent.
     #[cold]
     #[inline(never)]
     fn root(
@@ -216,9 +222,10 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         );
     }
 
-    /// The models of one instance where a register holds one number. Models go through memory,
-    /// since eight numbers would not stay in registers anyway. The product is the one of all other
-    /// loops, on targets with wider registers too.
+    /// Computes the models of one instance on targets without SIMD, where a register holds a single
+    /// value. Models go through memory, since the eight components would not stay in registers
+    /// anyway. The product is the one of all other loops, and of targets with wider registers, so
+    /// that results have the same bits.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn one_instance<X: Epilogue<E>>(
         self,
@@ -232,8 +239,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         for joint in run.joints.clone() {
             let Some(&parent) = run.parents.get(joint) else { return };
             let slot = JointSlot::of_instances(joint, instance, joints);
-            // ROOT is beyond the last joint: there is no such model.
-            // A parent comes before its joint: its model is there already, in place too.
+            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
+            // Any other parent comes before its joint, so its model has been written, in place too.
             let parent = match models.get(parent as usize) {
                 Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
                 None => run.root.load(level, instance, 0),
@@ -255,11 +262,11 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 }
 
-/// The loop over one instance after the other: the lanes of one register hold the eight numbers of
-/// one motion.
+/// The loop that computes one instance after the other; one register holds the eight components of
+/// a motion.
 struct OneByOne<'r, 's, E: Element<8>, L, X> {
     of: Forward<'r, 's, E, L, X>,
-    /// The number of elements that are done already.
+    /// The number of elements that [`Instances`] has computed already.
     done: usize,
 }
 
@@ -280,9 +287,9 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for OneByOne<'_, '_, E,
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// The models of one instance, each multiplied onto its parent. Locals that are not motions in
-    /// memory are loaded before, for as many joints as there are lanes; the epilogue comes after,
-    /// in lanes again.
+    /// Computes the models of one instance, joint by joint. Locals that are not motions in memory
+    /// are made first, for as many joints as there are lanes; the epilogue follows, again with a
+    /// joint in each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn one_by_one<X: Epilogue<E>>(
         self,
@@ -296,10 +303,10 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         let first = instance * joints;
         let lanes = E::Layout::records::<V>();
         let root = run.root_of(instance);
-        // Three stages over as many joints as there are lanes: make their locals, a joint per lane;
-        // multiply them onto their parents one after the other, each product using all lanes for
-        // its eight numbers; then the epilogue, a joint per lane again. Motions that lie in memory
-        // skip the first stage and are multiplied from where they are.
+        // Three stages for as many joints as there are lanes. First their locals are made, with a
+        // joint in each lane. Then each joint is multiplied onto its parent, with the components of
+        // one product in the lanes. Last the epilogue runs, again with a joint in each lane.
+        // Motions that lie in memory skip the first stage, and the products read them there.
         let in_memory = locals.motions();
         let mut made = [identity(); MAX_LANES];
         for start in run.joints.clone().step_by(lanes) {
@@ -318,7 +325,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     None => made.get(joint - start),
                 };
                 let (Some(local), Some(&parent)) = (local, run.parents.get(joint)) else { return };
-                // ROOT is beyond the last joint: there is no such model.
+                // The parent of a root is `ROOT`, which is beyond all models: loading it gives
+                // `None`.
                 let model = match (plain.get(parent as usize), &root) {
                     (Some(parent), _) | (None, Some(parent)) => product(level, parent, local),
                     (None, None) => *local,
@@ -337,7 +345,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 }
 
-/// Normalizes one model on lanes, so that every bit is that of [`Ring::normalize`].
+/// Normalizes one model on lanes, so that its bits are those of [`Ring::normalize`].
 #[cold]
 #[inline(never)]
 fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
@@ -351,26 +359,27 @@ fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
     );
 }
 
-/// The models of one joint.
+/// The models of one joint in as many instances as there are lanes, as the registers hold them.
 type Models<E, V> = Stored<Register<E, V, 8>>;
 
-/// Bytes of a cache line, or more than a register has: rows that begin at a multiple of it lie in
-/// one line each.
+/// The bytes of a cache line, which are at least those of a register. A row that begins at a
+/// multiple of this lies in one line.
 const LINE: usize = 64;
 
-/// The loop for palettes whose models nobody asks for: the models stay in the caller's scratch as
-/// registers held them. To transpose and store them would be two fifths of what a palette shuffles
-/// and stores, and no parent is ever transposed again.
+/// The loop for palettes without models: the caller wants the palette alone, so the models stay in
+/// the caller's scratch memory as registers held them. Transposing and storing them would be two
+/// fifths of all shuffles and stores of a palette. No parent is transposed again either.
 ///
-/// Lanes are instances, strided in memory. Returns the number of instances that are done: groups of
-/// as many as there are lanes; none if the scratch does not hold one group.
+/// Lanes are instances, strided in memory. The loop computes groups of as many instances as there
+/// are lanes, and returns the number of instances in these groups; 0 if the scratch does not hold
+/// one group.
 pub(super) struct PaletteInstances<'f, 'r, 's, E: Element<8>, L, X>(
     pub(super) &'f mut PaletteOnly<'r, 's, E, L, X>,
 );
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_, '_, '_, E, L, X> {
     type Output = usize;
-    // A quarter less time where 512 bits are shuffled as quickly as 256.
+    // AVX-512 takes a quarter less time on CPUs that shuffle 512 bits as quickly as 256.
     const SHUFFLES: bool = !E::Layout::WIDE;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -380,7 +389,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
         let joints = run.parents.len();
         let rows =
             E::plain_mut(scratch).and_then(|plain| aligned(plain.as_flattened_mut(), joints));
-        // A register of one number has nothing to transpose, and gains nothing.
+        // On targets without SIMD there is nothing to transpose, so this loop would gain nothing.
         let (Some(rows), 2..) = (rows, lanes) else { return 0 };
         let pass = Pass { level, run: *run, locals: *locals };
         let mut done = 0;
@@ -392,23 +401,23 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
     }
 }
 
-/// The numbers as one `M` for each joint, `None` if there are too few; from a cache line on if
-/// there are more.
+/// Casts `numbers` to one `M` for each joint; `None` if they are too few. If they are more than
+/// needed, the cast begins at a cache line.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn aligned<R: Scalar, M: bytemuck::Pod>(numbers: &mut [R], joints: usize) -> Option<&mut [M]> {
     let needed = joints.checked_mul(size_of::<M>() / size_of::<R>())?;
     let spare = numbers.len().checked_sub(needed)?;
-    // A row across two lines costs two accesses. The callers' memory is aligned to a number, so the
-    // start is moved, where there is room for that; the results are the same.
+    // A row across two cache lines takes two accesses. The caller's memory is aligned to one number
+    // only, so the start moves to a cache line if there is room; the results are the same.
     let aligned = numbers.as_ptr().align_offset(LINE);
     let start = if aligned <= spare { aligned } else { 0 };
     bytemuck::try_cast_slice_mut(numbers.get_mut(start..start + needed)?).ok()
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// The palette of as many instances as there are lanes, from number `instance` on. All models
-    /// go through memory, as in [`instances`](Self::instances). Computed locals wait where the
-    /// models go.
+    /// Computes the palette of as many instances as there are lanes, beginning with instance
+    /// `instance`. All models go through memory, as in [`instances`](Self::instances). Computed
+    /// locals are first written to the places where the models will be.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn palette<X: Epilogue<E>>(
         self,
@@ -445,8 +454,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             let Some(local) = local else { return };
             let local = locals.motion(local).to_array();
             let Some(&parent) = run.parents.get(joint) else { return };
-            // ROOT is beyond the last joint: there is no such model.
-            // *Kept apart* (docs/measured.md): each way has a store of its own.
+            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
+            // *Kept apart* (docs/measured.md): both paths have a store of their own.
             if let Some(parent) = models.get(parent as usize).or(base) {
                 let model = product_in_lanes(load(level, parent), local);
                 let Some(place) = models.get_mut(joint) else { return };
@@ -456,7 +465,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                 store(local, place);
             }
             let Some(place) = models.get_mut(joint) else { return };
-            // *One source*, whether it was normalized or not; it is in the first cache.
+            // *One source*: the epilogue reads the model from memory, in the first-level cache,
+            // whether it was normalized or not.
             if run.renormalize.applies_to(joint) {
                 normalize_rows::<Register<E, V, 8>>(level, place);
             }

@@ -1,5 +1,6 @@
-//! [`Plan`]: the order in which one instance is computed, in memory of the caller's; the loop in
-//! that order, with any form of locals, a root and a palette; and the search for the order.
+//! [`Plan`]: the order in which the joints of one instance are computed, in the caller's memory;
+//! the loop in that order, for any form of locals, with a root and a palette; and the search for
+//! the order.
 
 use super::Hierarchy;
 use super::chain::product;
@@ -15,20 +16,22 @@ use core::cmp::Reverse;
 use dq8_simd::Level;
 use dq8_simd::internal::CheckedSchedule;
 
-/// The number of joints from which a chain is cut into segments: on every target, because that
-/// decides the order of products. (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by
-/// one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
+/// The number of joints from which a chain is cut into segments. It is the same on every target,
+/// because it decides the order of products. (Nanoseconds per joint with AVX-512, for chains of 16,
+/// 24 and 32 joints: one by one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2, segments
+/// are never faster.)
 const MIN_CHAIN: usize = 24;
 
-/// The order in which one instance of a hierarchy is computed, found once, in memory of the
-/// caller's: what a [`Skeleton`](super::Skeleton) keeps for itself, for those without a heap.
+/// The order in which the joints of one instance are computed, found once and kept in the caller's
+/// memory. A [`Skeleton`](super::Skeleton) has its own plan; this type is for programs without a
+/// heap.
 ///
-/// A [`Hierarchy`] fills its lanes with many instances. In a single one joints wait for their
-/// parents, so the order decides how much of the time something can be computed, and the best order
-/// depends on the parents alone. A [`Job`](super::Job) takes it for one whole instance in a plain
-/// slice, with any form of locals, root and palette, and leaves it alone otherwise. Products are
-/// the same as without a plan, in the same order, but for chains of 24 joints and more, whose
-/// results differ in the last bits: see [`Backend::chain_products`].
+/// A [`Hierarchy`] fills its lanes with many instances. In a single instance joints wait for their
+/// parents, so the order decides how much of that time other joints fill; the best order depends on
+/// the parents alone. A [`Job`](super::Job) uses its plan for one whole instance in a plain slice,
+/// with any form of locals, root and palette, and ignores it otherwise. Each joint has the same
+/// products as without a plan, in the same order. The exceptions are chains of 24 joints and more,
+/// whose results differ in the last bits: see [`Backend::chain_products`].
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy, hierarchy::{Plan, PlanScratch}};
@@ -46,19 +49,19 @@ const MIN_CHAIN: usize = 24;
 #[derive(Clone, Copy)]
 pub struct Plan<'a> {
     pub(super) parents: &'a [u32],
-    /// `None` for a chain in segments.
+    /// `None` for a long chain, which is computed in segments.
     pub(super) order: Option<Order<'a>>,
 }
 
 brief!([] Plan<'_>: Plan |it| { joints: it.parents.len() });
 
-/// A [`Job`](super::Job) without a plan. A program that has no memory for plans links no code of
-/// them.
+/// The absence of a plan in a [`Job`](super::Job). A program that uses no plans links none of their
+/// code.
 #[derive(Clone, Copy, Debug)]
 pub struct NoPlan;
 
-/// The order in which a job computes one instance: that of a [`Plan`], or [the order of
-/// joints](NoPlan). Sealed.
+/// The order in which a job computes one instance: that of a [`Plan`], or with [`NoPlan`] the order
+/// of joints. Sealed.
 pub trait Plans: sealed::Sealed {
     #[doc(hidden)]
     fn plan(&self) -> Option<Plan<'_>>;
@@ -82,20 +85,20 @@ mod sealed {
     impl Sealed for super::Plan<'_> {}
 }
 
-/// The joints of one instance in the order of computing, each with its parent.
+/// The joints of one instance in the order in which they are computed, each with its parent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Order<'a> {
-    /// Joints without a parent, which come first.
+    /// The joints without a parent, which come first.
     pub(super) roots: &'a [[u32; 2]],
     pub(super) others: CheckedSchedule<&'a [[u32; 2]]>,
 }
 
 impl<'a> Plan<'a> {
-    /// Writes the order into `order`, and borrows it. `order` and `scratch` have an element per
-    /// joint.
+    /// Finds the order, writes it into `order`, and borrows it. `order` and `scratch` have one
+    /// element for each joint; an element of `order` is a joint and its parent.
     ///
     /// # Errors
-    /// If one of them is of another length; both are untouched.
+    /// If `order` or `scratch` has another length; both are untouched.
     pub fn new(
         hierarchy: &Hierarchy<'a>,
         order: &'a mut [[u32; 2]],
@@ -108,15 +111,16 @@ impl<'a> Plan<'a> {
         Self::of_order(hierarchy, order)
     }
 
-    /// The plan of an order that [`new`](Self::new) wrote for the same parents: to keep an order
-    /// where a plan cannot borrow it, such as a constant in flash.
+    /// Makes a plan of an order that [`new`](Self::new) wrote for the same parents. So a program
+    /// can keep an order where a plan cannot borrow it, such as in a constant in flash.
     ///
-    /// Without memory of its own this cannot see all that may be wrong: an order in which joints
-    /// have changed places, or one stands for another, is taken, and models are then wrong.
+    /// Without memory of its own this check does not find every fault. It accepts an order in which
+    /// joints are exchanged, or in which one joint is there twice and another is missing; models
+    /// are then wrong.
     ///
     /// # Errors
-    /// If there are not as many pairs as joints, or a pair is not a joint and its parent, or a root
-    /// comes after a joint that has a parent.
+    /// If the number of pairs differs from that of joints, a pair is not a joint and its parent, or
+    /// a root comes after a joint that has a parent.
     pub fn of_order(hierarchy: &Hierarchy<'a>, order: &'a [[u32; 2]]) -> Result<Self, ShapeError> {
         let parents = hierarchy.parents();
         same_length("order", order.len(), parents.len())?;
@@ -128,13 +132,13 @@ impl<'a> Plan<'a> {
         if is_long_chain(order) {
             return Ok(Self { parents, order: None });
         }
-        // Checked once, here, so that the loop over the others has no bounds to check.
+        // The indices are checked once here, so that the loop over `others` has no bounds to check.
         let others = CheckedSchedule::new(others, order.len());
         let others = others.ok_or(ShapeError::NotOrder { place: roots.len() })?;
         Ok(Self { parents, order: Some(Order { roots, others }) })
     }
 
-    /// The models of one instance. Lengths have been checked.
+    /// Computes the models of one instance, whose lengths have been checked.
     #[inline]
     pub(super) fn run<R: Scalar>(
         &self,
@@ -149,15 +153,16 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The joints without a parent, which come first, and the others.
+/// Splits an order into the joints without a parent, which come first, and the other joints.
 pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
     let roots = order.iter().take_while(|[_, parent]| *parent == Hierarchy::ROOT).count();
     order.split_at_checked(roots).unwrap_or_default()
 }
 
-/// `true` if every joint hangs from the one before it, and the chain is long.
+/// Returns `true` if every joint is the child of the joint before it and the chain is long enough
+/// for segments.
 pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
-    // `ROOT` is 0 − 1.
+    // Joint 0 fits too: the parent of a root is `ROOT`, which is 0 − 1.
     let links = |(joint, &pair): (u32, &[u32; 2])| pair == [joint, joint.wrapping_sub(1)];
     order.len() >= MIN_CHAIN && (0..).zip(order).all(links)
 }
@@ -191,7 +196,7 @@ impl<R: Scalar> Kernel for InOrder<'_, '_, R> {
                     |parent, local| product(level, parent, local),
                 );
             }
-            // A root stays as it is.
+            // In place, the model of a root is its local, which stays as it is.
             Source::Output => {
                 order.others.run_in_place(
                     models,
@@ -204,8 +209,8 @@ impl<R: Scalar> Kernel for InOrder<'_, '_, R> {
 }
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
-    /// `true` if a plan can order this: one whole instance of single things, nothing normalized on
-    /// the way.
+    /// `true` if a plan applies to this run: one whole instance in a plain slice, and no model is
+    /// normalized.
     #[inline]
     pub(super) fn is_one_instance(&self) -> bool {
         let joints = self.models.len();
@@ -215,16 +220,17 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
             && self.run.renormalize == Renormalize::Never
     }
 
-    /// Stores the locals as motions in place of the models, multiplies roots onto their base, then
-    /// each joint onto its parent in the order of the plan, and runs the epilogue. The product is
-    /// that of all other runs, so a tree has the same bits.
+    /// Computes the models in the order of the plan: stores the locals as motions in place of the
+    /// models, multiplies roots onto their base, then each joint onto its parent, and runs the
+    /// epilogue. The product is that of all other runs, so the models of a tree have the same bits.
     #[inline]
     pub(super) fn in_order_of(self, plan: Plan<'_>) {
         let Self { run, locals, models, mut epilogue } = self;
         let (backend, root) = (run.backend, run.root_of(0));
-        // Motions that lie in memory are read where they are. All else, and roots that stand on
-        // something, is written to the models first and multiplied in place: the plan knows one
-        // form only.
+        // The loop of a plan reads motions from a slice or in place, and copies the locals of
+        // roots. So motions in memory are read where they are, if there is no base. Other locals,
+        // and locals of roots that have a base, are first written to the models and then multiplied
+        // in place.
         let from = match locals.motions() {
             Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
             _ => {
@@ -246,7 +252,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
     }
 }
 
-/// The loop that writes the locals, those of roots multiplied onto `root`.
+/// The loop that writes the locals to the models, those of roots multiplied onto `root`.
 struct Begin<'r, 's, E: Element<8>, L> {
     run: &'r Run<'r, E>,
     locals: L,
@@ -262,7 +268,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
     fn run<V: Level>(self, level: V) {
         let Self { run, locals, models, root } = self;
         let joints = run.parents.len();
-        // What lies there already stays.
+        // Locals that are in `models` already stay there.
         if !matches!(locals.motions(), Some(Source::Output)) {
             let pass = Pass { level, run, locals };
             let mut batch = pass.batch();
@@ -273,7 +279,8 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
                 }
             }
         }
-        // Then a root is the root transform times its local, and the plan needs none.
+        // Each root is multiplied onto the root transform here, so that the plan needs no root
+        // transform.
         let (Some(root), Some(models)) = (root, E::plain_mut(models)) else { return };
         for (model, &parent) in models.iter_mut().zip(run.parents) {
             if parent == super::Hierarchy::ROOT {
@@ -283,7 +290,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
     }
 }
 
-/// The loop that runs the epilogue of all joints.
+/// The loop that runs the epilogue for all joints.
 struct End<'s, E, X> {
     models: &'s [E],
     epilogue: &'s mut X,
@@ -295,8 +302,8 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        // After all models, in their own order: the plan's order is not one that lanes could take
-        // together.
+        // The epilogue runs after all models are computed, in the order of joints: joints that
+        // follow each other in the plan do not lie side by side in memory, as lanes need them.
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {
             let slot = JointSlot::of_joints(start, 0, models.len(), models.len());
@@ -306,29 +313,32 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     }
 }
 
-/// The number of other products that begin between that of a parent and that of its child. A
-/// product of a plan takes about four times as long as until the next one can begin.
+/// The number of other products that begin between the product of a parent and that of its child. A
+/// product takes about four times as long as the interval after which the next product can begin.
 ///
-/// Measured on skeletons of 21 and 64 joints, with other values here, by
-/// `cargo bench --bench hierarchy -- one-instance`: 3 to 6 are the same within a few hundredths,
-/// plain level order takes a twentieth longer, depth first half as long again.
+/// Measured by `cargo bench --bench hierarchy -- one-instance` on skeletons of 21 and 64 joints,
+/// with other values of this constant: 3 to 6 are the same within a few hundredths. Computing level
+/// by level takes a twentieth longer, and depth first half as long again.
 const BETWEEN: u32 = 4;
 
-/// The end of a list of children.
+/// The mark for the end of a list of children.
 const NONE: u32 = Hierarchy::ROOT;
 
-/// The facts about one joint, and one place in each of two queues, while an order is looked for.
+/// The facts about one joint, and one element of each of two queues, during the search for an
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct PlanScratch {
-    /// The longest way from the joint down.
+    /// The number of links from the joint down to its deepest descendant.
     height: u32,
-    /// A list of its children, in their order.
+    /// The first child of the joint, and its next sibling: lists of children in rising order.
     first_child: u32,
     next_sibling: u32,
-    /// Place in a binary heap of joints whose parents are done: the one to begin first is on top.
+    /// An element of a binary heap of joints whose parents are done; the top is the joint to begin
+    /// first.
     ready: u32,
-    /// Place in a queue of joints whose parents have begun, each with the time from which it may.
+    /// An element of a queue of joints whose parents have begun; `ready_at` is the time when the
+    /// parent of `pending` is done.
     pending: u32,
     ready_at: u32,
 }
@@ -346,14 +356,16 @@ impl Default for PlanScratch {
     }
 }
 
-/// Writes the joints of a hierarchy into `order`, each with its parent: first those that have none,
-/// and then the others, as they should be computed. Both slices have an element per joint.
+/// Writes the joints of a hierarchy into `order`, each with its parent: first the joints without a
+/// parent, then the other joints in the order in which to compute them. Both slices have one
+/// element for each joint.
 ///
-/// Among joints whose parents are done, the one with the longest way down comes first: it decides
-/// how long the whole takes. The others fill the time in which it waits for its parent.
+/// Among the joints whose parents are done, the joint with the longest way down comes first,
+/// because that way decides how long the whole takes. The other joints fill the time in which it
+/// waits.
 ///
-/// This is list scheduling by the critical path, for one unit that begins a product per time step
-/// and returns it [`BETWEEN`] steps later:
+/// This is list scheduling by the critical path, for a unit that begins one product per time step
+/// and returns its result [`BETWEEN`] steps later:
 ///
 /// ```text
 /// ready = roots
@@ -363,9 +375,9 @@ impl Default for PlanScratch {
 ///     pending += its children, BETWEEN steps from now
 /// ```
 ///
-/// Times only rise, so `pending` is a queue and needs no sorting; a step with nothing to begin is
-/// skipped. All memory is the caller's, so that a microcontroller can have plans; nothing here can
-/// panic.
+/// Times only rise, so `pending` is a queue that needs no sorting. A time step at which no joint
+/// can begin is skipped. All memory is the caller's, so that microcontrollers can have plans;
+/// nothing here can panic.
 pub(super) fn schedule(
     hierarchy: &Hierarchy<'_>,
     order: &mut [[u32; 2]],
@@ -374,10 +386,12 @@ pub(super) fn schedule(
     scratch.fill(PlanScratch::default());
     let mut search = Search { of: scratch, ready: 0, begin: 0, end: 0 };
     let mut roots = 0;
-    // Parents come before their children, so one sweep from the last joint finds all heights.
+    // Parents come before their children, so one pass from the last joint to the first finds all
+    // heights.
     for (joint, &parent) in hierarchy.parents().iter().enumerate().rev() {
-        // Each goes to the front of its parent's list, so going backwards leaves the children in
-        // their order. A root's parent is no place in memory, and `change` does nothing there.
+        // Each joint goes to the front of its parent's list, so that this pass, from last to first,
+        // leaves children in rising order. The parent of a root is `ROOT`, which is beyond
+        // `scratch`: `change` then does nothing.
         let (of, above) = (search.at(joint), search.at(parent as usize));
         search.change(joint, |of| of.next_sibling = above.first_child);
         search.change(parent as usize, |above| {
@@ -392,11 +406,12 @@ pub(super) fn schedule(
     let (to_roots, to_others) = order.split_at_mut_checked(roots).unwrap_or_default();
     let (mut to_roots, mut to_others) = (to_roots.iter_mut(), to_others.iter_mut());
     let mut time = 0_u32;
-    // Each joint is pushed once and popped once: as a root above, or when the time of its parent's
-    // product has come.
+    // Each joint is pushed to the heap once and popped once. Roots were pushed above; any other
+    // joint is pushed when the product of its parent is done.
     while search.ready > 0 || search.begin < search.end {
         if search.ready == 0 {
-            // All there is waits for its parent.
+            // All joints that remain wait for their parents, so time skips to when the first of
+            // these is done.
             time = time.max(search.at(search.begin).ready_at);
         }
         while search.begin < search.end && search.at(search.begin).ready_at <= time {
@@ -404,7 +419,7 @@ pub(super) fn schedule(
             search.begin += 1;
         }
         let joint = search.pop();
-        // Its children may begin when its product is done.
+        // The children of this joint may begin when its product is done.
         let mut child = search.at(joint as usize).first_child;
         while child != NONE {
             let ready_at = time.saturating_add(BETWEEN);
@@ -413,7 +428,7 @@ pub(super) fn schedule(
             child = search.at(child as usize).next_sibling;
         }
         let parent = hierarchy.parents().get(joint as usize).copied().unwrap_or(NONE);
-        // Roots have no product and are copied before everything else, whatever their turn was.
+        // Roots have no product and are copied before all products, so they come first in `order`.
         let place = if parent == NONE { to_roots.next() } else { to_others.next() };
         if let Some(place) = place {
             *place = [joint, parent];
@@ -422,12 +437,13 @@ pub(super) fn schedule(
     }
 }
 
-/// The state of [`schedule`], and its two queues.
+/// The state of [`schedule`]: the scratch memory with its heap and its queue.
 struct Search<'s> {
     of: &'s mut [PlanScratch],
-    /// The number in the heap.
+    /// The number of joints in the heap.
     ready: usize,
-    /// The begin and the end of the queue. Each joint is in it once, so it never begins again at 0.
+    /// The begin and the end of the queue. Each joint enters the queue at most once, so the queue
+    /// fits the scratch memory and never wraps around.
     begin: usize,
     end: usize,
 }
@@ -443,7 +459,8 @@ impl Search<'_> {
         }
     }
 
-    /// `true` if the joint at `a` of the heap begins before that at `b`.
+    /// Returns `true` if the joint at index `a` of the heap should begin before the joint at index
+    /// `b`.
     fn before(&self, a: usize, b: usize) -> bool {
         let rank = |joint| (self.at(joint as usize).height, Reverse(joint));
         rank(self.at(a).ready) > rank(self.at(b).ready)
@@ -456,7 +473,8 @@ impl Search<'_> {
     }
 
     fn push(&mut self, joint: u32) {
-        // At the end of the heap, then up past every joint that begins later.
+        // The joint enters at the end of the heap, then rises past every joint that should begin
+        // later.
         let mut at = self.ready;
         self.change(at, |last| last.ready = joint);
         self.ready += 1;
@@ -467,8 +485,8 @@ impl Search<'_> {
     }
 
     fn pop(&mut self) -> u32 {
-        // The last joint takes the place of the first, then sinks below every one that begins
-        // sooner.
+        // The last joint of the heap replaces the top, then sinks below every joint that should
+        // begin sooner.
         let top = self.at(0).ready;
         self.ready = self.ready.saturating_sub(1);
         self.swap(0, self.ready);

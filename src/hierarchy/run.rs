@@ -1,6 +1,7 @@
-//! [`Run`]: the data that every loop over a hierarchy reads, after lengths have been checked: the
-//! [`Root`], when to [`Renormalize`], and the [`Epilogue`] of each model, such as a palette; and
-//! [`JointSlot`], the joints and instances of a register.
+//! [`Run`]: the data that every loop over a hierarchy reads, after lengths have been checked. They
+//! include the [`Root`] that root joints are multiplied onto and the choice when to
+//! [`Renormalize`]. Also the [`Epilogue`], which computes a palette, for instance, from each model;
+//! and [`JointSlot`], the joints and instances in the lanes of a register.
 
 use crate::backend::Backend;
 use crate::batch::{self, vector};
@@ -17,13 +18,13 @@ use dq8_simd::{Lanes, Level, Records};
 /// takes a fraction of a microsecond.
 const GRAIN: usize = 2048;
 
-/// The number of instances in a task of a thread. `joints` is not 0.
+/// Returns the number of instances in a task of a thread, for `joints` joints, which is not 0.
 pub(super) fn grain(joints: usize) -> usize {
     GRAIN.div_ceil(joints)
 }
 
-/// The facts that all loops read: the hierarchy, the range of joints, the base of roots, when
-/// models are normalized, and the instructions and threads. Lengths have been checked.
+/// The data that all loops read: the hierarchy, the range of joints, the base of root joints, the
+/// choice when models are normalized, and the instructions and threads. Lengths have been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Run<'a, E: Element<8>> {
     pub(super) backend: Backend,
@@ -33,20 +34,21 @@ pub(super) struct Run<'a, E: Element<8>> {
     pub(super) renormalize: Renormalize,
 }
 
-/// The base that root joints stand on.
+/// The base of root joints: a root j has the model base · local(j).
 #[derive(Clone, Debug)]
 pub enum Root<'a, E: Element<8>> {
     /// No base: the local pose of a root is its model pose.
     None,
     /// One motion for all instances.
     Same(DualQuat<Number<E, 8>>),
-    /// A motion for each instance, one element for each instance (block).
+    /// A motion for each instance; the slice has one element for each instance or block of
+    /// instances.
     Each(&'a [E]),
 }
 
 impl<E: Element<8>> Root<'_, E> {
-    /// The base of the root joints of the instances in a register. `instance` is the first of them,
-    /// or in blocks the number of the block.
+    /// Loads the base of root joints for the instances in a register. `instance` is the first of
+    /// these instances, or in blocks the index of the block.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn load<V: Level>(
         &self,
@@ -65,7 +67,7 @@ impl<E: Element<8>> Root<'_, E> {
         }
     }
 
-    /// The roots of some of the instances (blocks).
+    /// The bases of a range of instances (or blocks).
     pub(super) fn part(&self, instances: Range<usize>) -> Self {
         match *self {
             Self::Each(roots) => Self::Each(roots.get(instances).unwrap_or_default()),
@@ -75,7 +77,7 @@ impl<E: Element<8>> Root<'_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
-    /// The run for some of the instances (blocks).
+    /// The run for a range of instances (or blocks).
     pub(super) fn part(&self, instances: Range<usize>) -> Self {
         Self { root: self.root.part(instances), ..self.clone() }
     }
@@ -87,7 +89,7 @@ impl<E: Element<8>> Run<'_, E> {
         self.backend.many() && !self.parents.is_empty()
     }
 
-    /// The base of the root joints of one instance of plain motions.
+    /// Returns the base of root joints for one plain instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn root_of(&self, instance: usize) -> Option<[Number<E, 8>; 8]> {
         match self.root {
@@ -98,16 +100,17 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// A [`Job`](super::Job) without a base for roots: their local pose is their model pose.
+/// The absence of a base in a [`Job`](super::Job): the local pose of a root joint is its model
+/// pose.
 #[derive(Clone, Copy, Debug)]
 pub struct NoRoot;
 
-/// The base that root joints stand on, for models of `E`: none, one motion for all instances, or
-/// one for each instance. Sealed.
+/// The base of root joints for models of type `E`: none, one motion for all instances, or one
+/// motion for each instance. Sealed.
 pub trait Roots<E: Element<8>>: sealed::Sealed {
     #[doc(hidden)]
     fn root(&self) -> Root<'_, E>;
-    /// The number of bases, if each instance has its own.
+    /// The number of bases if each instance has its own, otherwise `None`.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None
@@ -156,7 +159,7 @@ mod sealed {
     impl<E: Element<8>> Sealed for Root<'_, E> {}
 }
 
-/// The joints at which a run over a hierarchy normalizes model poses exactly.
+/// The joints whose model poses a run over a hierarchy normalizes.
 ///
 /// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n
 /// (`f32`) in the norm after n products, less than a skeleton can show. `lab/src/products.rs`
@@ -165,7 +168,7 @@ mod sealed {
 /// - normalizing does **not** make rotations more accurate, it only keeps the norm;
 /// - chains of up to thousands of joints do not need it: [`Never`](Self::Never) is the default;
 /// - if products go on for a long time (odometry, physics), normalize exactly and rarely:
-///   [`Every`](Self::Every) 64 joints is as good as every one;
+///   [`Every`](Self::Every) 64 joints is as good as every joint;
 /// - dividing by the norm of the real part alone does not normalize: it leaves the dual part with a
 ///   component that is not a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -188,12 +191,13 @@ impl Renormalize {
     }
 }
 
-/// A computation from each model while it is in registers, as in the epilogue of a matrix product.
+/// A computation from each model while the model is in registers, such as that of a palette entry.
 pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
     /// `true` if the epilogue computes something.
     const ACTIVE: bool;
     fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
-    /// Splits into the epilogue of the models before number `at` and that of the others.
+    /// Splits the epilogue: the first half is for the models with an index below `at`, the second
+    /// half for all later models.
     fn split(self, at: usize) -> (Self, Self);
 }
 
@@ -209,7 +213,8 @@ impl<E: Element<8>> Epilogue<E> for NoEpilogue {
     }
 }
 
-/// model(j) · inverse bind(j), from the mesh in its rest pose to the posed mesh.
+/// Computes palette entries, model(j) · inverse bind(j), which take a vertex of the mesh in its
+/// rest pose to the posed mesh.
 pub(super) struct Palette<'s, R, M, const C: usize> {
     pub(super) inverse_binds: &'s [DualQuat<R>],
     pub(super) order: MatrixOrder,
@@ -229,7 +234,8 @@ where
         };
         slot.prefetch(level, self.entries, E::Layout::records::<V>());
         let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
-        // *Kept apart* (docs/measured.md): a store of each order, not one for both.
+        // *Kept apart* (docs/measured.md): each order has a store of its own, so that the compiler
+        // does not move all registers to the places that one common store would expect.
         match self.order {
             MatrixOrder::Rows => {
                 M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());
@@ -254,7 +260,8 @@ pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
     pub(super) epilogue: X,
 }
 
-/// A run that computes a palette and keeps no models: they go through `scratch`.
+/// A run that computes a palette and keeps no models: `scratch` holds the models of some instances
+/// at a time.
 pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
@@ -263,52 +270,54 @@ pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
     pub(super) epilogue: X,
 }
 
-/// The distance in joints at which places of later joints are prefetched. It saves a seventh of the
-/// time for 1,000 skeletons whose palettes exceed the second cache, and next to nothing if they fit
-/// into it. A distance of 4 is equally good.
+/// The number of joints that the loop prefetches ahead. For 1,000 skeletons whose palettes exceed
+/// the second-level cache this saves a seventh of the time, and next to nothing if they fit into
+/// it. A distance of 4 is equally good.
 const PREFETCH_DISTANCE: usize = 2;
 
 /// The joints and instances in the lanes of a register: one joint of several instances, or several
 /// joints of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
-    /// The joint, or the joint of the first lane.
+    /// The joint, or if lanes are joints the joint of the first lane.
     joint: usize,
-    /// The index among all elements of joint 0 of the instance in the first lane, or of the block.
+    /// The index of joint 0, among all elements, for the instance of the first lane or for the
+    /// block.
     first: usize,
     register: usize,
     /// The instance of the first lane.
     instance: usize,
-    /// The distance between neighbouring lanes in elements, if lanes are instances.
+    /// The distance of neighbouring lanes in elements, if lanes are instances in plain slices.
     stride: Option<usize>,
     /// The end of the range of joints, if lanes are joints of one instance.
     end: Option<usize>,
 }
 
 impl JointSlot {
-    /// The slot of a joint of the instances in one register of a block. `first` is the index of
-    /// joint 0 among all blocks, and `instance` the first instance in the register.
+    /// The slot of a joint of the instances in one register of a block. `first` is the index of the
+    /// block's joint 0 among all elements, and `instance` the first instance in the register.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
         Self { joint, first, register, instance, stride: None, end: None }
     }
 
-    /// The slot of a joint of as many instances as there are lanes, `joints` elements apart.
+    /// The slot of a joint of as many instances as there are lanes. The instances have `joints`
+    /// elements each, and the first is `instance`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: Some(joints), end: None }
     }
 
-    /// A slot of as many joints of one instance as there are lanes, up to the joint `end`.
+    /// The slot of as many joints of one instance as there are lanes, from `joint` on and before
+    /// the joint `end`. Each instance has `joints` elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joints(joint: usize, instance: usize, joints: usize, end: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
-    /// The slot of the same instances that comes `slots` slots later, if a register has `lanes`
-    /// lanes.
+    /// The slot of the same instances, `slots` slots later, where a register has `lanes` lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
         let joints = if self.lanes_are_joints() { slots * lanes } else { slots };
@@ -333,19 +342,20 @@ impl JointSlot {
         self.end.is_some()
     }
 
-    /// The slot's place among all elements.
+    /// The place of this slot among all elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn tile(self) -> Tile {
         Tile { element: self.first + self.joint, register: self.register, stride: self.stride }
     }
 
-    /// The slot's place among the elements of its own instances.
+    /// The place of this slot among the elements of its own instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn own_tile(self) -> Tile {
         Tile { element: self.joint, register: self.register, stride: self.stride }
     }
 
-    /// The part of `to` before the end of the range of joints, if lanes are joints; otherwise all.
+    /// Returns the part of `to` before the end of the range of joints if lanes are joints,
+    /// otherwise all of `to`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn within<E>(self, to: &mut [E]) -> &mut [E] {
         match self.end {
@@ -354,9 +364,9 @@ impl JointSlot {
         }
     }
 
-    /// Prefetches the place of a later joint among all elements of `memory`, where lanes are
-    /// strided instances. A CPU reads a cache line before it writes a part of it, and foresees only
-    /// a few streams at once.
+    /// Prefetches the place of a later joint among all elements of `memory`, if lanes are strided
+    /// instances. A CPU reads a cache line before it writes a part of that line, and its prefetcher
+    /// follows only a few streams at once.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         if let Some(stride) = self.stride
@@ -366,14 +376,15 @@ impl JointSlot {
         }
     }
 
-    /// [`prefetch`](Self::prefetch) among the elements of its own instances.
+    /// Prefetches like [`prefetch`](Self::prefetch), where `memory` has the elements of this slot's
+    /// instances only.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch_own<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         Self { first: 0, ..self }.prefetch(level, memory, lanes);
     }
 
-    /// The record of this joint from `records`, which have one for each joint and serve all
-    /// instances.
+    /// Loads the record of the joint in each lane from `records`, which has one record for each
+    /// joint, for all instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joint<L: Lanes<Real: Scalar>, const C: usize>(
         self,
@@ -387,8 +398,8 @@ impl JointSlot {
         }
     }
 
-    /// The number of each instance in this slot, from `numbers`. Lanes without an instance get the
-    /// number of the last instance.
+    /// Loads the value of the instance in each lane from `numbers`, which has one value for each
+    /// instance. Lanes without an instance get the value of the last instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instance<L: Lanes<Real: Scalar>>(
         self,
@@ -396,7 +407,8 @@ impl JointSlot {
         numbers: &[L::Real],
     ) -> Option<L> {
         let last = *numbers.last()?;
-        // A register of a block may lie beyond the last instance.
+        // A register of the last block may lie wholly beyond the last instance, so `get` may find
+        // nothing.
         let numbers = numbers.get(self.instance..).unwrap_or_default();
         if self.end.is_some() {
             return Some(L::splat(level, *numbers.first()?));

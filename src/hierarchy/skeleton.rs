@@ -1,5 +1,5 @@
-//! [`Skeleton`]: a hierarchy that owns its parents, its plan and its names. Parents come as numbers
-//! of any type ([`ParentIndex`]) and in any order ([`JointOrder`]).
+//! [`Skeleton`]: a hierarchy that owns its parents, its plan and the names of its joints. It takes
+//! parents of any integer type ([`ParentIndex`]) and in any order ([`JointOrder`]).
 
 use super::parents::HierarchyError;
 use super::plan::{Order, Plan, PlanScratch, is_long_chain, schedule, split_roots};
@@ -18,12 +18,12 @@ use dq8_simd::internal::CheckedSchedule;
 
 /// A hierarchy that owns its parents, to be stored in a struct, such as an engine's rig.
 ///
-/// A [`Hierarchy`] borrows its parents; this holds them, and the [`Plan`](super::Plan) of them,
-/// with which its [`job`](Self::job) is faster for one instance in a plain slice.
+/// A [`Hierarchy`] borrows its parents. A skeleton owns them and their [`Plan`](super::Plan), with
+/// which its [`job`](Self::job) computes one instance in a plain slice faster.
 ///
-/// Parents are integers of 8 to 64 bits: −1, the largest number of the type or `None` says that
-/// there is none. As glTF, URDF and FBX list them in any order, [`sorted`](Self::sorted) finds one
-/// with parents first.
+/// Parents are integers of 8 to 64 bits; a root has the parent −1, the largest value of the type,
+/// or `None`. Files such as glTF, URDF and FBX list joints in any order; [`sorted`](Self::sorted)
+/// puts parents before their children.
 ///
 /// ```
 /// use dq8::{DualQuat, Quat, Skeleton, hierarchy::Bones};
@@ -49,15 +49,16 @@ use dq8_simd::internal::CheckedSchedule;
 #[derive(Clone)]
 #[doc(alias("rig", "armature"))]
 pub struct Skeleton {
-    /// Checked: every parent comes before its children.
+    /// The parents have been checked: each comes before its children.
     parents: Box<[u32]>,
     plan: OwnedPlan,
     /// A name for each joint, or no names at all.
     names: Box<[Box<str>]>,
 }
 
-/// The order of a skeleton's joints in the file that they are from: [`Skeleton::sorted`] finds it.
-/// As a slice, joint `j` of the skeleton is number `order[j]` of the file.
+/// The permutation between the joints of a skeleton and those of its file, which
+/// [`Skeleton::sorted`] finds. It derefs to a slice: joint `j` of the skeleton is joint `order[j]`
+/// of the file.
 ///
 /// ```
 /// use dq8::Skeleton;
@@ -70,17 +71,17 @@ pub struct Skeleton {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointOrder {
-    /// The number in the file of each joint of the skeleton, and in the skeleton of each joint of
-    /// the file.
+    /// `old[j]` is the index in the file of joint `j` of the skeleton; `new[i]` is the index in the
+    /// skeleton of joint `i` of the file.
     old: Vec<usize>,
     new: Vec<usize>,
 }
 
 impl JointOrder {
-    /// Sorts what a file lists for its joints into the order of the skeleton.
+    /// Reorders a list with one element for each joint of the file into the order of the skeleton.
     ///
     /// # Errors
-    /// If there are not as many things as joints.
+    /// If the list does not have one element for each joint.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -89,7 +90,7 @@ impl JointOrder {
         Ok(self.old.iter().map(|&joint| things[joint].clone()).collect())
     }
 
-    /// The number in the skeleton of a joint of the file.
+    /// Returns the index in the skeleton of a joint of the file; `None` if there is no such joint.
     #[must_use]
     pub fn of(&self, joint: usize) -> Option<usize> {
         self.new.get(joint).copied()
@@ -107,10 +108,11 @@ impl Deref for JointOrder {
 brief!([] Skeleton: Skeleton |it| { joints: it.parents.len(), names: it.names.len() });
 
 impl Skeleton {
-    /// A skeleton of parents that come before their children.
+    /// Makes a skeleton of parents that come before their children.
     ///
     /// # Errors
-    /// As [`Hierarchy::new`]; [`sorted`](Self::sorted) takes any order.
+    /// The errors of [`Hierarchy::new`]. For parents in another order there is
+    /// [`sorted`](Self::sorted).
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -129,15 +131,16 @@ impl Skeleton {
         Ok(Self { parents: indices, plan, names: Box::default() })
     }
 
-    /// A skeleton of parents in any order, and the [order](JointOrder) of its joints: joint `j` is
-    /// number `order[j]` of `parents`. All else that a file lists by joint (names, inverse binds,
-    /// the pose at rest, tracks, joints of vertices) is in the order of the file still, and follows
-    /// by [`JointOrder::gather`] and [`JointOrder::of`]. Each joint is followed by all that hang
-    /// from it, so that every [`subtree`](Self::subtree) is a range; siblings stay in their order.
+    /// Makes a skeleton of parents in any order, and returns it with the [order](JointOrder) of its
+    /// joints: joint `j` of the skeleton is joint `order[j]` of `parents`. Everything else that a
+    /// file lists for its joints (names, inverse bind poses, the rest pose, tracks, joints of
+    /// vertices) is still in the order of the file; [`JointOrder::gather`] and [`JointOrder::of`]
+    /// convert it. Each joint is followed by its descendants, so that every
+    /// [`subtree`](Self::subtree) is a range; siblings keep their order.
     ///
     /// # Errors
-    /// If a parent is not a joint, joints are their own ancestors, or there are more than a `u32`
-    /// can number.
+    /// If a parent is not a joint, a joint is its own ancestor, or there are more joints than a
+    /// `u32` can count.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -156,7 +159,8 @@ impl Skeleton {
             return Err(HierarchyError::TooManyJoints { joints });
         }
         let old: Vec<u32> = parents.iter().map(|&parent| index(parent)).collect();
-        // The first child and the next sibling of each joint, in their order.
+        // `child` is the first child of each joint and `sibling` its next sibling, both in the
+        // file's order.
         let (mut child, mut sibling) = (vec![NONE; joints], vec![NONE; joints]);
         let mut root = NONE;
         for (joint, &parent) in old.iter().enumerate().rev() {
@@ -170,7 +174,8 @@ impl Skeleton {
             sibling[joint] = core::mem::replace(first, joint as u32);
         }
         let (mut order, mut sorted) = (Vec::with_capacity(joints), Vec::with_capacity(joints));
-        // What comes next, and the new number of its parent.
+        // A stack of pairs: a joint of the file that comes next, and its parent's index in the
+        // skeleton.
         let mut waiting = vec![[root, NONE]];
         while let Some([joint, parent]) = waiting.pop() {
             if joint != NONE {
@@ -181,7 +186,8 @@ impl Skeleton {
             }
         }
         if order.len() < joints {
-            // An unreached joint hangs below a cycle: `joints` steps up are sure to end in it.
+            // A joint that was not reached is a descendant of a cycle; `joints` steps up surely end
+            // in the cycle.
             let mut reached = vec![false; joints];
             order.iter().for_each(|&joint| reached[joint] = true);
             let lost = reached.iter().position(|reached| !reached).unwrap_or(0);
@@ -195,11 +201,11 @@ impl Skeleton {
         Ok((Self::new(&sorted)?, JointOrder { old: order, new }))
     }
 
-    /// [`sorted`](Self::sorted), with the names of a file, which are in the order of its parents.
+    /// Makes a skeleton as [`sorted`](Self::sorted) does, with names in the order of `parents`.
     ///
     /// # Errors
-    /// As [`sorted`](Self::sorted), and as [`with_names`](Self::with_names), whose error numbers
-    /// names in the order of the skeleton.
+    /// The errors of [`sorted`](Self::sorted) and of [`with_names`](Self::with_names). An error
+    /// about names has the indices of joints in the skeleton.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -222,10 +228,10 @@ impl Skeleton {
         Ok((skeleton.with_names(names)?, order))
     }
 
-    /// Gives each joint a name; an empty text is no name.
+    /// Gives each joint a name; a joint whose text is empty has no name.
     ///
     /// # Errors
-    /// If there are not as many names as joints, or two joints have the same.
+    /// If the number of names differs from that of joints, or two joints have the same name.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -255,18 +261,18 @@ impl Skeleton {
         Ok(Self { names, ..self })
     }
 
-    /// The name of a joint, if it has one.
+    /// Returns the name of a joint; `None` if it has no name or there is no such joint.
     #[must_use]
     pub fn name(&self, joint: usize) -> Option<&str> {
         self.names.get(joint).map(|name| &**name).filter(|name| !name.is_empty())
     }
 
-    /// The name of each joint that has one, `None` for the others.
+    /// Lists the names of all joints, with `None` for each joint without a name.
     pub fn names(&self) -> impl ExactSizeIterator<Item = Option<&str>> {
         (0..self.joints()).map(|joint| self.name(joint))
     }
 
-    /// The joint of this name.
+    /// Returns the joint with this name; `None` if there is none.
     #[must_use]
     #[doc(alias("find_joint", "joint_index", "bone_index"))]
     pub fn joint(&self, name: &str) -> Option<usize> {
@@ -279,62 +285,64 @@ impl Skeleton {
         self.parents.len()
     }
 
-    /// The parent of each joint, [`Hierarchy::ROOT`] where there is none.
+    /// The parent of each joint; that of a root is [`Hierarchy::ROOT`].
     #[must_use]
     pub fn parents(&self) -> &[u32] {
         &self.parents
     }
 
-    /// As [`Hierarchy::parent`].
+    /// Returns the parent of a joint; see [`Hierarchy::parent`].
     #[must_use]
     pub fn parent(&self, joint: usize) -> Option<usize> {
         self.hierarchy().parent(joint)
     }
 
-    /// As [`Hierarchy::roots`].
+    /// Lists the joints without a parent; see [`Hierarchy::roots`].
     pub fn roots(&self) -> impl Iterator<Item = usize> + '_ {
         self.hierarchy().roots()
     }
 
-    /// As [`Hierarchy::children`].
+    /// Lists the children of a joint; see [`Hierarchy::children`].
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
         self.hierarchy().children(joint)
     }
 
-    /// As [`Hierarchy::ancestors`].
+    /// Lists the ancestors of a joint; see [`Hierarchy::ancestors`].
     pub fn ancestors(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
         self.hierarchy().ancestors(joint)
     }
 
-    /// As [`Hierarchy::is_leaf`].
+    /// Returns `true` if a joint has no children; see [`Hierarchy::is_leaf`].
     #[must_use]
     pub fn is_leaf(&self, joint: usize) -> bool {
         self.hierarchy().is_leaf(joint)
     }
 
-    /// As [`Hierarchy::subtree`].
+    /// Returns the range of a joint and its descendants; see [`Hierarchy::subtree`].
     ///
     /// # Errors
-    /// If there is no such joint, or the joints below it do not lie in one range.
+    /// If there is no such joint, or the joint and its descendants are not in one range.
     pub fn subtree(&self, joint: usize) -> Result<Range<usize>, HierarchyError> {
         self.hierarchy().subtree(joint)
     }
 
-    /// The skeleton's parents as a borrowed hierarchy.
+    /// The same hierarchy, with borrowed parents.
     #[must_use]
     pub fn hierarchy(&self) -> Hierarchy<'_> {
         Hierarchy::of_checked(&self.parents)
     }
 
-    /// A run with options: a root, a palette, any form of locals.
+    /// Begins a run over this skeleton with its plan; methods of the job set options, such as a
+    /// root.
     pub fn job(&self) -> Job<'_, NoRoot, Plan<'_>> {
         self.hierarchy().job().plan(&self.plan.borrowed(&self.parents))
     }
 
-    /// As [`Hierarchy::local_to_model`].
+    /// Computes models from locals; see [`Hierarchy::local_to_model`].
     ///
     /// # Errors
-    /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
+    /// If the slices differ in length, or their length is not a multiple of the number of joints;
+    /// `models` is untouched.
     #[doc(alias("forward_kinematics", "fk", "LocalToModelJob"))]
     pub fn local_to_model<E: Element<8>>(
         &self,
@@ -345,7 +353,7 @@ impl Skeleton {
     }
 }
 
-/// Equal if parents and names are.
+/// Skeletons are equal if their parents and their names are.
 impl PartialEq for Skeleton {
     fn eq(&self, other: &Self) -> bool {
         (&self.parents, &self.names) == (&other.parents, &other.names)
@@ -354,7 +362,7 @@ impl PartialEq for Skeleton {
 
 impl Eq for Skeleton {}
 
-/// As [`Hierarchy`], with the names of the joints.
+/// Writes the joints as a [`Hierarchy`] does, with their names.
 impl fmt::Display for Skeleton {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.hierarchy().write(f, |joint| self.name(joint))
@@ -368,11 +376,11 @@ impl From<Hierarchy<'_>> for Skeleton {
     }
 }
 
-/// The order of a [`Plan`], checked.
+/// The checked order of a [`Plan`], in memory of its own.
 #[derive(Clone, Debug)]
 pub(super) struct OwnedPlan {
     roots: Box<[[u32; 2]]>,
-    /// `None` for a chain in segments.
+    /// The joints that have a parent; `None` for a long chain, which is computed in segments.
     others: Option<CheckedSchedule<Box<[[u32; 2]]>>>,
 }
 
@@ -390,7 +398,7 @@ impl OwnedPlan {
         Self { roots: roots.into(), others: Some(others) }
     }
 
-    /// The plan, for the parents that it was made of.
+    /// Borrows the plan; `parents` are those that the plan was made for.
     #[inline]
     pub(super) fn borrowed<'a>(&'a self, parents: &'a [u32]) -> Plan<'a> {
         let others = self.others.as_ref();
@@ -399,10 +407,10 @@ impl OwnedPlan {
     }
 }
 
-/// A number that names a parent, or says that there is none: −1, the largest number of its type,
-/// or `None`. Sealed.
+/// An integer that is the index of a parent or, as −1 or the largest value of its type, says that
+/// there is no parent. An `Option` of such an integer says so by `None`. Sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
-    /// The parent as it is written; `None` where there is none.
+    /// Returns the index as it is written; `None` if there is no parent.
     fn number(self) -> Option<i128>;
 }
 
@@ -410,10 +418,11 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// The index that stands for a parent that is no joint; it is not the mark of a root either.
+/// The index that replaces a parent beyond `u32`. No joint has this index, and it does not mark a
+/// root.
 const BEYOND: u32 = u32::MAX - 1;
 
-/// The number by which a hierarchy knows a parent; [`BEYOND`] if that is no joint.
+/// Converts a parent to its index in a [`Hierarchy`]; [`BEYOND`] if the index does not fit.
 pub(super) fn index<P: ParentIndex>(parent: P) -> u32 {
     match parent.number() {
         None => Hierarchy::ROOT,
@@ -421,7 +430,7 @@ pub(super) fn index<P: ParentIndex>(parent: P) -> u32 {
     }
 }
 
-/// The error for a parent that is no joint, which names it as it was written.
+/// Replaces the parent in an error by the parent as it was written, which may not fit a `u32`.
 pub(super) fn as_written<P: ParentIndex>(error: HierarchyError, parents: &[P]) -> HierarchyError {
     match error {
         HierarchyError::ParentOutOfRange { joint, parent, joints } => {

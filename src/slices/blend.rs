@@ -1,4 +1,5 @@
-//! Blends of several motions: of slices by a weight each, and of windows of one slice.
+//! Kernels that blend several motions into one: motions of several slices, or of a window of one
+//! slice.
 
 #[cfg(feature = "rayon")]
 use super::sweep::GRAIN;
@@ -14,9 +15,10 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `blends[i]` = normalize(Σₖ ±wₖᵢσₖᵢ), each sign turned toward the motion of the
-    /// first influence: dual quaternion linear blending of K slices by a weight each, influence k
-    /// being `(σₖ, wₖ)`; see [`DualQuat::dlb`](crate::DualQuat::dlb).
+    /// Blends K slices of motions by dual quaternion linear blending:
+    /// `blends[i]` = normalize(Σₖ ±wₖᵢσₖᵢ), where influence k is the pair of slices
+    /// `(σₖ, wₖ)`. Each sign is chosen so that the motion lies on the same hemisphere as
+    /// that of the first influence; see [`DualQuat::dlb`](crate::DualQuat::dlb).
     ///
     /// # Errors
     /// If the slices differ in length; `blends` is untouched.
@@ -45,13 +47,13 @@ impl Backend {
         Ok(())
     }
 
-    /// `means[i]` = the intrinsic mean of `poses[i..i + W]` with these weights, the same for all:
-    /// a trajectory smoothed, [`DualQuat::dib`] on lanes. Gives back how many of the means have
-    /// converged to the tolerance.
+    /// Smooths a trajectory: `means[i]` is the intrinsic mean of the `W` poses `poses[i..i + W]`,
+    /// with the same `weights` for each window; see [`DualQuat::dib`]. Returns the number of means
+    /// that have converged to `tolerance` within `max_iterations`.
     ///
     /// # Errors
-    /// If there are no weights, or `means` does not hold one element for each whole window,
-    /// `poses.len() + 1 - W`, of which fewer than W poses have none; `means` is untouched.
+    /// If there are no weights, or `means` does not have `poses.len() + 1 - W` elements, one for
+    /// each whole window (fewer than `W` poses have no window); `means` is untouched.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat};

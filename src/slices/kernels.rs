@@ -1,5 +1,5 @@
 //! The kernels that compute each element from one element of every input, declared once in
-//! [`for_each_kernel`](crate::__for_each_kernel); and the methods that they become.
+//! [`for_each_kernel`](crate::__for_each_kernel), and the macros that make methods of that list.
 
 use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::Backend;
@@ -9,7 +9,7 @@ use crate::storage::{Element, Number, Register, Source, Tile, identity};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// Calls the macro `callback`, with what it is given, and with every kernel:
+/// Calls the macro `callback` with the given tokens and the list of all kernels, each in this form:
 ///
 /// ```text
 /// /// Sentences about the output, which C users read too.
@@ -20,10 +20,10 @@ use dq8_simd::{Lanes, Level};
 /// }
 /// ```
 ///
-/// The first record decides on the layout of all. Kinds are those of [`__record`], and the formula
-/// is the same text for one motion and for lanes. From this list come the methods of [`Backend`]
-/// with their documentation, the table in the documentation of `slices`, the functions in C, the
-/// page of operations, and the tests of all of them.
+/// The type `E` of the first input decides on the layout of all slices. Kinds are those of
+/// [`__record`]. The formula is the same text for one motion and for lanes. This list makes the
+/// methods of [`Backend`] with their documentation, the table in the documentation of `slices`, the
+/// functions in C, the page of operations, and the tests of all of them.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __for_each_kernel {
@@ -32,7 +32,7 @@ macro_rules! __for_each_kernel {
 
     /// Computes the products `a[i] b[i]`, in which b acts first.
     mul[M: 8](a: any M, b: any M) -> products: any M, in place mul_in_place = a * b, {
-        /// `products[i]` = aᵢbᵢ
+        /// Each product is `products[i]` = aᵢbᵢ.
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -47,8 +47,9 @@ macro_rules! __for_each_kernel {
     /// Normalizes `motions` to unit motions, exactly; NaN where there is none.
     normalize[M: 8](motions: any M) -> units: unit M, in place normalize_in_place
         = motions.normalize(), {
-        /// `units[i]` = σᵢ/√(σᵢσᵢ*); some component is NaN where the result does not
-        /// exist (see [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
+        /// Each result is `units[i]` = σᵢ/√(σᵢσᵢ*) of the motion σᵢ. Some component
+        /// is NaN where this does not exist (see
+        /// [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -63,8 +64,9 @@ macro_rules! __for_each_kernel {
     /// Computes the inverses of `motions` of any norm; NaN or infinite where there is none.
     inverse[M: 8](motions: any M) -> inverses: any M, in place inverse_in_place
         = motions.inverse(), {
-        /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where it does not exist
-        /// (see [`Motion::inverse_checked`](crate::Motion::inverse_checked)).
+        /// Each result is `inverses[i]` = σᵢ⁻¹ of the motion σᵢ. Some component is NaN or
+        /// infinite where the inverse does not exist (see
+        /// [`Motion::inverse_checked`](crate::Motion::inverse_checked)).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -80,7 +82,7 @@ macro_rules! __for_each_kernel {
     /// Computes the inverses of unit `motions`, which only flips signs.
     conjugate[M: 8](motions: any M) -> conjugates: any M, in place conjugate_in_place
         = motions.conjugate(), {
-        /// `conjugates[i]` = σᵢ* = p* + εq*
+        /// Each result is `conjugates[i]` = σᵢ* = p* + εq* of the motion σᵢ = p + εq.
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -95,8 +97,8 @@ macro_rules! __for_each_kernel {
     /// Interpolates linearly from `a[i]` (t = 0) to `b[i]` (t = 1) by the shorter way, and
     /// normalizes.
     nlerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.nlerp(b, t), {
-        /// `between[i]` = normalize((1−t)aᵢ ± tbᵢ); see
-        /// [`DualQuat::nlerp`](crate::DualQuat::nlerp).
+        /// Each result is `between[i]` = normalize((1−t)aᵢ ± tbᵢ), with the sign that takes
+        /// the shorter way; see [`DualQuat::nlerp`](crate::DualQuat::nlerp).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -111,14 +113,15 @@ macro_rules! __for_each_kernel {
     /// Interpolates like `nlerp`, with a number `t[i]` for each pair.
     nlerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.nlerp(b, t), {
-        /// Numbers are in the precision of the motions: `&[0.5_f32; 4]`, where bare
-        /// literals are `f64`. See [`nlerp`](Self::nlerp).
+        /// The values of `t` have the element type of the motions: write `&[0.5_f32; 4]`, because
+        /// literals without a suffix are `f64`. See [`nlerp`](Self::nlerp).
     }
 
     /// Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1) by the shorter way, along
     /// one screw at constant speed.
     sclerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.sclerp(b, t), {
-        /// `between[i]` = aᵢ(aᵢ*bᵢ)ᵗ; see [`DualQuat::sclerp`](crate::DualQuat::sclerp).
+        /// Each result is `between[i]` = aᵢ(aᵢ*bᵢ)ᵗ; see
+        /// [`DualQuat::sclerp`](crate::DualQuat::sclerp).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -137,14 +140,14 @@ macro_rules! __for_each_kernel {
     /// Interpolates like `sclerp`, with a number `t[i]` for each pair.
     sclerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.sclerp(b, t), {
-        /// Numbers are in the precision of the motions. [`sclerp`](Self::sclerp) has an
-        /// example of both.
+        /// The values of `t` have the element type of the motions. The example of
+        /// [`sclerp`](Self::sclerp) calls this method too.
     }
 
     /// Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1): rotations turn at
     /// constant speed, translations go straight.
     slerp_lerp[M: 8](a: unit M, b: unit M; t) -> between: unit M = a.slerp_lerp(b, t), {
-        /// Rotation by SLERP and translation by LERP, each for itself; see
+        /// Interpolates the rotations by SLERP and, independently, the translations by LERP; see
         /// [`DualQuat::slerp_lerp`](crate::DualQuat::slerp_lerp).
         ///
         /// ```
@@ -163,7 +166,7 @@ macro_rules! __for_each_kernel {
     /// Interpolates like `slerp_lerp`, with a number `t[i]` for each pair.
     slerp_lerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.slerp_lerp(b, t), {
-        /// Numbers are in the precision of the motions. See
+        /// The values of `t` have the element type of the motions. See
         /// [`slerp_lerp`](Self::slerp_lerp).
     }
 
@@ -171,7 +174,8 @@ macro_rules! __for_each_kernel {
     /// angle and the slide.
     pow_each[M: 8, T: 1](motions: unit M, t: number T) -> powers: unit M
         = motions.pow(t), {
-        /// `powers[i]` = σᵢᵗ; see [`DualQuat::pow`](crate::DualQuat::pow).
+        /// Each result is the power `powers[i]` = σᵢᵗ of the motion σᵢ, with its own t =
+        /// `t[i]`; see [`DualQuat::pow`](crate::DualQuat::pow).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -185,24 +189,26 @@ macro_rules! __for_each_kernel {
 
     /// Computes the unit motions whose logarithms are `logs`, six numbers each.
     exp[L: 6, M: 8](logs: log L) -> motions: unit M = DualQuat::exp(logs), {
-        /// `motions[i]` = exp(a + εb) of the six numbers of `logs[i]`, first a, then b; see
-        /// [`DualQuat::exp`](crate::DualQuat::exp). [`log`](Self::log) has an example.
+        /// Each result is `motions[i]` = exp(a + εb), where `logs[i]` has the three components of
+        /// a, then those of b; see [`DualQuat::exp`](crate::DualQuat::exp). The example of
+        /// [`log`](Self::log) calls this method too.
     }
 
     /// Computes the motions to which `twists`, six numbers each, angular part first, lead in
     /// one second.
     from_twist[T: 6, M: 8](twists: twist T) -> motions: unit M
         = DualQuat::from_twist(twists), {
-        /// `motions[i]` = exp(½ξᵢ); see [`DualQuat::from_twist`](crate::DualQuat::from_twist).
-        /// [`to_twist`](Self::to_twist) has an example.
+        /// Each result is `motions[i]` = exp(½ξᵢ) of the twist ξᵢ; see
+        /// [`DualQuat::from_twist`](crate::DualQuat::from_twist). The example of
+        /// [`to_twist`](Self::to_twist) calls this method too.
     }
 
     /// Moves the unit `motions[i]` on by `dt` seconds of the body twists `twists[i]`, six
     /// numbers each, angular part first.
     integrate_body[M: 8, T: 6](motions: unit M, twists: twist T; dt) -> later: unit M
         = motions.integrate_body(twists, dt), {
-        /// `later[i]` = σᵢ exp(½ξᵢ dt); see
-        /// [`DualQuat::integrate_body`](crate::DualQuat::integrate_body).
+        /// Each result is `later[i]` = σᵢ exp(½ξᵢ dt) of the motion σᵢ and the twist
+        /// ξᵢ; see [`DualQuat::integrate_body`](crate::DualQuat::integrate_body).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Twist};
@@ -218,8 +224,9 @@ macro_rules! __for_each_kernel {
     /// Computes the logarithms of unit `motions`, six numbers each: half the angle times the
     /// axis, and its moment. Twice that is the twist that leads there in one second.
     log[M: 8, L: 6](motions: unit M) -> logs: log L = motions.log(), {
-        /// `logs[i]` = log σᵢ = (θ̂/2)(l + εm): six numbers, a and then b of a + εb; see
-        /// [`DualQuat::log`](crate::DualQuat::log).
+        /// Each result is `logs[i]` = log σᵢ = (θ̂/2)(l + εm) = a + εb, where θ̂ is the
+        /// dual angle and l + εm the screw axis of σᵢ. It is stored as the three components of
+        /// a, then those of b; see [`DualQuat::log`](crate::DualQuat::log).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -236,7 +243,8 @@ macro_rules! __for_each_kernel {
     /// Computes the twists, six numbers each, angular part first, that lead to unit `motions`
     /// in one second.
     to_twist[M: 8, T: 6](motions: unit M) -> twists: twist T = motions.to_twist(), {
-        /// `twists[i]` = 2 log σᵢ; see [`DualQuat::to_twist`](crate::DualQuat::to_twist).
+        /// Each result is the twist `twists[i]` = 2 log σᵢ of the motion σᵢ; see
+        /// [`DualQuat::to_twist`](crate::DualQuat::to_twist).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Twist};
@@ -253,7 +261,7 @@ macro_rules! __for_each_kernel {
     /// Computes the angles between unit `a[i]` and unit `b[i]`, radians in 0 to π, one number
     /// each.
     angles[M: 8, T: 1](a: unit M, b: unit M) -> angles: number T = a.angle_to(b), {
-        /// See [`DualQuat::angle_to`](crate::DualQuat::angle_to).
+        /// Each angle is that of [`DualQuat::angle_to`](crate::DualQuat::angle_to).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Quat};
@@ -269,7 +277,7 @@ macro_rules! __for_each_kernel {
     /// number each.
     distances[M: 8, T: 1](a: unit M, b: unit M) -> distances: number T
         = a.distance_to(b), {
-        /// `distances[i]` = |t_a − t_b|; see
+        /// Each result is `distances[i]` = |t_a − t_b| of the two translations; see
         /// [`DualQuat::distance_to`](crate::DualQuat::distance_to).
         ///
         /// ```
@@ -285,7 +293,8 @@ macro_rules! __for_each_kernel {
     /// Moves `points[i]`, three numbers each, by the unit `motions[i]`.
     transform_points_each as "points_each" [M: 8, P: 3](motions: unit M, points: point P)
         -> moved: point P = motions.transform_point(points), {
-        /// `moved[i]` = Rᵢ·`points[i]` + tᵢ
+        /// Each result is `moved[i]` = Rᵢ·`points[i]` + tᵢ, with the rotation Rᵢ and
+        /// translation tᵢ of the motion.
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -300,7 +309,7 @@ macro_rules! __for_each_kernel {
     /// Turns `vectors[i]`, three numbers each, by the unit `motions[i]`.
     transform_vectors_each as "vectors_each" [M: 8, P: 3](motions: unit M, vectors: vector P)
         -> turned: vector P = motions.transform_vector(vectors), {
-        /// `turned[i]` = Rᵢ·`vectors[i]`
+        /// Each result is `turned[i]` = Rᵢ·`vectors[i]`, with the rotation Rᵢ of the motion.
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Quat};
@@ -317,7 +326,8 @@ macro_rules! __for_each_kernel {
     /// its moment p x direction of any point p on it (Plücker coordinates).
     transform_lines_each as "lines_each" [M: 8, P: 6](motions: unit M, lines: line P)
         -> moved: line P = motions.transform_line(lines), {
-        /// `moved[i]` = Rᵢl + ε(Rᵢm + tᵢ × Rᵢl); see [`Line`](crate::Line).
+        /// Each result is `moved[i]` = Rᵢl + ε(Rᵢm + tᵢ × Rᵢl) of the line l + εm with
+        /// direction l and moment m; see [`Line`](crate::Line).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -335,8 +345,8 @@ macro_rules! __for_each_kernel {
     /// n, and n . p of any point p on it.
     transform_planes_each as "planes_each" [M: 8, P: 4](motions: unit M, planes: plane P)
         -> moved: plane P = motions.transform_plane(planes), {
-        /// `moved[i]` = (n′, d′) with n′ = Rᵢn, d′ = d + n′·tᵢ; see
-        /// [`Plane`](crate::Plane).
+        /// Each result is the plane `moved[i]` = (n′, d′) with n′ = Rᵢn and
+        /// d′ = d + n′·tᵢ; see [`Plane`](crate::Plane).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -353,8 +363,8 @@ macro_rules! __for_each_kernel {
     /// first, which turns a body twist into the spatial one.
     transform_twists_each as "twists_each" [M: 8, T: 6](motions: unit M, twists: twist T)
         -> moved: twist T = motions.adjoint(twists), {
-        /// `moved[i]` = (ω′, v′) with ω′ = Rᵢω, v′ = Rᵢv + tᵢ × ω′; see
-        /// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
+        /// Each result is the twist `moved[i]` = (ω′, v′), where ω′ = Rᵢω and
+        /// v′ = Rᵢv + tᵢ × ω′; see [`DualQuat::adjoint`](crate::DualQuat::adjoint).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Twist};
@@ -370,9 +380,10 @@ macro_rules! __for_each_kernel {
     };
 }
 
-/// The records that kernels read and write, by their kinds: the count of numbers, a record `from`
-/// numbers, and the numbers `of` a record. Motions of the kind `any` need not be unit. `DualQuat`
-/// is the scalar one or that of lanes, as the caller has imported it.
+/// The kinds of records that kernels read and write. For each kind: the count of its components; a
+/// record made `from` an array of components; and the array `of` a record. Motions of the kind
+/// `any` need not be unit. `DualQuat` is the scalar type or the type on lanes, as the caller
+/// imports it.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __record {
@@ -455,7 +466,7 @@ macro_rules! __record {
         let $crate::geometry::DualVector { real: [a, b, c], dual: [d, e, f] } = $one;
         [a, b, c, d, e, f]
     }};
-    // Motions and twists.
+    // Motions and twists convert by a method.
     ($kind:ident of $one:expr) => {
         $one.to_array()
     };
@@ -480,7 +491,7 @@ macro_rules! __kernels_table {
     };
 }
 
-/// The methods, and a kernel for each that is called as the method is.
+/// Defines the methods of [`Backend`], and for each a kernel in [`of_each`] with the method's name.
 macro_rules! methods {
     ($(
         $(#[doc = $brief:literal])+
@@ -518,7 +529,7 @@ macro_rules! methods {
             }
         )*}
 
-        /// The kernels, called as their methods are.
+        /// The kernels, which have the names of their methods.
         #[allow(non_camel_case_types, reason = "they are called as their methods are")]
         mod of_each {
             use super::*;
@@ -565,7 +576,8 @@ macro_rules! methods {
     };
 }
 
-/// The first input: the output itself, of a kernel that there is in place too, or a slice.
+/// The first input of a kernel. If the kernel has a method in place too, its input is a [`Source`]:
+/// a slice or the output itself. Otherwise it is a slice.
 #[rustfmt::skip]
 macro_rules! input {
     (of $slice:expr) => { $slice };
@@ -580,7 +592,7 @@ macro_rules! input {
     ($in_place:ident part $input:expr, $elements:expr) => { $input.part($elements) };
 }
 
-/// The method in place, if there is one. Without other slices nothing can be wrong.
+/// Defines the method in place, if the list names one. If it takes no other slice, it cannot fail.
 macro_rules! in_place {
     ($name:ident [$E:ident: $size:literal] $($inputs:tt)*) => {};
     ($name:ident $in_place:ident [$E:ident: $size:literal]($input:ident: $I:ident)) => {

@@ -1,4 +1,4 @@
-//! Matrices, out and in.
+//! Kernels that turn motions into matrices and matrices into motions.
 
 use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::{Backend, Kernel};
@@ -13,25 +13,27 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level, Mask};
 
 errors! {
-    /// Matrices that are no motions, or slices that do not fit. Nothing has been written.
+    /// Matrices that are no rigid motions, or slices whose lengths differ. Nothing has been
+    /// written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MatricesError {
         /// The slices differ in length.
         Shape(error: ShapeError) => "{error}";
-        /// A matrix is no rigid motion.
+        /// A matrix is not that of a rigid motion.
         NotRigid {
-            /// The first one; in blocks, things are counted one after the other.
+            /// The index of the first such matrix; in blocks, the lanes of each block are counted
+            /// before those of the next.
             index: usize,
-            /// The fault.
+            /// The reason why the matrix is not rigid.
             error: MatrixError,
         } => "matrix {index}: {error}";
     }
 }
 
 impl Backend {
-    /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4
-    /// matrices, with the row 0 0 0 1, for sixteen; see
+    /// Computes the matrix [R | t] of each unit motion. Elements of twelve numbers become 3×4
+    /// matrices; elements of sixteen become 4×4 matrices, whose last row is 0 0 0 1. See
     /// [`DualQuat::to_matrix3x4`](crate::DualQuat::to_matrix3x4) and
     /// [`DualQuat::to_matrix4`](crate::DualQuat::to_matrix4).
     ///
@@ -65,10 +67,10 @@ impl Backend {
         Ok(())
     }
 
-    /// `motions[i]` = the motion of a matrix that is known to be rigid, p_w ≥ 0
-    /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)); garbage in, garbage out.
-    /// 3×4 matrices for twelve numbers per element, 4×4 matrices, whose last row is not read, for
-    /// sixteen.
+    /// Computes the motion, with p_w ≥ 0, of each matrix that is known to be rigid
+    /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)). Matrices that are not rigid
+    /// give motions without a meaning. Elements of twelve numbers are 3×4 matrices; elements of
+    /// sixteen are 4×4 matrices, whose last row is not read.
     ///
     /// # Errors
     /// If the slices differ in length; `motions` is untouched.
@@ -97,13 +99,14 @@ impl Backend {
         Ok(())
     }
 
-    /// `motions[i]` = the motion of a matrix, p_w ≥ 0, as
+    /// Computes the motion, with p_w ≥ 0, of each matrix, and checks that it is rigid as
     /// [`DualQuat::try_from_matrix3x4`](crate::DualQuat::try_from_matrix3x4) and
-    /// [`DualQuat::try_from_matrix4`](crate::DualQuat::try_from_matrix4) have it.
+    /// [`DualQuat::try_from_matrix4`](crate::DualQuat::try_from_matrix4) do.
     ///
     /// # Errors
-    /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one:
-    /// the first such. All matrices are looked at before any motion is written.
+    /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one;
+    /// the error has the index of the first such matrix. All matrices are checked before any motion
+    /// is written.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
@@ -174,8 +177,9 @@ where
     }
 }
 
-/// The first matrix that is no rigid motion. Lanes find the tile, and what they find is looked at
-/// once more one by one, which says what is wrong.
+/// The search for the first matrix that is not rigid. Lanes find the tile that has such a matrix;
+/// [`one_by_one`] then checks the matrices of that tile again, and returns the index and the
+/// reason.
 struct Check<'s, M: RigidMatrix<C>, const C: usize> {
     matrices: &'s [M],
     order: MatrixOrder,
@@ -215,16 +219,16 @@ fn one_by_one<M: RigidMatrix<C>, const C: usize>(
     things.into_iter().find_map(wrong)
 }
 
-/// A rigid matrix that is read: 3×4 (`C` = 12) or 4×4 (16), in the forms of a [`PaletteEntry`].
-/// Sealed.
+/// A rigid matrix that a kernel reads: 3×4 (`C` = 12) or 4×4 (`C` = 16), in the forms of a
+/// [`PaletteEntry`]. Sealed.
 pub trait RigidMatrix<const C: usize>: PaletteEntry<C> {
-    /// The motions of rigid matrices.
+    /// Computes the motions of rigid matrices, one in each lane.
     #[doc(hidden)]
     fn motion<L: Lanes>(numbers: [L; C], order: MatrixOrder) -> batch::DualQuat<L>;
-    /// The lanes whose matrix is no rigid motion.
+    /// Returns the lanes whose matrix is further than `tolerance` from a rigid one.
     #[doc(hidden)]
     fn fails<L: Lanes>(numbers: [L; C], order: MatrixOrder, tolerance: L) -> L::Mask;
-    /// The fault of one.
+    /// Returns the reason why a matrix is not rigid, `None` if it is rigid.
     #[doc(hidden)]
     fn wrong<R: Real>(numbers: [R; C], order: MatrixOrder, tolerance: R) -> Option<MatrixError>;
 }

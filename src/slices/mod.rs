@@ -1,4 +1,4 @@
-//! Kernels over slices, as methods of [`Backend`]: one choice of instructions for each call.
+//! Kernels over slices, as methods of [`Backend`]. Each call chooses its instructions once.
 //!
 //! Kernels that compute each element from one element of every input:
 //!
@@ -10,20 +10,20 @@
 //!
 //! | method | what it computes |
 //! |---|---|
-//! | [`mul_left_in_place`](Backend::mul_left_in_place) | products with one motion: a bᵢ |
-//! | [`transform_points`](Backend::transform_points), and in place | points, moved by one motion |
-//! | [`transform_vectors`](Backend::transform_vectors), and in place | vectors, turned by one |
-//! | [`dlb`](Backend::dlb) | linear blends of several motions, by a weight each |
-//! | [`dib_windows`](Backend::dib_windows) | means of windows of poses that follow each other |
+//! | [`mul_left_in_place`](Backend::mul_left_in_place) | products with one left factor a: a bᵢ |
+//! | [`transform_points`](Backend::transform_points), and in place | points moved by a motion |
+//! | [`transform_vectors`](Backend::transform_vectors), and in place | vectors turned by a motion |
+//! | [`dlb`](Backend::dlb) | linear blends of K motions, with one weight for each |
+//! | [`dib_windows`](Backend::dib_windows) | means of windows of consecutive poses |
 //! | [`matrices`](Backend::matrices) | 3×4 or 4×4 matrices of motions, by rows or by columns |
-//! | [`from_matrices`](Backend::from_matrices) | motions of such matrices, known to be rigid |
-//! | [`try_from_matrices`](Backend::try_from_matrices) | motions of such matrices, checked |
-//! | [`two_bone`](Backend::two_bone) | limbs of two bones with their ends at targets |
+//! | [`from_matrices`](Backend::from_matrices) | motions of matrices that are known to be rigid |
+//! | [`try_from_matrices`](Backend::try_from_matrices) | motions of matrices, which are checked |
+//! | [`two_bone`](Backend::two_bone) | rotations of limbs of two bones whose ends reach targets |
 //!
-//! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
-//! [`storage`](crate::storage). Plain slices may have any length and lie anywhere: they are
-//! transposed in registers, and the last few elements go through the same kernel with the lanes
-//! that are left filled up. Blocks are read as they are: the fastest way.
+//! Each kernel takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
+//! [`storage`](crate::storage). Plain slices may have any length and any alignment. Their elements
+//! are transposed in registers, and the last few go through the same kernel with the free lanes
+//! filled up. Blocks are read without a transpose, which is the fastest way.
 //!
 //! ```
 //! use dq8::{Backend, DualQuat, Quat};

@@ -1,38 +1,40 @@
-//! The loop of all kernels over slices.
+//! The loop that all kernels over slices share.
 
 use crate::backend::{Backend, Kernel};
 use crate::storage::{Element, Layout, Register, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// The things of a tile, a register for each component; `None` if an input ends before.
+/// The records of a tile, with a register for each of their `D` components; `None` if an input ends
+/// before the tile.
 pub(super) type Things<Q, V, const D: usize> = Option<[Register<Q, V, D>; D]>;
 
-/// A computation for each element of a slice, lanes at a time.
+/// A computation of each element of a slice, on as many elements at a time as there are lanes.
 pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
-    /// `true` if it works in place.
+    /// `true` if the kernel works in place, so that `compute` reads `output`.
     fn reads_output(&self) -> bool {
         false
     }
 
-    /// The things of a tile; `output` is what the slice holds so far.
+    /// Computes the records of a tile; `output` is the output slice as it is so far.
     fn compute<V: Level>(&self, level: V, output: &[Q], tile: Tile) -> Things<Q, V, D>;
 
-    /// The same computation for some of the elements.
+    /// The same computation, for the elements of a range.
     fn part(&self, elements: Range<usize>) -> Self;
 }
 
-/// Some of the elements of an input.
+/// The elements of a range of an input; none if the range is out of bounds.
 pub(super) fn part<T>(slice: &[T], elements: Range<usize>) -> &[T] {
     slice.get(elements).unwrap_or_default()
 }
 
-/// The fewest elements in a task: some microseconds of work, where starting a task takes a fraction
-/// of one.
+/// The fewest elements in a task. They are some microseconds of work, and starting a task takes a
+/// fraction of a microsecond.
 pub(super) const GRAIN: usize = 2048;
 
-/// From this size on, in bytes, an output is written past the caches: a line that is written whole
-/// need not be read first. Products of 16-lane blocks, ns each, on a server with 2 MiB of L2 cache:
+/// The size in bytes from which an output is written past the caches. A cache line that is written
+/// whole need not be read first. The table has the nanoseconds of a product in 16-lane blocks, on a
+/// server with 2 MiB of L2 cache:
 ///
 /// | output | AVX-512 | past the caches | AVX2 | past the caches |
 /// |---|---|---|---|---|
@@ -42,7 +44,7 @@ pub(super) const GRAIN: usize = 2048;
 /// | 256 MiB | 5.96 | 4.69 | 6.46 | 5.80 |
 const BEYOND_CACHES: usize = 64 << 20;
 
-/// Writes what `kernel` computes over `output`.
+/// Computes every element of `output` by `kernel`, on the threads of `backend`.
 #[inline]
 pub(super) fn sweep<Q: Element<D>, const D: usize>(
     backend: Backend,
@@ -53,7 +55,8 @@ pub(super) fn sweep<Q: Element<D>, const D: usize>(
         Q::Layout::STREAMS && size_of_val(output) >= BEYOND_CACHES && !kernel.reads_output();
     backend.share(GRAIN, (output, 1), &|first, (output, _): (&mut [Q], usize)| {
         let kernel = kernel.part(first..first + output.len());
-        // A constant too, so that there is no such kernel where none is run.
+        // `STREAMS` is tested as a constant too, so that layouts that cannot be written past the
+        // caches compile no second kernel.
         if const { Q::Layout::STREAMS } && past_caches {
             backend.run(Stream { output, kernel });
         } else {
@@ -75,13 +78,14 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
     fn run<V: Level>(self, level: V) {
         let Self { output, kernel } = self;
         let (records, registers) = (Q::Layout::records::<V>(), Q::Layout::registers::<V>());
-        // Two plain loops, which the compiler unrolls over the registers of a block;
-        // `storage::tiles` is one, and 5 % slower where a block has two registers.
+        // Two plain loops, because the compiler unrolls the inner one over the registers of a
+        // block. The iterator `storage::tiles` is a single loop, which is 5 % slower where a block
+        // has two registers.
         for i in 0..output.len().div_ceil(records) {
             for register in 0..registers {
                 let tile = Tile::at(i * records, register);
-                // The lengths were checked, so this always is something; the compiler need not
-                // know.
+                // The lengths were checked, so `compute` never returns `None` here; the compiler
+                // does not know that.
                 let Some(components) = kernel.compute(level, output, tile) else { return };
                 Q::store(components, output, tile);
             }
@@ -89,7 +93,8 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
     }
 }
 
-/// [`Sweep`] past the caches. A kernel of its own, so that neither loop costs the other registers.
+/// [`Sweep`] with writes past the caches. It is a kernel of its own, so that neither loop takes
+/// registers from the other.
 struct Stream<'s, Q, K, const D: usize> {
     output: &'s mut [Q],
     kernel: K,

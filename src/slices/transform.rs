@@ -1,4 +1,4 @@
-//! Kernels of one motion for all elements.
+//! Kernels that apply one motion to all elements.
 
 use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::Backend;
@@ -11,8 +11,8 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it. Products of
-    /// two slices are [`mul`](Self::mul).
+    /// Multiplies every motion by `left` from the left, which moves each pose by `left`:
+    /// `motions[i] ← left · motions[i]`. For products of two slices there is [`mul`](Self::mul).
     ///
     /// ```
     /// use dq8::{Backend, DualQuat};
@@ -26,8 +26,9 @@ impl Backend {
         sweep(self, motions, ProductByOne(left));
     }
 
-    /// `moved[i]` = R·`points[i]` + t of one unit motion, which becomes a 3×4 matrix once: nine
-    /// multiplications per point; see [`DualQuat::transform_point`].
+    /// Moves points by one unit motion with rotation R and translation t: `moved[i]` =
+    /// R·`points[i]` + t. The motion is converted to a 3×4 matrix once, so that each point takes
+    /// nine multiplications; see [`DualQuat::transform_point`].
     ///
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.
@@ -43,7 +44,7 @@ impl Backend {
         Ok(())
     }
 
-    /// [`transform_points`](Self::transform_points) over the points themselves.
+    /// Moves points in place as [`transform_points`](Self::transform_points) does.
     #[inline]
     pub fn transform_points_in_place<P: Element<3>>(
         self,
@@ -53,7 +54,8 @@ impl Backend {
         sweep(self, points, ByOne::of(motion, Source::Output));
     }
 
-    /// `turned[i]` = R·`vectors[i]`: directions and differences, which do not translate; see
+    /// Turns vectors by the rotation R of one unit motion: `turned[i]` = R·`vectors[i]`. Vectors
+    /// are directions or differences of points, which do not translate; see
     /// [`DualQuat::transform_vector`].
     ///
     /// # Errors
@@ -71,7 +73,7 @@ impl Backend {
         Ok(())
     }
 
-    /// [`transform_vectors`](Self::transform_vectors) over the vectors themselves.
+    /// Turns vectors in place as [`transform_vectors`](Self::transform_vectors) does.
     #[inline]
     pub fn transform_vectors_in_place<P: Element<3>>(
         self,
@@ -98,7 +100,7 @@ impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
     }
 }
 
-/// The rows of one matrix, for points.
+/// A kernel that moves points by the three rows of one 3×4 matrix.
 struct ByOne<'s, P: Element<3>> {
     rows: [[Number<P, 3>; 4]; 3],
     from: Source<'s, P>,
@@ -120,8 +122,8 @@ impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
         let [x, y, z] = P::load(level, self.from.or(output), tile, &storage::identity())?;
         let mut moved = [x; 3];
         for (moved, row) in moved.iter_mut().zip(self.rows) {
-            // The compiler keeps the twelve lanes in registers from one turn of the loop to the
-            // next.
+            // The splats are written inside the loop over tiles, but the compiler hoists them: the
+            // twelve registers hold their values from one tile to the next.
             let [a, b, c, t] = row.map(
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |number| Register::<P, V, 3>::splat(level, number),

@@ -1,4 +1,4 @@
-//! Limbs of two bones.
+//! The kernel that bends limbs of two bones over slices.
 
 use super::sweep::{GRAIN, part};
 use crate::backend::{Backend, Kernel, Rows};
@@ -10,14 +10,15 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `uppers[i]` and `lowers[i]` = the rotations of both bones of a limb,
-    /// [`TwoBone::reach`](crate::ik::TwoBone::reach) of `roots[i]`, `lengths[i]`, `targets[i]` and
-    /// `poles[i]`. Lengths are two numbers, points three, rotations four. For the limbs of
-    /// skeletons there is [`Job::two_bone`](crate::Job::two_bone).
+    /// Computes the rotations of both bones of each limb so that its end reaches a target:
+    /// `uppers[i]` and `lowers[i]` are those that [`TwoBone::reach`](crate::ik::TwoBone::reach)
+    /// finds for `roots[i]`, `lengths[i]`, `targets[i]` and `poles[i]`. An element of lengths has
+    /// two numbers, a point three, a rotation four. For the limbs of skeletons there is
+    /// [`Job::two_bone`](crate::Job::two_bone).
     ///
     /// # Errors
-    /// If the slices differ in length, or a limb cannot be bent: the first such. All limbs are
-    /// looked at before any rotation is written.
+    /// If the slices differ in length, or a limb cannot be bent; the error has the index of the
+    /// first such limb. All limbs are checked before any rotation is written.
     ///
     /// ```
     /// use dq8::{Backend, Quat, ik::TwoBone};
@@ -74,7 +75,7 @@ impl Backend {
     }
 }
 
-/// The slices of a call, of one length.
+/// The input slices of a call; all have the same length.
 #[derive(Clone, Copy)]
 struct Limbs<'s, P, N> {
     roots: &'s [P],
@@ -106,7 +107,7 @@ impl<P: Element<3>, N: Element<2, Layout = P::Layout>> Limbs<'_, P, N> {
     }
 }
 
-/// The first limb that cannot be bent.
+/// The search for the first limb that cannot be bent.
 struct Check<'s, P, N>(Limbs<'s, P, N>);
 
 impl<P: Element<3>, N: Element<2, Layout = P::Layout>> Kernel for Check<'_, P, N> {
@@ -141,7 +142,8 @@ where
     Q: Element<4, Layout = P::Layout>,
 {
     type Output = ();
-    // Wide for plain limbs too: roots and quotients are most of it.
+    // AVX-512 pays for plain limbs too: square roots and divisions take most of the time, and the
+    // transposes little.
     const WIDE: bool = true;
 
     #[cfg_attr(not(opt_level_0), inline(always))]

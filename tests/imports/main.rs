@@ -211,13 +211,21 @@ fn every_file_of_the_reference_has_a_twin_in_batch_and_the_other_way_round() {
     assert_eq!(alone, BATCH_ONLY, "only in batch");
 }
 
+/// What declares the peers in C++ that trajectories are timed beside; all its functions are safe.
+const PEERS: &str = "trajectory/contest/src/peers.rs";
+
 /// `simd` has the instructions, `capi` the pointers of C.
 #[test]
 fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
     for source in
         ["src", "robot", "trajectory", "examples", "benches"].into_iter().flat_map(sources)
     {
-        assert!(!tokens(&source.text).iter().any(|token| token == "unsafe"), "{}", source.path);
+        let mut words = tokens(&source.text);
+        if source.path.ends_with(PEERS) {
+            let declaration = words.windows(2).position(|words| words == ["unsafe", "extern"]);
+            words.remove(declaration.unwrap());
+        }
+        assert!(!words.iter().any(|word| word == "unsafe"), "{}", source.path);
     }
     let lib = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/lib.rs")).unwrap();
     let forbid = ["#", "!", "[", "forbid", "(", "unsafe_code", ")", "]"];

@@ -12,6 +12,7 @@
 use crate::clock::{Clock, Time};
 use crate::screw::Screw;
 use crate::segments::{CHUNK, Found, Segments};
+use crate::stretches::Record;
 use dq8::batch::{self, vector};
 use dq8::simd::Records;
 use dq8::simd::internal::Gather;
@@ -109,6 +110,20 @@ fn register<L: Lanes>(level: L::Level, numbers: &[L::Real]) -> L {
 /// two that fill fours.
 pub(crate) const MOVES: usize = 20;
 
+/// Such a record, of a pose or of its inverse.
+pub(crate) struct Moves<const BACK: bool>;
+
+impl<const BACK: bool> Record<MOVES> for Moves<BACK> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn of<L: Lanes>(pose: batch::DualQuat<L>, velocity: Twist<L>) -> [L; MOVES] {
+        let pose = if BACK { pose.conjugate() } else { pose };
+        let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = pose.to_matrix3x4();
+        let [m, n, o, p, q, r] = velocity.to_array();
+        let zero = a.constant(0.0);
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, zero, zero]
+    }
+}
+
 /// `moved[i]` = M exp(τξ) `points[i]`: points of the moving body into the wanted frame. Or back,
 /// where the records have M⁻¹: exp(−τξ) M⁻¹ `points[i]`.
 pub(crate) struct Points<'s, P, const BACK: bool, const N: usize> {
@@ -158,6 +173,19 @@ fn affine<L: Lanes>(rows: [[L; 4]; 3], [x, y, z]: [L; 3]) -> [L; 3] {
 /// The numbers of a record that is sampled: a motion, a twist for one second, and two that fill
 /// fours.
 pub(crate) const SAMPLES: usize = 16;
+
+/// Such a record.
+pub(crate) struct Samples;
+
+impl Record<SAMPLES> for Samples {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn of<L: Lanes>(pose: batch::DualQuat<L>, velocity: Twist<L>) -> [L; SAMPLES] {
+        let [a, b, c, d, e, f, g, h] = pose.to_array();
+        let [i, j, k, l, m, n] = velocity.to_array();
+        let zero = a.constant(0.0);
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, zero, zero]
+    }
+}
 
 /// `poses[i]` = σ exp(τξ), and `twists[i]` = ξ.
 pub(crate) struct Poses<'s, M, W> {

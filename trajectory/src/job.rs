@@ -1,14 +1,14 @@
 //! [`Job`]: a run over many times, with options that all have a default.
 
-use crate::along::{Along, MOVES, Points, Poses, SAMPLES, Scan, Work};
+use crate::along::{Along, MOVES, Moves, Points, Poses, SAMPLES, Samples, Scan, Work};
 use crate::clock::{Clock, Time};
 use crate::segments::{Frame, Outside, Segments};
-use crate::stretches::stretches;
+use crate::stretches::{Record, beyond, segments};
 use crate::{OwnedTrajectory, Trajectory, TrajectoryError};
 use alloc::vec;
 use dq8::internal::{Choice, Rows, options};
 use dq8::storage::{Element, Layout, same_length};
-use dq8::{DualQuat, Scalar, ShapeError, Twist};
+use dq8::{DualQuat, Scalar, ShapeError};
 
 /// A run over many times, as many at once as there are lanes, of a [`Trajectory`], of a
 /// [`Spline`](crate::Spline) or of [`Frames`](crate::Frames). Times may be in any order; rising
@@ -247,8 +247,7 @@ impl<'a> Job<Trajectory<'a>> {
         poses: &mut [M],
         twists: &mut [W],
     ) -> Result<(), TrajectoryError> {
-        let Self { path, frame, outside, .. } = self;
-        let segments = samples(path, frame, outside)?;
+        let segments = self.segments::<_, Samples, SAMPLES>(times)?;
         let work = |first, ((poses, _), (twists, _)): (Rows<'_, M>, Rows<'_, W>)| {
             let elements = poses.len();
             self.along::<M::Layout, _, _, _>(
@@ -271,14 +270,7 @@ impl<'a> Job<Trajectory<'a>> {
         moved: &mut [P],
     ) -> Result<(), TrajectoryError> {
         const { assert!(N >= 3, "a point has three coordinates") }
-        let Self { path, frame, outside, .. } = self;
-        let segments = segments(path, frame, outside, |pose, twist| {
-            let pose = if BACK { pose.conjugate() } else { pose };
-            let mut record = [0.0; MOVES];
-            record[..12].copy_from_slice(pose.to_matrix3x4().as_flattened());
-            record[12..18].copy_from_slice(&twist.to_array());
-            record
-        })?;
+        let segments = self.segments::<_, Moves<BACK>, MOVES>(times)?;
         let work = |first: usize, (moved, _): Rows<'_, P>| {
             let elements = moved.len();
             let points = points.map(|points| &points[first..first + elements]);
@@ -288,41 +280,26 @@ impl<'a> Job<Trajectory<'a>> {
         self.choice.instructions().share(GRAIN, (moved, 1), &work);
         Ok(())
     }
-}
 
-/// The records that `record` makes of the pose of the body in the wanted frame at the start of each
-/// stretch, and of its twist for a second.
-fn segments<R: Scalar, const C: usize>(
-    path: Trajectory<'_>,
-    frame: Frame,
-    outside: Outside,
-    record: impl Fn(DualQuat<f64>, Twist<f64>) -> [f64; C],
-) -> Result<Segments<R, C>, TrajectoryError> {
-    let stretches = stretches(path, outside)?;
-    let [first, last] = path.range();
-    let at = |time| match outside {
-        Outside::Continue if time < first => stretches[0].at(time),
-        Outside::Continue if time > last => stretches[stretches.len() - 1].at(time),
-        _ => path.at(time),
-    };
-    let into = frame.pose([first, last], outside, at)?.conjugate();
-    let records = stretches.iter().map(|stretch| record(into * stretch.pose, stretch.velocity));
-    let starts = stretches.iter().map(|stretch| stretch.start);
-    Ok(Segments::new(starts, records, [first, last]))
-}
-
-/// The records that [`Poses`] takes.
-pub(crate) fn samples<R: Scalar>(
-    path: Trajectory<'_>,
-    frame: Frame,
-    outside: Outside,
-) -> Result<Segments<R, SAMPLES>, TrajectoryError> {
-    segments(path, frame, outside, |pose, twist| {
-        let mut record = [0.0; SAMPLES];
-        record[..8].copy_from_slice(&pose.to_array());
-        record[8..14].copy_from_slice(&twist.to_array());
-        record
-    })
+    /// Records of the stretches that these times are in.
+    fn segments<R: Scalar, Q: Record<C>, const C: usize>(
+        self,
+        times: &[impl Time],
+    ) -> Result<Segments<R, C>, TrajectoryError> {
+        let Self { path, clock, frame, outside, .. } = self;
+        let goes_on = outside == Outside::Continue;
+        if goes_on && path.stamps().len() == 1 {
+            return Err(TrajectoryError::OnePose);
+        }
+        let outer = |time| beyond(path, time).filter(|_| goes_on);
+        let at = |time| outer(time).unwrap_or_else(|| path.at(time));
+        let into = frame.pose(path.range(), outside, at)?.conjugate();
+        // Where there are many poses, those that no time needs are left out.
+        let few = (2 * times.len() < path.stamps().len())
+            .then(|| path.around(times.iter().map(|&time| clock.stamp(time))));
+        let near = few.as_ref().map_or(path, OwnedTrajectory::view);
+        Ok(segments::<_, Q, C>(near, outside, into, self.choice.instructions()))
+    }
 }
 
 /// A scan of rows and columns, whose points share the times of their columns: [`Job::columns`].

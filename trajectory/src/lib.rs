@@ -37,6 +37,15 @@
 //! # Ok::<(), dq8_trajectory::TrajectoryError>(())
 //! ```
 //!
+//! # Clouds that other crates read
+//!
+//! Any slice of `[f32; C]` or `[f64; C]` whose first three numbers are coordinates is a cloud, and
+//! records of such numbers alone become one without a copy. A `#[repr(C)]` record of `f32` fields
+//! `x`, `y`, `z`, `intensity` and `time`, which `pcd-rs` fills and bytemuck calls `Pod`, is moved
+//! by `deskew_in_place(&times, bytemuck::cast_slice_mut::<_, [f32; 5]>(&mut points))`; all but the
+//! coordinates stays. The points of `las` hold more than numbers, so collect `[p.x, p.y, p.z]`, and
+//! `p.gps_time` as their times.
+//!
 //! # Features
 //!
 //! `std` (default), `libm`, `rayon` and `reproducible` are those of dq8; `std` adds the module

@@ -90,6 +90,23 @@ impl<'a> Trajectory<'a> {
             }
         }
     }
+
+    /// Of these poses the first two and the last two, and those on both sides of each time: between
+    /// them the body moves as it does here, at these times and outside the stamps.
+    pub(crate) fn around(self, times: impl Iterator<Item = f64>) -> OwnedTrajectory {
+        let count = self.stamps.len();
+        let after = times.map(|time| self.stamps.partition_point(|&stamp| stamp <= time));
+        let mut wanted: Vec<_> = after.chain([1, count - 1]).collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        let mut indices: Vec<_> =
+            wanted.into_iter().flat_map(|after| [after.saturating_sub(1), after]).collect();
+        indices.dedup();
+        indices.retain(|&index| index < count);
+        let stamps = indices.iter().map(|&index| self.stamps[index]).collect();
+        let poses = indices.iter().map(|&index| self.poses[index]).collect();
+        OwnedTrajectory { stamps, poses }
+    }
 }
 
 /// A [`Trajectory`] with memory of its own.

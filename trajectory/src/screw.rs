@@ -18,7 +18,7 @@ use dq8::simd::{Float, Mask};
 
 /// The longest turn within a segment, in radians. Longer segments are cut into parts, so the series
 /// are short.
-const LONGEST: f64 = 0.5;
+pub(crate) const LONGEST: f64 = 0.5;
 
 /// So many parts that none turns by more than the longest turn; one where the turn is not finite,
 /// as from a pose that is NaN.

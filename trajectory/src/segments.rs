@@ -57,51 +57,29 @@ impl Frame {
     }
 }
 
-/// The times that one record is for.
-#[derive(Clone, Copy, Debug)]
-struct Span {
-    /// From here on, until `to`; infinite before the range and after it.
-    from: f64,
-    to: f64,
-    /// The time at which the body is at the pose of the record.
-    start: f64,
-    /// True before the range and after it.
-    is_outside: bool,
-}
-
-impl Span {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn has(self, stamp: f64) -> bool {
-        (self.from <= stamp) & (stamp < self.to)
-    }
-
-    /// The seconds since the start; none outside the range, if the body `stands` there, for however
-    /// long.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn since<R: Real>(self, clock: Clock, time: impl Time, stands: bool) -> R {
-        let since = clock.since(self.start, time);
-        if self.is_outside && stands && !since.is_nan() { R::ZERO } else { R::from_f64(since) }
-    }
-}
-
 /// One record for the time before the range, one for each stretch of it, and one for the time
 /// after.
 #[derive(Debug)]
 pub(crate) struct Segments<R, const C: usize> {
-    spans: Vec<Span>,
+    /// The time at which the body is at the pose of each record, from which on the record is for,
+    /// until the next one begins; the first is for all times before too. A NaN follows the last,
+    /// which no time is after.
+    starts: Vec<f64>,
     pub(crate) records: Vec<[R; C]>,
-    /// The record of the beginning of each of as many equal times.
+    /// For each of as many equal times the last record that has begun at all times in it.
     buckets: Vec<u32>,
     /// Buckets per second.
     rate: f64,
+    /// `true` if in no bucket more than one record begins.
+    is_even: bool,
 }
 
 /// The number of times whose records are looked up before anything is computed: they stay in the
 /// first cache.
 pub(crate) const CHUNK: usize = 64;
 
-/// Buckets for each record. With sixteen, a time is soon in the record of its bucket or in the
-/// next.
+/// Buckets for each record. With sixteen, records may be a sixteenth as long as they are on average
+/// before two begin in one bucket.
 const BUCKETS: usize = 16;
 
 /// Where the times of a chunk are.
@@ -116,73 +94,70 @@ pub(crate) struct Found<R> {
 impl<R: Scalar, const C: usize> Segments<R, C> {
     /// Records that begin at `starts`, the first for the time before and the last for the time
     /// after the `range`.
-    pub(crate) fn new(
-        starts: impl IntoIterator<Item = f64>,
-        records: impl IntoIterator<Item = [f64; C]>,
-        [first, last]: [f64; 2],
-    ) -> Self {
-        let starts: Vec<_> = starts.into_iter().collect();
-        let round = |numbers: [f64; C]| numbers.map(<R as Real>::from_f64);
-        let records: Vec<_> = records.into_iter().map(round).collect();
-        let end = starts.len() - 1;
-        // Parts that are shorter than the roundoff of their stamps begin at one time: all but the
-        // last are empty.
-        let span = |k: usize| Span {
-            from: if k == 0 { f64::NEG_INFINITY } else { starts[k] },
-            to: starts.get(k + 1).copied().unwrap_or(f64::INFINITY),
-            start: starts[k],
-            is_outside: k == 0 || k == end,
-        };
-        let spans: Vec<_> = (0..=end).map(span).collect();
-
+    pub(crate) fn new(mut starts: Vec<f64>, records: Vec<[R; C]>, [first, last]: [f64; 2]) -> Self {
+        starts.push(f64::NAN);
         let count = BUCKETS * records.len();
         // One bucket for all, where the stamps are one.
         let rate = if last > first { count as f64 / (last - first) } else { 0.0 };
-        let mut buckets = Vec::with_capacity(count);
-        let mut record = 0;
-        for bucket in 0..count {
-            let begin = if rate > 0.0 { first + bucket as f64 / rate } else { first };
-            while spans[record].to <= begin {
-                record += 1;
-            }
-            buckets.push(index(record));
-        }
-        Self { spans, records, buckets, rate }
+        let mut segments = Self { starts, records, buckets: Vec::new(), rate, is_even: true };
+        segments.fill(count);
+        segments
     }
 
-    /// The record that a time is in; the first for NaN.
-    #[cold]
-    #[inline(never)]
-    fn search(&self, stamp: f64) -> usize {
-        self.spans.partition_point(|span| span.to <= stamp).min(self.spans.len() - 1)
+    /// Finds the records of so many buckets.
+    ///
+    /// What is later is in no earlier bucket, however it is rounded. So where a record begins in a
+    /// bucket, all records that begin in earlier ones have begun at any time in it, and none that
+    /// begins in a later one has.
+    fn fill(&mut self, count: usize) {
+        let mut buckets = Vec::with_capacity(count);
+        let end = self.records.len() - 1;
+        for record in 0..end {
+            let bucket = bucket(self.starts[0], self.rate, count, self.starts[record + 1]) as usize;
+            self.is_even &= buckets.len() <= bucket;
+            buckets.resize(buckets.len().max(bucket + 1), index(record));
+        }
+        buckets.resize(count, index(end));
+        self.buckets = buckets;
     }
 
     /// The bucket of a time.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn bucket(&self, first: f64, stamp: f64) -> u32 {
-        /// A number below this one, added to it, stands in its last bits: a conversion would
-        /// saturate, which takes longer.
-        const WHOLE: f64 = (1_u64 << 52) as f64;
-        let place = (stamp - first) * self.rate - 0.5;
-        // A number, also of NaN, since `max` and `min` return the other one.
-        let place = place.max(0.0).min(self.buckets.len() as f64 - 1.0);
-        #[allow(clippy::cast_possible_truncation, reason = "the last bits are wanted")]
-        let bucket = (place + WHOLE).to_bits() as u32;
-        bucket
+        bucket(first, self.rate, self.buckets.len(), stamp)
     }
 
-    /// The record that a time is in, soon: that of its bucket or the next one, unless stamps are
-    /// very uneven.
+    /// The record that a time of this bucket is in, where records begin evenly; the first for NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn find(&self, bucket: u32, stamp: f64) -> usize {
         let near = self.buckets.get(bucket as usize).map_or(0, |&near| near as usize);
         // Nobody can foresee which of two it is, so it is added and not branched upon.
-        let ended = self.spans.get(near).is_some_and(|span| span.to <= stamp);
-        let record = near + usize::from(ended);
-        match self.spans.get(record) {
-            Some(span) if span.has(stamp) => record,
-            _ => self.search(stamp),
+        let next = self.starts.get(near + 1).is_some_and(|&start| start <= stamp);
+        near + usize::from(next)
+    }
+
+    /// The records of times, where many may begin in a bucket. Out of line, because the compiler
+    /// keeps no number of the loop that calls it in a register across a call.
+    #[cold]
+    #[inline(never)]
+    fn search<T: Time>(&self, clock: Clock, times: &[T], records: &mut [u32; CHUNK]) {
+        let end = self.records.len() - 1;
+        for (record, &time) in records.iter_mut().zip(times) {
+            let stamp = clock.stamp(time);
+            let bucket = self.bucket(self.starts[0], stamp) as usize;
+            let near = self.buckets[bucket] as usize;
+            let last = self.buckets.get(bucket + 1).map_or(end, |&next| next as usize);
+            let starts = &self.starts[near + 1..=last];
+            *record = index(near + starts.partition_point(|&start| start <= stamp));
         }
+    }
+
+    /// The first time that a record is for, and the first that it is not.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn span(&self, record: usize) -> Option<[f64; 2]> {
+        let [start, next] = *self.starts.get(record..)?.first_chunk::<2>()?;
+        let from = if record == 0 { f64::NEG_INFINITY } else { start };
+        Some([from, if next.is_nan() { f64::INFINITY } else { next }])
     }
 
     /// Finds the records of at most [`CHUNK`] times. Gives back the record that all are in, if it
@@ -196,37 +171,39 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         stands: bool,
         found: &mut Found<R>,
     ) -> Option<usize> {
-        let span = *self.spans.get(near)?;
+        let mut span = self.span(near)?;
+        let end = self.records.len() - 1;
         // No early end, so that the compiler compares many at a time.
         let mut all = true;
         for &time in times {
-            all &= span.has(clock.stamp(time));
+            all &= has(span, clock.stamp(time));
         }
         if all {
+            let start = *self.starts.get(near)?;
             // Decided once: the compiler would not do more than one time at once.
-            if span.is_outside && stands {
-                for (slot, &time) in found.since.iter_mut().zip(times) {
-                    *slot = span.since(clock, time, stands);
-                }
+            if stands && (near == 0 || near == end) {
+                found.since.fill(R::ZERO);
             } else {
                 for (slot, &time) in found.since.iter_mut().zip(times) {
-                    *slot = <R as Real>::from_f64(clock.since(span.start, time));
+                    *slot = <R as Real>::from_f64(clock.since(start, time));
                 }
             }
             return Some(near);
         }
-        let first = self.spans.first()?.start;
-        let slots = found.since.iter_mut().zip(&mut found.records).zip(times);
+        let first = *self.starts.first()?;
+        let numbers = found.records.iter_mut().zip(times);
         // Rising times begin where the last ones were, and most are where the one before was.
-        let (mut record, mut span) = (near, span);
-        if span.has(clock.stamp(*times.first()?)) {
-            for ((slot, number), &time) in slots {
+        let [begin, middle] = [0, times.len() / 2].map(|index| times.get(index));
+        if !self.is_even {
+            self.search(clock, times, &mut found.records);
+        } else if has(span, clock.stamp(*begin?)) & has(span, clock.stamp(*middle?)) {
+            let mut record = near;
+            for (number, &time) in numbers {
                 let stamp = clock.stamp(time);
-                if !span.has(stamp) {
+                if !has(span, stamp) {
                     record = self.find(self.bucket(first, stamp), stamp);
-                    span = *self.spans.get(record)?;
+                    span = self.span(record)?;
                 }
-                *slot = span.since(clock, time, stands);
                 *number = index(record);
             }
         } else {
@@ -235,10 +212,22 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
             for (bucket, &time) in buckets.iter_mut().zip(times) {
                 *bucket = self.bucket(first, clock.stamp(time));
             }
-            for (((slot, number), &time), bucket) in slots.zip(buckets) {
-                let record = self.find(bucket, clock.stamp(time));
-                *slot = self.spans.get(record)?.since(clock, time, stands);
-                *number = index(record);
+            for ((number, &time), bucket) in numbers.zip(buckets) {
+                *number = index(self.find(bucket, clock.stamp(time)));
+            }
+        }
+        let mut starts = [0.0; CHUNK];
+        for (start, &record) in starts.iter_mut().zip(&found.records).take(times.len()) {
+            *start = *self.starts.get(record as usize)?;
+        }
+        for ((slot, &time), start) in found.since.iter_mut().zip(times).zip(starts) {
+            *slot = <R as Real>::from_f64(clock.since(start, time));
+        }
+        if stands {
+            for ((slot, &record), &time) in found.since.iter_mut().zip(&found.records).zip(times) {
+                let is_outside = (record == 0) | (record == index(end));
+                let is_number = !clock.stamp(time).is_nan();
+                *slot = if is_outside & is_number { R::ZERO } else { *slot };
             }
         }
         // Lanes beyond the last time have the record of the last.
@@ -247,6 +236,26 @@ impl<R: Scalar, const C: usize> Segments<R, C> {
         let one = found.records[0];
         found.records.iter().all(|&record| record == one).then_some(one as usize)
     }
+}
+
+/// `true` if a span of times has this one.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn has([from, to]: [f64; 2], stamp: f64) -> bool {
+    (from <= stamp) & (stamp < to)
+}
+
+/// The bucket of a time, of as many as there are. A later time is in no earlier one.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn bucket(first: f64, rate: f64, count: usize, stamp: f64) -> u32 {
+    /// A number below this one, added to it, stands in its last bits: a conversion would saturate,
+    /// which takes longer.
+    const WHOLE: f64 = (1_u64 << 52) as f64;
+    let place = (stamp - first) * rate - 0.5;
+    // A number, also of NaN, since `max` and `min` return the other one.
+    let place = place.max(0.0).min(count as f64 - 1.0);
+    #[allow(clippy::cast_possible_truncation, reason = "the last bits are wanted")]
+    let bucket = (place + WHOLE).to_bits() as u32;
+    bucket
 }
 
 /// The number of a record, which takes more than sixteen bytes: so many as do not fit find no

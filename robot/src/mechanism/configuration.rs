@@ -1,5 +1,6 @@
-//! One configuration of `f32` or `f64`, by the plan of [`step`](super::step): base frames in place
-//! of the general products of `single.rs`.
+//! The fast code for one configuration of `f32` or `f64`. It follows the plan that
+//! [`step`](super::step) describes, and computes with base frames in place of the general products
+//! of `single.rs`.
 //!
 //! ```text
 //! for each step:
@@ -9,9 +10,9 @@
 //!     pose of the link ← frame · link_rotation
 //! ```
 //!
-//! Frames are not stored. Where the tree branches, the frame of the parent is recovered from its
-//! stored pose. Four lanes hold a quaternion, p or q of the motion p + εq. Nothing is fused, so
-//! the bits are the same on all targets.
+//! Base frames are not stored. Where the tree branches, the base frame of the parent is recovered
+//! from its stored pose. A frame is a motion p + εq, and four lanes hold the quaternion p or q.
+//! Multiplications and additions are not fused, so the bits are the same on all targets.
 
 use super::jacobians::Frame;
 use super::job::{Point, PointsByLink};
@@ -27,22 +28,23 @@ use dq8::internal::{Number, Quick};
 use dq8::scalar::{DualQuat, Quat, vector};
 use dq8_simd::{Float, Lanes, Portable, Unfused};
 
-/// The steps from the base to a link.
+/// Returns the steps from the base to a link, in this order.
 #[inline(always)]
 fn path<'s, R: Copy>(
     mechanism: &Mechanism<'s, R>,
     link: usize,
 ) -> impl Iterator<Item = &'s Step<R>> {
     let end = mechanism.steps.get(link).map_or(NONE, |step| step.position) as usize;
-    // There are no steps to the base, which is no link.
+    // If `link` stands for the base, `end` is out of bounds, and the path is empty.
     let steps = mechanism.steps.get(..=end).unwrap_or_default().iter().enumerate();
-    // A step is followed by all that it carries.
+    // A step is directly followed by all `size` − 1 steps that it carries, so it is on the path
+    // if these reach `end`.
     steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
 }
 
-/// The calls of a [`Mechanism`] that floats answer by the plan, as structs of their arguments. Code
-/// for any `Real` cannot name a function that needs a [`Number`], but it can hand over such a
-/// struct.
+/// Declares a struct of arguments for each method of [`Mechanism`] that has fast code for floats.
+/// Code for any `Real` cannot call a function that needs a [`Number`], but it can pass such a
+/// struct to `Real::quick`, which calls the fast code if the type is `f32` or `f64`.
 macro_rules! quick {
     ($($name:ident { $($field:ident: $type:ty),+ } -> $output:ty;)*) => {$(
         pub(crate) struct $name<'s, R> {
@@ -79,7 +81,8 @@ impl<R: Real + Number> LinkPoses<'_, R> {
         let base = BaseFrame::base();
         let (mut last, mut at) = (NONE, base);
         for step in self.mechanism.steps {
-            // Between a parent and its second child lie the steps that the first one carries.
+            // The parent is not the last link only where the tree branches: the steps of an earlier
+            // child's subtree lie between it and this step.
             if step.parent != last {
                 let link = step.parent as usize;
                 at = match (self.poses.get(link), self.mechanism.step(link)) {
@@ -127,14 +130,15 @@ impl<R: Real + Number> LinkJacobian<'_, R> {
             let [joint, link] = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
             let frames = BaseFrames { joint, link, values: self.values };
             for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
-                // The columns of joints that mimic the same one are added up.
+                // A joint and the joints that mimic it share one column, so the column is a sum.
                 *column = *column + frames.screw(step, index);
             }
         }
         let pose = at.pose(own);
         let (back, origin) = (pose.conjugate(), pose.translation());
         for column in self.columns {
-            // The column of a joint that does not carry the link stays zero in every frame.
+            // The column of a joint that does not carry the link stays zero in every frame, so it
+            // is not converted.
             if column.to_array() == [R::ZERO; 6] {
                 continue;
             }
@@ -157,8 +161,8 @@ impl<R: Real + Number> LinkPoints<'_, R> {
         let (mut last, mut at) = (NONE, BaseFrame::base());
         for step in self.mechanism.steps {
             if step.parent != last {
-                // No poses are written here, so the frame is computed again from the base. Few
-                // robots branch far from it.
+                // No poses are stored here, so the frame of the parent is computed again from the
+                // base. Few robots branch far from the base, so this is cheap.
                 at = BaseFrame::base();
                 for step in path(self.mechanism, step.parent as usize) {
                     at = at.joint_frame(step).planned_link_frame(step, &mut angles);
@@ -187,7 +191,8 @@ impl<R: Real + Number> LinkPoints<'_, R> {
     }
 }
 
-/// The base frames of a joint and of its link, and the values of all joints.
+/// The base frames of a joint and of its link, and the values of all joints, from which the columns
+/// of the joint are computed.
 struct BaseFrames<'v, R> {
     joint: DualQuat<R>,
     link: DualQuat<R>,
@@ -231,8 +236,9 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
         Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
     }
 
-    /// The axis of a planar joint is known even if its angle is out of range and its link is NaN.
-    /// Not inlined, as few robots have such joints: a Jacobian takes 7 % fewer instructions.
+    /// The axis of a planar joint is computed from the joint's frame and its two distances. So it
+    /// is finite even if the angle is out of range and the pose of the link is NaN. The function is
+    /// not inlined, as few robots have such joints: a Jacobian takes 7 % fewer instructions.
     #[inline(never)]
     fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
         let JointKind::Planar { .. } = step.kind else {
@@ -246,13 +252,13 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
     }
 }
 
-/// Turning about an axis through a point.
+/// Returns the twist of turning about an axis through a point.
 #[inline(always)]
 fn hinge<R: Real>(axis: [R; 3], point: [R; 3]) -> Twist<R> {
     Twist { angular: axis, linear: vector::cross(point, axis) }
 }
 
-/// The lanes of a quaternion.
+/// The lanes that hold the four components of a quaternion.
 pub(crate) type Four<R> = <R as Float>::Half<Unfused<Portable>>;
 
 #[inline(always)]
@@ -265,32 +271,35 @@ pub(crate) fn load<R: Float>(numbers: [R; 4]) -> Four<R> {
     Lanes::load(LEVEL, &numbers)
 }
 
-/// The numbers of the product q e_K, without their signs.
+/// Reorders the components of q as the product q e_K does, without its signs.
 #[inline(always)]
 fn ordered<const K: usize, R: Float>(x: Four<R>) -> Four<R> {
     let (x, [a, b, c, d]) = (x.to_array(), ORDER[K]);
     load([x[a], x[b], x[c], x[d]])
 }
 
-/// The factors of [`ordered`] numbers for a vector on axis K.
+/// Returns the factors by which [`ordered`] components are multiplied in the product of q and the
+/// vector `number` · e_K: `number` with the signs of the product q e_K.
 #[inline(always)]
 fn row<const K: usize, R: Float>(number: R) -> Four<R> {
     splat::<R>(number) * load(SIGNS[K].map(R::from))
 }
 
-/// The factors of [`ordered`] numbers, for each axis, for a vector on none.
+/// Returns the factors by which [`ordered`] components are multiplied, one register for each axis,
+/// for a vector that lies on no axis.
 #[inline(always)]
 fn rows<R: Float>([x, y, z]: [R; 3]) -> [Four<R>; 3] {
     [row::<0, R>(x), row::<1, R>(y), row::<2, R>(z)]
 }
 
-/// The product q (v + w).
+/// Returns the product q (v + w). `x` holds q, the three registers are the [`rows`] of v, and `w`
+/// is the scalar part.
 #[inline(always)]
 fn product<R: Float>(x: Four<R>, [i, j, k]: [Four<R>; 3], w: Four<R>) -> Four<R> {
     (x * w + ordered::<0, R>(x) * i) + (ordered::<1, R>(x) * j + ordered::<2, R>(x) * k)
 }
 
-/// The base frame of a joint or a link: the motion p + εq.
+/// The base frame of a joint or a link, as the motion p + εq.
 #[derive(Clone, Copy)]
 pub(crate) struct BaseFrame<R: Float> {
     p: Four<R>,
@@ -314,7 +323,8 @@ impl<R: Real + Number> BaseFrame<R> {
         [x, y, z, w, qx, qy, qz, qw]
     }
 
-    /// The frame moved by a vector in its own axes, of which half, h, is given: q + p h.
+    /// Returns the frame moved by a vector along its own axes. `half` is half of that vector, h,
+    /// and the new dual part is q + p h.
     #[inline(always)]
     fn moved(self, along: Alignment, half: [R; 3]) -> Self {
         let (p, [x, y, z]) = (self.p, half);
@@ -331,7 +341,7 @@ impl<R: Real + Number> BaseFrame<R> {
         Self { p, q: self.q + added }
     }
 
-    /// The frame rotated by the unit quaternion v + w.
+    /// Returns the frame rotated by the unit quaternion with vector part v and scalar part w.
     #[inline(always)]
     fn rotated(self, about: Alignment, v: [R; 3], w: R) -> Self {
         let [x, y, z] = v;
@@ -354,27 +364,28 @@ impl<R: Real + Number> BaseFrame<R> {
         Self { p: p * w + ordered::<K, R>(p) * row, q: q * w + ordered::<K, R>(q) * row }
     }
 
-    /// The pose of the link that has this base frame.
+    /// Returns the pose of the link that has this base frame and the link rotation `own`.
     #[inline(always)]
     pub(crate) fn pose(self, own: &Factor<R>) -> DualQuat<R> {
         let own = self.rotated(own.v.along, own.v.vector, own.w);
         DualQuat::from_array(own.to_array())
     }
 
-    /// The base frame of the link that has this pose.
+    /// Returns the base frame of the link that has this pose and the link rotation `own`.
     #[inline(always)]
     pub(crate) fn of_pose(pose: &DualQuat<R>, own: &Factor<R>) -> Self {
         Self::new(pose.to_array()).rotated(own.v.along, own.v.vector.map(|c| -c), own.w)
     }
 
-    /// The frame of the joint on a parent with this frame.
+    /// Returns the base frame of the joint of `step`, if `self` is the base frame of its parent.
     #[inline(always)]
     pub(crate) fn joint_frame(self, step: &Step<R>) -> Self {
         let half_offset = &step.plan.half_offset;
         self.moved(half_offset.along, half_offset.vector)
     }
 
-    /// The frame of the link behind a joint with this frame.
+    /// Returns the base frame of the link that the joint of `step` carries, if `self` is the base
+    /// frame of the joint.
     #[inline(always)]
     pub(crate) fn planned_link_frame(self, step: &Step<R>, angles: &mut HalfAngles<'_, R>) -> Self {
         let (at, [x, y, z]) = (self, step.plan.axis.vector);
@@ -397,14 +408,15 @@ impl<R: Real + Number> BaseFrame<R> {
                 let [cos, sin] = turn();
                 at.rotated(Alignment::Any, [x * sin, y * sin, z * sin], cos)
             }
-            // Passed by value: taking the address would force the frame to memory on every path.
+            // The frame is passed by value. If its address were taken, the compiler would keep the
+            // frame in memory for all kinds of joints.
             Moves::General => Self::new(general_joint(at.to_array(), step, angles.values)),
         }
     }
 }
 
-/// The motion of a joint of any kind. Not inlined: its constants would take the registers of the
-/// loop.
+/// Applies the motion of a joint of any kind. The function is not inlined, because its constants
+/// would occupy registers that the loop needs.
 #[cold]
 #[inline(never)]
 fn general_joint<R: Real + Number>(frame: [R; 8], step: &Step<R>, mut values: &[R]) -> [R; 8] {
@@ -464,12 +476,13 @@ impl<R: Real + Number> JointFrame<R, &[R]> for BaseFrame<R> {
 }
 
 pub(crate) const LEVEL: Unfused<Portable> = Unfused(Portable);
-/// The lanes of eight angles.
+/// The lanes that hold eight angles.
 type Eight<R> = <R as Float>::Packed<Unfused<Portable>>;
-/// The lanes that a register holds.
+/// The lanes of one register of the target; a single lane on targets without SIMD.
 type Native<R> = <R as Float>::Lanes<Unfused<Portable>>;
 
-/// The values of a configuration, and cosine and sine of half of eight that follow each other.
+/// The values of a configuration, and a cache with the cosines and sines of half of eight
+/// consecutive values.
 pub(crate) struct HalfAngles<'v, R> {
     pub(crate) values: &'v [R],
     first: usize,
@@ -478,8 +491,8 @@ pub(crate) struct HalfAngles<'v, R> {
 }
 
 impl<'v, R: Real + Number> HalfAngles<'v, R> {
-    /// The number of angles computed at once: eight, or four on targets with one lane, where angles
-    /// that are not needed cost time.
+    /// The count of angles that are computed at once: eight, or four on targets with one lane,
+    /// where each angle that is not needed costs time.
     const BATCH: usize = if Native::<R>::LANES == 1 { 4 } else { 8 };
 
     #[inline(always)]
@@ -487,8 +500,9 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         Self { values, first: 0, cos: [R::NAN; 8], sin: [R::NAN; 8] }
     }
 
-    /// Computes the angles from the first value of a step on, before the loop needs them. They are
-    /// computed in place: copying numbers that were just written would wait for memory.
+    /// Fills the cache of cosines and sines from the first value of a step on, before the loop
+    /// needs it. The cache is filled in place, because copying it right after it was written would
+    /// wait for the stores.
     #[inline(always)]
     pub(crate) fn begin(&mut self, step: Option<&Step<R>>) {
         let index = step.map_or(0, |step| step.value as usize);
@@ -499,7 +513,8 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         }
     }
 
-    /// Cosine and sine of half of value number `index`, computed with its neighbours if need be.
+    /// Returns the cosine and the sine of half of the value with this `index`. If the cache does
+    /// not hold them, it is filled with them and their neighbours.
     #[inline(always)]
     pub(crate) fn half_angle(&mut self, index: usize) -> [R; 2] {
         if index.wrapping_sub(self.first) >= Self::BATCH {
@@ -515,7 +530,8 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         self.compute(index);
     }
 
-    /// Computes cosine and sine for value number `index` and those after it.
+    /// Fills the cache with the cosines and sines of half of consecutive values that include the
+    /// value with this `index`.
     #[inline(always)]
     fn compute(&mut self, index: usize) {
         if Native::<R>::LANES == 1 {
@@ -529,7 +545,8 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         }
         self.first = index.min(self.values.len().saturating_sub(4));
         let rest = self.values.get(self.first..).unwrap_or_default();
-        // The last four, some of them again, because lanes load no fewer than four.
+        // If fewer than eight values are left, the second half holds the last four, some of which
+        // the first half holds too: lanes load no fewer than four.
         let second = rest.len().wrapping_sub(4).min(4);
         let high = rest.get(second..).and_then(<[R]>::first_chunk::<4>);
         let some = match (rest.first_chunk::<4>(), high) {
@@ -546,7 +563,8 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
     }
 }
 
-/// Cosine and sine of half an angle. Firmware holds it once.
+/// Returns the cosine and the sine of half an angle. On firmware the function is not inlined, so
+/// that the image holds it once.
 #[cfg_attr(target_os = "none", inline(never))]
 pub(crate) fn half_angle_of<R: Real + Number>(angle: R) -> [R; 2] {
     let angle = Native::<R>::splat(LEVEL, angle);

@@ -1,5 +1,5 @@
-//! Jacobians of links for many configurations, the frames in which they are given, and
-//! manipulability.
+//! Jacobians of links for many configurations, the frames in which Jacobians are given, and the
+//! manipulability of a link.
 
 use super::job::{Job, carries, first_carried, place_of, repeat};
 use super::step::{JointScrews, Step};
@@ -15,27 +15,28 @@ use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::{Lanes, Level};
 
 /// The axes and the reference point of the columns of a Jacobian: [`World`], [`Body`] or
-/// [`WorldAligned`]. The type of a column says which part comes first: `[R; 6]` and
+/// [`WorldAligned`]. The element type of the columns decides which part comes first: `[R; 6]` and
 /// [`Twist`](dq8::Twist) have the angular part first, [`LinearFirst`](dq8::storage::LinearFirst)
-/// the linear one. Sealed.
+/// has the linear part first. The trait is sealed.
 pub trait JacobianFrame: Copy + Debug + sealed::Sealed {
     #[doc(hidden)]
     const FRAME: Frame;
 }
 
-/// The axes of the base, about its origin: spatial twists, J_s (Lynch & Park, *Modern Robotics*,
-/// 2017, eq. 5.11).
+/// Columns in the axes of the base, about the origin of the base. They are spatial twists, J_s
+/// (Lynch & Park, *Modern Robotics*, 2017, eq. 5.11).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct World;
-/// The axes of the link, about its origin: body twists, J_b (eq. 5.18).
+/// Columns in the axes of the link, about the origin of the link. They are body twists, J_b (Lynch
+/// & Park, *Modern Robotics*, 2017, eq. 5.18).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Body;
-/// The axes of the base, about the origin of the link: the velocity of that point, which most
-/// controllers ask for.
+/// Columns in the axes of the base, about the origin of the link. Their linear part is the velocity
+/// of that origin, which most controllers ask for.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WorldAligned;
 
-/// The three frames as values, for code that is written once.
+/// The three frames as values, for code that is compiled once for all frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(hidden)]
 pub enum Frame {
@@ -62,14 +63,15 @@ mod sealed {
 }
 
 impl<R: Scalar> Job<'_, R, &[usize]> {
-    /// The geometric Jacobians of some links, and their poses, for many configurations in one pass:
-    /// what [`Mechanism::link_jacobian`] gives for one link of one.
+    /// Computes the geometric Jacobians and the poses of the selected links for many
+    /// configurations, in one pass. [`Mechanism::link_jacobian`] computes them for one link of one
+    /// configuration.
     ///
-    /// `poses` is `[configuration][link]`, in the order of `links`, and `columns` is
-    /// `[configuration][link][rate]`; columns of joints that do not carry the link are zero.
-    /// Columns are `[R; 6]`, `[ωx, ωy, ωz, vx, vy, vz]`, or
-    /// [`LinearFirst`](dq8::storage::LinearFirst), the other way round, or [`Twist`]s, or blocks.
-    /// [`World`](crate::World) is the cheapest frame.
+    /// `values` is laid out as for [`Job::poses`]. `poses` is `[configuration][link]`, in the order
+    /// of the selected links, and `columns` is `[configuration][link][rate]`; columns of joints
+    /// that do not carry the link are zero. A column is `[R; 6]` or a [`Twist`], in the order
+    /// `[ωx, ωy, ωz, vx, vy, vz]`, or [`LinearFirst`](dq8::storage::LinearFirst), which has v
+    /// before ω; or columns are in blocks. [`World`](crate::World) is the cheapest frame.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations, or there is no such link; nothing is
@@ -124,15 +126,17 @@ struct Jacobians<'s, E: Element<8>, C> {
     steps: &'s [Step<Number<E, 8>>],
     links: &'s [usize],
     rates: usize,
-    /// `true` if some columns are the sum over a joint and those that mimic it.
+    /// `true` if some columns are the sum over a joint and the joints that mimic it.
     sums: bool,
-    /// Not a parameter of the type, so that the kernel is compiled once: the frame is asked for
-    /// only once per column that is loaded and stored.
+    /// The frame of the columns. It is a value and not a type parameter, so that the kernel is
+    /// compiled once for all frames. The branch on it costs little: it is taken once for each
+    /// column that is loaded and stored.
     frame: Frame,
 }
 
 impl<E: Element<8>, C> Jacobians<'_, E, C> {
-    /// The place of a column of link number `index`.
+    /// Returns the tile of the column for a rate, of the link at place `index` of the selected
+    /// links.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn place<V: Level>(&self, group: Group, index: usize, rate: usize) -> Tile {
         group.tile::<E::Layout, V>(index * self.rates + rate, self.links.len() * self.rates)
@@ -144,9 +148,9 @@ impl<E: Element<8>, C> Jacobians<'_, E, C> {
     }
 }
 
-/// Columns are computed in the frame [`World`], in which they are the same for all links, and
-/// stored for the first link that the joint carries. At the end of a group the other links take
-/// them from there, and all are turned into the frame that was asked for.
+/// Columns are computed in the frame [`World`], in which a joint's column is the same for all links
+/// that it carries, and stored for the first of these links. At the end of a group, the columns of
+/// the other links are made from these columns, and all are converted to the requested frame.
 impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
     E: Element<8>,
@@ -197,8 +201,8 @@ where
             let column = frames.screw(step, rate);
             let rate = step.rate as usize + rate;
             if !self.sums {
-                // Stored once: a loop over all links that the joint carries would keep the
-                // registers of a column in memory.
+                // The column is stored for one link only. With a loop over all links that the joint
+                // carries, the compiler would keep the registers of the column in memory.
                 let first = first_carried(self.steps, position, self.links).unwrap_or(0);
                 C::store(column.to_array(), self.columns, self.place::<V>(group, first, rate));
                 let (at, count) = (first * self.rates + rate, self.links.len() * self.rates);
@@ -226,7 +230,8 @@ where
         if self.frame == Frame::World && (self.sums || self.links.len() == 1) {
             return;
         }
-        // The last link comes first, as the first one changes the columns that the others take.
+        // The loop goes from the last link to the first: converting a link overwrites its columns,
+        // from which the columns of later links are made.
         for (index, &link) in self.links.iter().enumerate().rev() {
             let tile = place_of(self.links, link).unwrap_or(index);
             let tile = group.tile::<E::Layout, V>(tile, self.links.len());
@@ -258,7 +263,8 @@ where
                     };
                     let mut seen = twist.to_array();
                     if self.sums {
-                        // The column of a joint that does not carry the link stays zero.
+                        // The column of a joint that does not carry the link is zero, and must stay
+                        // zero in every frame.
                         let zero = column[0].constant(0.0);
                         let [a, b, c, d, e, f] = column.map(|number| number.eq(zero));
                         seen = vector::select(a & b & c & d & e & f, column, seen);
@@ -271,13 +277,13 @@ where
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The manipulability of a link, w = √det(J Jᵀ): the volume of the twists that rates of
-    /// length one give it, up to a constant factor (Yoshikawa, *Manipulability of Robotic
-    /// Mechanisms*, 1985, eq. 9). J is the whole Jacobian of six rows, so the unit is radians and
-    /// lengths cubed. It is the same in every [frame](super::JacobianFrame). It is zero, up to
-    /// rounding, at a singularity, where the link cannot move in every direction, and always if
-    /// there are fewer than six rates; it is NaN if the pose is. The memory of `columns` is used,
-    /// whatever it holds.
+    /// Returns the manipulability of a link, w = √det(J Jᵀ) (Yoshikawa, *Manipulability of
+    /// Robotic Mechanisms*, 1985, eq. 9). Up to a constant factor, w is the volume of the twists
+    /// that the link has for all rates of length one. J is the whole Jacobian of six rows, so the
+    /// unit is radians and lengths cubed, and w is the same in every [frame](super::JacobianFrame).
+    /// At a singularity, where the link cannot move in every direction, w is zero up to rounding;
+    /// it is always zero if there are fewer than six rates. It is NaN if the pose is NaN. `columns`
+    /// is scratch memory with one element per rate, whose contents do not matter.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -304,8 +310,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many values and columns as the mechanism has, or there is no such link;
-    /// `columns` is untouched.
+    /// If `values` or `columns` does not have the length that the mechanism asks for, or there is
+    /// no such link; `columns` is untouched.
     pub fn manipulability(
         &self,
         values: &[R],
@@ -317,11 +323,12 @@ impl<R: Real> Mechanism<'_, R> {
     }
 }
 
-/// √det(J Jᵀ) of these columns, which it overwrites: the product of the lengths of the six
-/// rows, after each was made orthogonal to those before it (Gram–Schmidt). Near a singularity the
-/// product J Jᵀ would lose half of the digits.
+/// Returns √det(J Jᵀ) of the Jacobian with these columns, and overwrites them. The result is
+/// the product of the lengths of the six rows, after each row was made orthogonal to the rows
+/// before it (Gram–Schmidt). Near a singularity, computing the product J Jᵀ would lose half of
+/// the digits.
 fn volume<R: Real>(columns: &mut [Twist<R>]) -> R {
-    // Six rows with fewer than six columns are never independent.
+    // Six rows with fewer than six columns are linearly dependent, so the volume is zero.
     let mut volume = if columns.len() < 6 { R::ZERO } else { R::ONE };
     for first in 0..6 {
         let dot = |columns: &[Twist<R>], row: usize| {

@@ -1,5 +1,6 @@
-//! Many configurations at a time: [`Job`], its options and its check; the poses of links; points on
-//! links; and [`OwnedMechanism`](super::OwnedMechanism), which has memory of its own.
+//! Computing many configurations at a time: [`Job`] with its options and its check of lengths, its
+//! methods for poses of links and for points on links, and
+//! [`OwnedMechanism`](super::OwnedMechanism), which owns its memory.
 
 use super::step::Step;
 use super::tree::Mechanism;
@@ -22,7 +23,8 @@ use {
 /// A run over many configurations of a mechanism, one per lane, with options that all have a
 /// default.
 ///
-/// `S` is the set of links: [`AllLinks`], or those that [`links`](Self::links) names.
+/// `R` is the element type. `S` is the set of links: [`AllLinks`], or the links that were given to
+/// [`links`](Self::links).
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -45,20 +47,20 @@ pub struct Job<'a, R, S = AllLinks> {
     pub(crate) choice: Choice,
 }
 
-/// A [`Job`] over all links of the mechanism.
+/// The set of links of a [`Job`] over all links of the mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct AllLinks;
 
 impl<'a, R: Copy> Mechanism<'a, R> {
-    /// A run over many configurations.
+    /// Returns a job that computes many configurations, with all options at their defaults.
     pub fn job(self) -> Job<'a, R> {
         Job { mechanism: self, links: AllLinks, choice: Choice::default() }
     }
 }
 
 impl<'a, R: Copy> Job<'a, R> {
-    /// Only these links, in this order. Links that carry none of them are not computed, and poses
-    /// of other links are not stored.
+    /// Selects these links, in this order, for the output. A link that is not selected and carries
+    /// no selected link is not computed, and only poses of selected links are stored.
     pub fn links(self, links: &'a [usize]) -> Job<'a, R, &'a [usize]> {
         Job { mechanism: self.mechanism, links, choice: self.choice }
     }
@@ -68,11 +70,11 @@ impl<R, S> Job<'_, R, S> {
     dq8::internal::options!();
 }
 
-/// The links of a [`Job`]: [`AllLinks`], or some by their numbers.
+/// The links of a [`Job`]: [`AllLinks`], or a slice of indices.
 pub trait Links: Copy + Sync {
-    /// `true` for all links.
+    /// `true` if the job is over all links of the mechanism.
     const ALL: bool;
-    /// The numbers of some links; empty for all.
+    /// Returns the indices of the selected links; empty for [`AllLinks`].
     fn some(&self) -> &[usize];
 }
 
@@ -94,8 +96,8 @@ impl Links for &[usize] {
 }
 
 impl<R: Scalar, S: Links> Job<'_, R, S> {
-    /// Checks the links, the output called `what`, which has `width` elements for each
-    /// configuration, and the values.
+    /// Checks that the links exist, that the output called `what` holds a whole number of
+    /// configurations with `width` elements each, and that the values are as many.
     pub(crate) fn check<'r, Y: Layout, T: JointValues<Y>>(
         &'r self,
         values: &'r [T],
@@ -110,22 +112,23 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     }
 }
 
-/// Configurations that have been checked, for the loop.
+/// The checked input of the loop over all configurations.
 #[derive(Clone, Copy)]
 pub(crate) struct Run<'r, R, T> {
     pub(crate) mechanism: Mechanism<'r, R>,
     backend: Backend,
     values: &'r [T],
-    /// The number of configurations, or of blocks of them.
+    /// The count of configurations, or of blocks if poses are in blocks.
     pub(crate) elements: usize,
-    /// The number of elements that a configuration has in the output.
+    /// The count of elements that each configuration has in the output.
     pub(crate) width: usize,
 }
 
 impl<R: Scalar, T> Run<'_, R, T> {
-    /// Runs the loop over all configurations, on as many threads as the job allows. `task` takes
-    /// the number of the first configuration (or block) of a part of the outputs, and the part; it
-    /// returns how many the part holds, and the task for them.
+    /// Runs the loop over all configurations, on as many threads as the job allows. The outputs are
+    /// cut into parts. The function `task` takes a part and the index of its first configuration
+    /// (or block), and returns the count of configurations (or blocks) in the part, and the task
+    /// that writes them.
     pub(crate) fn walk<Y, O, K>(self, outputs: O, task: impl Fn(usize, O) -> (usize, K) + Sync)
     where
         Y: Layout<Real = R>,
@@ -134,7 +137,8 @@ impl<R: Scalar, T> Run<'_, R, T> {
         K: Task<Y>,
     {
         let Self { mechanism, values, .. } = self;
-        // A thread gets some microseconds of work, and a multiple of the largest number of lanes.
+        // A part is worth some microseconds of work, and is a multiple of the largest count of
+        // lanes, so that only the last part has unused lanes.
         let grain = 2048_usize.div_ceil(mechanism.links().max(1));
         let grain = grain.next_multiple_of(dq8_simd::MAX_LANES);
         self.backend.share(grain, outputs, &|first, part| {
@@ -144,25 +148,25 @@ impl<R: Scalar, T> Run<'_, R, T> {
         });
     }
 
-    /// The number of configurations, or of blocks of them, in a part of the output.
+    /// Returns the count of configurations, or of blocks, in a part of the output.
     pub(crate) fn within<E>(&self, part: &[E]) -> usize {
         part.len().checked_div(self.width).unwrap_or(self.elements)
     }
 }
 
 impl<R: Scalar, S: Links> Job<'_, R, S> {
-    /// The poses of the links of many configurations, in the frame of the base: what
-    /// [`Mechanism::link_poses`] gives for one, on lanes.
+    /// Computes the poses of links for many configurations, in the frame of the base.
+    /// [`Mechanism::link_poses`] computes them for one configuration.
     ///
-    /// `poses` is `[configuration][link]`, plain or in blocks: all links, or those that the job
-    /// names, in the order in which it names them. `values` is `[configuration][value]` in plain
-    /// numbers, or a slice of plain numbers for each value, or, if poses are in blocks,
-    /// `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
-    /// or 2⁴⁶ rad (`f64`) give NaN.
+    /// `poses` is `[configuration][link]`, plain or in blocks. It holds all links, or the links
+    /// that the job selects, in the order of the selection. `values` is `[configuration][value]` in
+    /// plain floats, or a slice of plain floats for each value. If poses are in blocks, it may also
+    /// be `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad
+    /// (`f32`) or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
-    /// If there is no such link, `poses` holds no whole number of configurations or `values`
-    /// another number of them; `poses` is untouched.
+    /// If there is no such link, `poses` does not hold a whole number of configurations, or
+    /// `values` holds a different count of configurations; `poses` is untouched.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -206,7 +210,8 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     }
 }
 
-/// Copies the pose of a link that is asked for more than once to its other places.
+/// Copies the pose of each link that occurs more than once in `links` from its first place, which
+/// the loop has written, to its other places.
 pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     for (again, &link) in links.iter().enumerate() {
         let Some(first) = place_of(links, link) else { continue };
@@ -222,7 +227,7 @@ pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     }
 }
 
-/// The first place of a link in `links`.
+/// Returns the first place of a link in `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
     links.iter().position(
@@ -231,7 +236,7 @@ pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
     )
 }
 
-/// The poses of all links, or of some.
+/// The task that writes the poses of all links, or of the selected links.
 struct Poses<'s, E, S> {
     poses: &'s mut [E],
     links: &'s [usize],
@@ -260,22 +265,24 @@ impl<E: Element<8>, S: Links> Task<E::Layout> for Poses<'_, E, S> {
             E::store(frames.link.to_motion(), self.poses, tile);
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
-            // A link that is asked for more than once is written to its first place only. A loop
-            // around the registers of a pose would keep them in memory, and take half as long
-            // again.
+            // A link that is selected more than once is written to its first place only; [`repeat`]
+            // copies its pose later. With a loop over all places here, the compiler would keep the
+            // registers of the pose in memory, which takes half as long again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
             E::store(frames.link.to_motion(), self.poses, tile);
         }
     }
 }
 
-/// `true` if the link of a step, or one that it carries, is among `links`.
+/// Returns `true` if the link of the step at `position`, or a link that it carries, is among
+/// `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
     first_carried(steps, position, links).is_some()
 }
 
-/// The first place in `links` of the link of a step, or of one that it carries.
+/// Returns the first place in `links` that holds the link of the step at `position`, or a link that
+/// it carries.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn first_carried<R>(
     steps: &[Step<R>],
@@ -291,15 +298,15 @@ pub(crate) fn first_carried<R>(
     None
 }
 
-/// A link, and a point in its frame.
+/// The index of a link, and a point in the frame of that link.
 pub(crate) type Point<R> = (usize, [R; 3]);
 
-/// Points on links, looked up for one link after the other.
+/// Points on links, from which the loop takes the points of one link after the other.
 #[derive(Clone, Copy)]
 pub(crate) struct PointsByLink<'p, R> {
     pub(crate) points: &'p [Point<R>],
     in_order: bool,
-    /// The place at which the points of the next link are likely to begin.
+    /// The index at which the points of the next link are likely to begin.
     next: usize,
 }
 
@@ -309,7 +316,8 @@ impl<'p, R> PointsByLink<'p, R> {
         Self { points, in_order, next: 0 }
     }
 
-    /// A range that holds all points of a link.
+    /// Returns a range of indices that holds all points of a link. If the points are not sorted by
+    /// link, this is the range of all points.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
         if !self.in_order {
@@ -317,8 +325,8 @@ impl<'p, R> PointsByLink<'p, R> {
         }
         let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
         let mut end = self.next;
-        // The points of the last link ended at `next`, so it is never in the middle of a link's
-        // own points.
+        // The search before this one ended at `next`, after the last point of some link. So `next`
+        // is never in the middle of one link's points.
         if !is_of(self.points.get(end)) {
             end = self.points.partition_point(|(of, _)| *of < link);
         }
@@ -332,10 +340,13 @@ impl<'p, R> PointsByLink<'p, R> {
 }
 
 impl<R: Scalar> Job<'_, R> {
-    /// The places of points on links for many configurations, in one pass and without poses in
-    /// memory: what [`Mechanism::link_points`] gives for one.
+    /// Computes the places of points on links, in the frame of the base, for many configurations in
+    /// one pass and without poses in memory. [`Mechanism::link_points`] computes them for one
+    /// configuration.
     ///
-    /// `places` is `[configuration][point]` in the order of `points`: `[R; 3]`, or blocks.
+    /// Each of `points` is the index of a link and a point in its frame. `values` is laid out as
+    /// for [`poses`](Self::poses). `places` is `[configuration][point]` in the order of `points`,
+    /// with elements `[R; 3]` or blocks.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -349,8 +360,8 @@ impl<R: Scalar> Job<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there is no such link, `places` holds no whole number of configurations or `values`
-    /// another number of them; `places` is untouched.
+    /// If there is no such link, `places` does not hold a whole number of configurations, or
+    /// `values` holds a different count of configurations; `places` is untouched.
     pub fn points<T, E>(
         &self,
         points: &[(usize, [R; 3])],
@@ -376,16 +387,16 @@ struct Points<'s, E: Element<3>> {
     found: PointsByLink<'s, Number<E, 3>>,
 }
 
-/// Up to four places that wait to be written together. The three numbers of a point fill no
-/// register, but the twelve of four points fill three. That takes a quarter of the stores, which
-/// are most of the time in plain slices.
+/// Up to four computed places that are still to be written. The three components of one point fill
+/// no register, but the twelve of four points fill three. Writing four points together takes a
+/// quarter of the stores, which are most of the time in plain slices.
 struct PointQuad<L> {
     first: usize,
     count: usize,
     places: [[L; 3]; FOUR],
 }
 
-/// The number of points that are written together.
+/// The count of points that are written together.
 const FOUR: usize = 4;
 
 type Register<E, V> = <<E as Element<3>>::Layout as Layout>::Register<V>;
@@ -480,7 +491,7 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
     }
 }
 
-/// A [`Mechanism`] with memory of its own.
+/// A [`Mechanism`] that owns its memory.
 ///
 /// ```
 /// use dq8_robot::{Joint, OwnedMechanism};
@@ -508,18 +519,18 @@ brief!([R] OwnedMechanism<R>: OwnedMechanism |it| {
 
 #[cfg(feature = "alloc")]
 impl<R: Real> OwnedMechanism<R> {
-    /// See [`Mechanism::new`].
+    /// Makes a mechanism from joints, as [`Mechanism::new`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::new`].
     pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
         Self::of(joints.len(), |steps| Mechanism::new(joints, steps))
     }
 
-    /// See [`Mechanism::from_screws`].
+    /// Makes a serial arm from screws, as [`Mechanism::from_screws`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::from_screws`].
     pub fn from_screws(
         screws: &[(Screw<R>, [R; 2])],
         tool: DualQuat<R>,
@@ -527,10 +538,10 @@ impl<R: Real> OwnedMechanism<R> {
         Self::of(screws.len() + 1, |steps| Mechanism::from_screws(screws, tool, steps))
     }
 
-    /// See [`Mechanism::from_dh`].
+    /// Makes a serial arm from a table of Denavit and Hartenberg, as [`Mechanism::from_dh`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::from_dh`].
     pub fn from_dh(
         rows: &[Dh<R>],
         convention: DhConvention,
@@ -548,7 +559,7 @@ impl<R: Real> OwnedMechanism<R> {
         Ok(Self { steps, values, rates })
     }
 
-    /// A run over many configurations: [`Mechanism::job`].
+    /// Returns a job that computes many configurations, as [`Mechanism::job`] does.
     pub fn job(&self) -> Job<'_, R>
     where
         R: Copy,
@@ -556,23 +567,23 @@ impl<R: Real> OwnedMechanism<R> {
         self.view().job()
     }
 
-    /// See [`Mechanism::link_pose`].
+    /// Returns the pose of one link, as [`Mechanism::link_pose`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::link_pose`].
     pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
         self.view().link_pose(values, link)
     }
 
-    /// See [`Mechanism::link_poses`].
+    /// Computes the poses of all links, as [`Mechanism::link_poses`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Mechanism::link_poses`].
     pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
         self.view().link_poses(values, poses)
     }
 
-    /// The same, borrowed: everything else is asked of it.
+    /// Borrows the mechanism. The view has all other methods.
     #[must_use]
     pub fn view(&self) -> Mechanism<'_, R> {
         Mechanism { steps: &self.steps, values: self.values, rates: self.rates }

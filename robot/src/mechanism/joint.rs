@@ -1,127 +1,135 @@
-//! Joints as the caller describes them, and the errors in them.
+//! Joints as the caller describes them, and the errors that a description can have.
 
 use dq8::Real;
 use dq8::internal::errors;
 use dq8::scalar::DualQuat;
 
-/// The joint of a link: how it moves on the link that carries it.
+/// The joint of a link: its place on the parent link, and the motion that it allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<R> {
-    /// The number of the link that carries this one, which must be lower; `None` for the base.
+    /// The index of the parent link, which must be lower than the index of this joint; `None` if
+    /// the joint stands on the base.
     pub parent: Option<usize>,
-    /// The pose of the joint in the frame of the parent, which is the pose of the link while the
-    /// joint is at zero. It must be unit to 10⁻³, and is made unit exactly.
+    /// The pose of the joint in the frame of the parent. While the value of the joint is zero, the
+    /// link has this pose. The dual quaternion must be unit to 10⁻³, and is then normalized.
     pub placement: DualQuat<R>,
-    /// The kind of motion.
+    /// The motion that the joint allows, with its axis or normal.
     pub kind: JointKind<R>,
-    /// The least and the largest value, for a joint with one value. Inverse kinematics keeps to
-    /// them ([`Reach`](crate::Reach)); poses are computed for any values.
+    /// The least and the largest value, which only a joint with one value may have. Inverse
+    /// kinematics ([`Reach`](crate::Reach)) keeps to these limits; poses are computed for any
+    /// values.
     pub limits: Option<[R; 2]>,
-    /// The joint whose value this one takes, if it has none of its own.
+    /// The rule by which this joint follows the value of another joint; `None` if this joint has
+    /// values of its own.
     pub mimic: Option<Mimic<R>>,
 }
 
-/// The motion of a joint, in its own frame. Axes must have length 1 to 10⁻³, and are made unit
-/// exactly.
+/// The motion that a joint allows, in the joint's own frame. Axes and normals must have length 1 to
+/// 10⁻³, and are then normalized.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JointKind<R> {
-    /// Does not move. No value.
+    /// Does not move, and has no value.
     Fixed,
-    /// Turns about `axis`, through the origin of its frame. One value, radians; without limits this
-    /// is a continuous joint.
+    /// Turns about `axis`, which passes through the origin of the joint's frame. It has one value,
+    /// in radians. A revolute joint without limits is the continuous joint of URDF.
     Revolute {
-        /// The axis.
+        /// The direction of the axis, of length 1.
         axis: [R; 3],
     },
-    /// Slides along `axis`. One value, a length.
+    /// Slides along `axis`. It has one value, a length.
     Prismatic {
-        /// The axis.
+        /// The direction of the axis, of length 1.
         axis: [R; 3],
     },
-    /// Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
+    /// Turns about `axis` and slides along it by `pitch` for each radian. It has one value, in
+    /// radians.
     Screw {
-        /// The axis.
+        /// The direction of the axis, of length 1.
         axis: [R; 3],
-        /// Length per radian: the lead of a thread over 2π.
+        /// The length per radian: the lead of the thread divided by 2π.
         pitch: R,
     },
-    /// Slides in the plane perpendicular to `normal`, then turns about the normal. Three values: x
-    /// and y, lengths, and the angle, radians. The axes of x and y are those of the joint's frame
-    /// after the shortest rotation that takes z to the normal (for −z, half a turn about x).
-    /// Three rates, ẋ, ẏ, θ̇.
+    /// Slides in the plane perpendicular to `normal`, then turns about the normal. It has three
+    /// values: the lengths x and y, and the angle in radians. The directions of x and y are the x
+    /// and y axes of the joint's frame, turned by the shortest rotation that takes z to the normal
+    /// (if the normal is −z, by half a turn about x). Its three rates are ẋ, ẏ, θ̇.
     Planar {
-        /// The normal.
+        /// The direction of the normal, of length 1.
         normal: [R; 3],
     },
-    /// Moves freely. Seven values, `[x, y, z, w, tx, ty, tz]`: a rotation of any length but zero,
-    /// which is normalized, and the translation. Six rates: the body twist
-    /// `[ωx, ωy, ωz, vx, vy, vz]`, in the frame of the link.
+    /// Moves freely. It has seven values, `[x, y, z, w, tx, ty, tz]`: a quaternion of any length
+    /// but zero, which is normalized to the rotation, and the translation. Its six rates are the
+    /// body twist `[ωx, ωy, ωz, vx, vy, vz]`, in the frame of the link.
     Floating,
 }
 
-/// The rule of a joint that follows another: its value is `multiplier` · value(`joint`) +
-/// `offset`.
+/// The rule of a joint that follows another joint. The value of the follower is `multiplier` ·
+/// value(`joint`) + `offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mimic<R> {
-    /// The number of the other joint, which has one value and mimics none.
+    /// The index of the joint that is followed. That joint must have one value of its own, so it
+    /// must not mimic a third joint.
     pub joint: usize,
-    /// The factor of its value.
+    /// The factor by which the value of the followed joint is multiplied.
     pub multiplier: R,
-    /// The number that is added.
+    /// The value that is added to the product.
     pub offset: R,
 }
 
 impl<R> Joint<R> {
-    /// A joint of any kind, without limits.
+    /// Returns a joint of any kind, without limits, that mimics no other joint.
     #[must_use]
     pub fn new(parent: Option<usize>, placement: DualQuat<R>, kind: JointKind<R>) -> Self {
         Self { parent, placement, kind, limits: None, mimic: None }
     }
 
-    /// A link that stands still on its parent.
+    /// Returns the joint of a link that does not move on its parent.
     #[must_use]
     pub fn fixed(parent: Option<usize>, placement: DualQuat<R>) -> Self {
         Self::new(parent, placement, JointKind::Fixed)
     }
 
-    /// A hinge about `axis`, of length 1.
+    /// Returns a hinge about `axis`, which must have length 1.
     #[must_use]
     pub fn revolute(parent: Option<usize>, placement: DualQuat<R>, axis: [R; 3]) -> Self {
         Self::new(parent, placement, JointKind::Revolute { axis })
     }
 
-    /// A slide along `axis`, of length 1.
+    /// Returns a slide along `axis`, which must have length 1.
     #[must_use]
     pub fn prismatic(parent: Option<usize>, placement: DualQuat<R>, axis: [R; 3]) -> Self {
         Self::new(parent, placement, JointKind::Prismatic { axis })
     }
 
-    /// A thread about `axis`, of length 1, that goes `pitch` along it for each radian.
+    /// Returns a thread about `axis`, which must have length 1. The link moves along the axis by
+    /// `pitch` for each radian.
     #[must_use]
     pub fn screw(parent: Option<usize>, placement: DualQuat<R>, axis: [R; 3], pitch: R) -> Self {
         Self::new(parent, placement, JointKind::Screw { axis, pitch })
     }
 
-    /// A plate that slides in the plane perpendicular to `normal`, of length 1, and turns about it.
+    /// Returns the joint of a plate that slides in the plane perpendicular to `normal` and turns
+    /// about the normal, which must have length 1.
     #[must_use]
     pub fn planar(parent: Option<usize>, placement: DualQuat<R>, normal: [R; 3]) -> Self {
         Self::new(parent, placement, JointKind::Planar { normal })
     }
 
-    /// A body that moves freely: a humanoid's pelvis, a drone.
+    /// Returns the joint of a body that moves freely, such as a humanoid's pelvis or a drone.
     #[must_use]
     pub fn floating(parent: Option<usize>, placement: DualQuat<R>) -> Self {
         Self::new(parent, placement, JointKind::Floating)
     }
 
-    /// The same joint with limits.
+    /// Returns this joint with the limits `[least, largest]` of its value.
     #[must_use]
     pub fn with_limits(self, limits: [R; 2]) -> Self {
         Self { limits: Some(limits), ..self }
     }
 
-    /// The same joint, which takes its value from another one.
+    /// Returns this joint as a follower of `joint`: its value is `multiplier` · value(`joint`) +
+    /// `offset`.
     #[must_use]
     pub fn mimicking(self, joint: usize, multiplier: R, offset: R) -> Self {
         Self { mimic: Some(Mimic { joint, multiplier, offset }), ..self }
@@ -129,7 +137,7 @@ impl<R> Joint<R> {
 }
 
 impl<R: Real> Joint<R> {
-    /// The same joint in other numbers, by way of `f64`.
+    /// Converts the joint to another element type, by way of `f64`.
     #[must_use]
     pub fn cast<S: Real>(&self) -> Joint<S> {
         let mimic = self.mimic.map(|mimic| Mimic {
@@ -167,7 +175,7 @@ fn cast<R: Real, S: Real>(number: R) -> S {
 }
 
 impl<R> JointKind<R> {
-    /// The number of values that say where the joint is.
+    /// Returns the count of values that give the position of the joint.
     #[must_use]
     pub fn values(&self) -> usize {
         match self {
@@ -178,7 +186,7 @@ impl<R> JointKind<R> {
         }
     }
 
-    /// The number of rates that say how the joint moves.
+    /// Returns the count of rates that give the velocity of the joint.
     #[must_use]
     pub fn rates(&self) -> usize {
         match self {
@@ -189,25 +197,25 @@ impl<R> JointKind<R> {
 }
 
 errors! {
-    /// An error in the joints of a mechanism. Each names the joint.
+    /// An error in the joints of a mechanism. Each variant holds the index of the joint.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MechanismError {
-        /// The parent of a joint is the joint itself, a later one, or does not exist. Parents must
-        /// come first, which also rules out circles.
+        /// The parent of a joint is the joint itself, is a later joint, or does not exist. A parent
+        /// must come before its children, which also rules out circles.
         Parent { joint: usize = "The joint.", parent: usize = "Its parent." }
             => "joint {joint} has the parent {parent}, but a parent must have a lower number than its joint";
-        /// The rotation of a placement is not unit.
+        /// The rotation of a placement is not a unit quaternion.
         Placement { joint: usize = "The joint.", norm: f64 = "The norm of the real part." }
             => "the placement of joint {joint} is not a unit dual quaternion: the norm of its real part is {norm}, not 1";
-        /// The dual part of a placement is not perpendicular to its real part, as that of a motion
-        /// is.
+        /// The dual part of a placement is not perpendicular to its real part, so the placement is
+        /// no rigid motion.
         DualPart {
             joint: usize = "The joint.",
             along: f64 = "The dot product of its real and dual parts."
         }
             => "the placement of joint {joint} is not a motion: the dot product of its real and dual parts is {along}, not 0";
-        /// A number is infinite or NaN.
+        /// A component or parameter of the joint is infinite or NaN.
         NotFinite {
             joint: usize = "The joint.", what: &'static str = "The part of the joint that holds it.", value: f64 = "The number."
         }
@@ -215,21 +223,22 @@ errors! {
         /// An axis or a normal does not have length 1.
         Axis { joint: usize = "The joint.", length: f64 = "The length." }
             => "the axis of joint {joint} has length {length}, not 1";
-        /// A screw is not that of a joint, which has angle 1 and a finite slide, or angle 0 and
-        /// slide 1.
+        /// A screw does not describe a joint. The screw of a joint has angle 1 and a finite slide,
+        /// or angle 0 and slide 1.
         Screw { joint: usize = "The joint.", angle: f64 = "The angle of the screw.", slide: f64 = "Its slide." }
             => "the screw of joint {joint} turns by {angle} and slides by {slide} for a value of 1: a hinge or a thread \
                 must turn by 1, and a slide must turn by 0 and slide by 1";
-        /// Limits are not in order, or NaN, or of a joint that does not have exactly one value.
+        /// Limits are not in order or are NaN, or the joint that has them does not have exactly one
+        /// value.
         Limits { joint: usize = "The joint.", low: f64 = "The lower limit.", high: f64 = "The upper limit." }
             => "joint {joint} has the limits {low} and {high}: the first must not exceed the second, and the joint must \
                 have exactly one value";
-        /// A joint cannot mimic another, because that one does not exist, is the joint itself, or
-        /// mimics too, or because one of the two does not have exactly one value.
+        /// A joint cannot mimic another joint. The other joint does not exist, is the joint itself,
+        /// or mimics a third, or one of the two joints does not have exactly one value.
         Mimic { joint: usize = "The joint.", other: usize = "The joint that it should mimic." }
             => "joint {joint} cannot mimic joint {other}: each must have exactly one value, and joint {other} must not \
                 mimic another";
-        /// There are fewer steps than joints, or more joints than can be counted.
+        /// The memory has fewer steps than there are joints, or there are 2²⁸ joints or more.
         Steps {
             steps: usize = "The number of steps.",
             joints: usize = "The number of joints."

@@ -1,5 +1,6 @@
-//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes,
-//! `configuration.rs` that of one configuration of floats, `single.rs` the book.
+//! Trees of joints, and the kernels that compute poses, points, Jacobians and velocities of their
+//! links. `walk.rs` has the loop over many configurations on lanes, `configuration.rs` the fast
+//! code for one configuration of floats, and `single.rs` the formulas of textbooks.
 
 mod configuration;
 mod jacobians;

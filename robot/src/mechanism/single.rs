@@ -1,6 +1,6 @@
-//! One configuration at a time, for any number, by the formulas of textbooks. Tests compare the
-//! lanes with it. `f32` and `f64` take the faster `configuration.rs` instead, which is compared
-//! with it too.
+//! The formulas of textbooks, for one configuration at a time and any `Real`. Tests compare the
+//! kernels on lanes with this code. For `f32` and `f64` these methods call the faster code of
+//! `configuration.rs`, which tests compare with this code too.
 
 use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
 use super::jacobians::{Frame, JacobianFrame};
@@ -13,11 +13,12 @@ use dq8::storage::same_length;
 use dq8::{Real, ShapeError};
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The poses of all links in the frame of the base: pose(j) = pose(parent(j)) · placement(j)
-    /// · motion(j) (Denavit & Hartenberg 1955, with placements of any kind).
+    /// Computes the poses of all links in the frame of the base: pose(j) = pose(parent(j)) ·
+    /// placement(j) · motion(j) (Denavit & Hartenberg 1955, with placements of any kind).
     ///
     /// # Errors
-    /// If there are not as many values and poses as the mechanism has; `poses` is untouched.
+    /// If `values` or `poses` does not have the length that the mechanism asks for; `poses` is
+    /// untouched.
     pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
         same_length("poses", poses.len(), self.links())?;
@@ -38,10 +39,11 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(())
     }
 
-    /// The pose of one link. Only the links that carry it are computed.
+    /// Returns the pose of one link in the frame of the base. Only this link and the links that
+    /// carry it are computed.
     ///
     /// # Errors
-    /// If there are not as many values as the mechanism has, or there is no such link.
+    /// If `values` does not have the length that the mechanism asks for, or there is no such link.
     #[doc(alias("forward_kinematics", "fk"))]
     pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
         self.check(values, link)?;
@@ -58,8 +60,9 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(pose)
     }
 
-    /// The places of points on links, in the frame of the base. Each point is a link and a place in
-    /// its frame. They may be in any order; points in the order of their links are found sooner.
+    /// Computes the places of points on links, in the frame of the base. Each of `points` is the
+    /// index of a link and a place in its frame. The points may be in any order, but the method is
+    /// faster if they are sorted by link.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -77,8 +80,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many values as the mechanism has or as many places as points, or there
-    /// is no such link; `places` is untouched.
+    /// If `values` does not have the length that the mechanism asks for, there are not as many
+    /// places as points, or there is no such link; `places` is untouched.
     pub fn link_points(
         &self,
         values: &[R],
@@ -102,13 +105,13 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(())
     }
 
-    /// The geometric Jacobian of a link, a column for each rate of the mechanism, and its pose. The
-    /// twist of the link is Σ column(i) · rate(i); columns of joints that do not carry the link
-    /// are zero.
+    /// Computes the geometric Jacobian of a link, with a column for each rate of the mechanism, and
+    /// returns the pose of the link. The twist of the link is Σ column(i) · rate(i); columns of
+    /// joints that do not carry the link are zero.
     ///
     /// Column j is Ad(pose of the link in the frame of joint j)⁻¹ Sⱼ in the frame
     /// [`Body`](super::Body), where Sⱼ is the joint's own body twist (Lynch & Park 2017, eq.
-    /// 5.18). The frame is a type:
+    /// 5.18). The first argument selects the frame by its type:
     ///
     /// ```
     /// use dq8_robot::{Joint, OwnedMechanism, World, WorldAligned};
@@ -129,8 +132,8 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many values and columns as the mechanism has, or there is no such link;
-    /// `columns` is untouched.
+    /// If `values` or `columns` does not have the length that the mechanism asks for, or there is
+    /// no such link; `columns` is untouched.
     pub fn link_jacobian<F: JacobianFrame>(
         &self,
         _: F,
@@ -146,13 +149,14 @@ impl<R: Real> Mechanism<'_, R> {
             return Ok(pose);
         }
         columns.fill(Twist::from_array([R::ZERO; 6]));
-        // The pose of the link in the frame of each joint, from the link toward the base.
+        // `tail` is the pose of the link in the frame of the joint's own link, while the loop goes
+        // from the link toward the base.
         let mut tail = DualQuat::IDENTITY;
         let mut joint = link;
         while let Some(step) = self.step(joint) {
             let own = columns.get_mut(step.rate as usize..).unwrap_or_default();
             for (index, column) in own.iter_mut().take(step.kind.rates()).enumerate() {
-                // The columns of joints that mimic the same one are added up.
+                // A joint and the joints that mimic it share one column, so the column is a sum.
                 *column = *column + tail.conjugate().adjoint(step.body_twist(index, values));
             }
             tail = step.placement() * step.motion(values) * tail;
@@ -169,13 +173,12 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(tail)
     }
 
-    /// The poses and the spatial twists of all links: twist(j) = twist(parent(j)) + Ad(pose(j))
-    /// Sⱼ rates(j), in the axes of the base and about its origin ([`Twist::velocity_at`] gives
-    /// the velocity of a point).
+    /// Computes the poses and the spatial twists of all links: twist(j) = twist(parent(j)) +
+    /// Ad(pose(j)) Sⱼ rates(j). Sⱼ holds the body twists of joint j. Spatial twists are in the
+    /// axes of the base and about its origin; [`Twist::velocity_at`] gives the velocity of a point.
     ///
     /// # Errors
-    /// If there are not as many values, rates, poses and twists as the mechanism has; nothing is
-    /// written.
+    /// If a slice does not have the length that the mechanism asks for; nothing is written.
     pub fn link_velocities(
         &self,
         values: &[R],
@@ -201,14 +204,15 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(())
     }
 
-    /// The poses, the spatial twists and the spatial accelerations of all links. Accelerations are
-    /// the derivatives of twists: acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ
-    /// second_rates(j) + ad(twist) Ad(pose(j)) Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics
-    /// Algorithms*, 2008, eq. 2.47). The point of a link that is at x is accelerated by a + α ×
-    /// x + ω × (v + ω × x), for the twist (ω, v) and the acceleration (α, a).
+    /// Computes the poses, the spatial twists and the spatial accelerations of all links.
+    /// Accelerations are the time derivatives of twists: acceleration(j) =
+    /// acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist) Ad(pose(j)) Sⱼ
+    /// rates(j) (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47). The point of a
+    /// link that is at x is accelerated by a + α × x + ω × (v + ω × x), for the twist (ω, v)
+    /// and the acceleration (α, a).
     ///
     /// # Errors
-    /// If a slice has another length than the mechanism asks for; nothing is written.
+    /// If a slice does not have the length that the mechanism asks for; nothing is written.
     pub fn link_accelerations(
         &self,
         values: &[R],
@@ -228,8 +232,9 @@ impl<R: Real> Mechanism<'_, R> {
             let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
             let own = step.own_twists(values, second_rates).fold(zero, |sum, own| sum + own);
             acceleration = acceleration + pose.adjoint(own);
-            // The twist of the frame in which the next screw of the joint lies: that of the parent,
-            // and for the turn of a planar joint that of its slides too.
+            // `carrying` is the twist of the frame in which the joint's next screw is constant.
+            // This is the frame of the parent; before the turn of a planar joint, the twist of its
+            // two slides is added.
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
             let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
             for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
@@ -253,28 +258,29 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Real> Step<R> {
-    /// `C` numbers of `all` from number `first` on. NaN stands for numbers that are missing, which
-    /// the check of lengths rules out.
+    /// Returns `C` consecutive values of `all`, from index `first` on. If values are missing, which
+    /// the check of lengths rules out, the result is NaN.
     pub(crate) fn numbers<const C: usize>(first: u32, all: &[R]) -> [R; C] {
         let rest = all.get(first as usize..).unwrap_or_default();
         rest.first_chunk().copied().unwrap_or([R::NAN; C])
     }
 
-    /// Number `index` of a joint: an angle or a distance, with the multiplier and offset of one
-    /// that mimics.
+    /// Returns value `index` of the joint, an angle or a distance. For a joint that mimics another,
+    /// this is the followed value times `multiplier` plus `offset`.
     pub(crate) fn number(&self, index: usize, values: &[R]) -> R {
         let [number] = Self::numbers(self.value + index as u32, values);
-        // Joints with more than one number mimic nothing.
+        // Joints with more than one value mimic no other joint, so only value 0 can have a rule.
         if index == 0 { number * self.multiplier + self.offset } else { number }
     }
 
-    /// The vector of two distances in the plane of a planar joint, in the frame of the joint.
+    /// Returns the translation by the distances x and y in the plane of a planar joint, in the
+    /// frame of the joint.
     pub(crate) fn in_plane(&self, [x, y]: [R; 2]) -> [R; 3] {
         let [first, second] = self.plane;
         vector::add(vector::scale(first, x), vector::scale(second, y))
     }
 
-    /// The pose of the link in the frame of its joint.
+    /// Returns the pose of the link in the frame of its joint.
     pub(crate) fn motion(&self, mut values: &[R]) -> DualQuat<R> {
         let rest = Motion { rotation: None, translation: None };
         match rest.link_frame(self, &mut values) {
@@ -291,22 +297,24 @@ impl<R: Real> Step<R> {
         }
     }
 
-    /// The body twist of the link for rate number `index` of the joint. Firmware holds it once.
+    /// Returns the body twist that rate `index` of the joint gives to its link. On firmware the
+    /// function is not inlined, so that the image holds it once.
     #[cfg_attr(target_os = "none", inline(never))]
     fn body_twist(&self, index: usize, values: &[R]) -> Twist<R> {
         BodyScrews(values).screw(self, index)
     }
 
-    /// The body twists for the rates of this joint, in their order.
+    /// Returns the body twist of each rate of this joint, scaled by the rate, in the order of the
+    /// rates.
     fn own_twists(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
-        // A joint without rates has none.
+        // For a joint without rates the index is `NONE`, so the slice is empty.
         let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
         let own = rates.take(self.kind.rates()).enumerate();
         own.map(move |(index, &rate)| self.body_twist(index, values).scale(rate))
     }
 }
 
-/// The motion of a joint. A part that is `None` is not multiplied by.
+/// The motion of a joint. A part that is `None` is the identity, and needs no multiplication.
 #[derive(Clone, Copy)]
 struct Motion<R> {
     rotation: Option<Quat<R>>,
@@ -351,7 +359,8 @@ impl<R: Real> JointFrame<R, &[R]> for Motion<R> {
     }
 }
 
-/// Body twists, in the frame of the link, from the values of a configuration.
+/// The body twists of joints, in the frames of their links, computed from the values of a
+/// configuration.
 struct BodyScrews<'v, R>(&'v [R]);
 
 impl<R: Real> JointScrews<R> for BodyScrews<'_, R> {

@@ -1,12 +1,14 @@
-//! A joint as the kernels use it: [`Step`], made and checked from a [`Joint`]; what a joint does to
-//! frames ([`JointFrame`]) and to twists ([`JointScrews`]); the plan for one configuration at a
-//! time ([`plan`]); and the limits of joints that mimic others.
+//! The form of a joint that kernels use: a [`Step`], which is checked and made from a [`Joint`].
+//! This file also has the motion that a joint gives to frames ([`JointFrame`]), the twists that it
+//! gives to its link ([`JointScrews`]), the plan for one configuration at a time ([`plan`]), and
+//! the limits of joints that mimic others.
 //!
 //! # The plan for one configuration
 //!
-//! One configuration leaves no others for the lanes, and each link waits for the one before. So the
-//! mechanism is planned when it is made. A link's *base frame* is its frame turned so that it is
-//! parallel to the base where every value is zero:
+//! With one configuration there are no others to fill the lanes, and the pose of each link depends
+//! on the pose of its parent. So as much as possible is computed once, when the mechanism is made.
+//! A link's *base frame* has the origin of the link's frame, and is turned so that it is parallel
+//! to the base while every value is zero:
 //!
 //! ```text
 //!   link frames, as in the file     base frames: same origins, axes of the base
@@ -17,11 +19,12 @@
 //!   link 0    link 1                link 0    link 1
 //! ```
 //!
-//! Between base frames no placement has a rotation: the frame of a joint is that of its parent,
-//! moved. And the axes of nearly all robots are axes of the base, so turning by a hinge is
-//! `r ← cos · r + sin · (r n)`, where the product `r n` with a unit vector n along an axis
-//! reorders the four numbers and changes some signs. The link's own rotation is multiplied on when
-//! its pose is written; no other link waits for that.
+//! Between base frames no placement has a rotation: the frame of a joint is the frame of its
+//! parent, translated. The hinges of nearly all robots lie on axes of the base, so a hinge turns a
+//! frame by `r ← cos · r + sin · (r n)`, where the product `r n` with a unit vector n along an
+//! axis only reorders the four components of r and changes some signs. The constant rotation from
+//! the base frame to the link's own frame is multiplied when the pose is written; no other link
+//! depends on that product.
 
 use super::joint::{Joint, JointKind, MechanismError};
 use core::ops::Mul;
@@ -29,61 +32,68 @@ use dq8::Real;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, vector};
 
-/// The tolerance for axes, placements and targets that should be unit. Numbers that people type
-/// with four decimals are within it.
+/// The tolerance for the norms of axes, placements and targets that should be unit. Input that
+/// people type with four decimals is within it.
 pub(crate) const UNIT: f32 = 1e-3;
 
-/// The number of a link, value or rate that does not exist.
+/// The index that stands for a link, value or rate that does not exist.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// A joint as kernels use it, in the memory that a [`Mechanism`](super::Mechanism) borrows.
+/// A joint in the form that kernels use. A [`Mechanism`](super::Mechanism) borrows one step for
+/// each of its joints.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<R> {
-    /// The placement of the joint on its parent, as lanes need it: rotation, half the translation.
+    /// The placement of the joint on its parent: the rotation, and half of the translation, which
+    /// is the form that the kernels on lanes use.
     pub(crate) rotation: [R; 4],
     pub(crate) half_offset: [R; 3],
-    /// The axes that the rotation is about and the translation is along.
+    /// The coordinate axes about which the placement's rotation is and along which its translation
+    /// is.
     pub(crate) rotation_alignment: Alignment,
     pub(crate) offset_alignment: Alignment,
-    /// The kind of the joint, with axes that are exactly unit.
+    /// The kind of the joint, with a normalized axis, and that axis again (zero for joints without
+    /// an axis).
     pub(crate) kind: JointKind<R>,
     pub(crate) axis: [R; 3],
-    /// The two directions of a planar joint.
+    /// The two directions in which a planar joint slides, in the frame of the joint.
     pub(crate) plane: [[R; 3]; 2],
     pub(crate) axis_alignment: Alignment,
-    /// −1 if the axis of the joint points against the frame axis that it lies on, else 1.
+    /// −1 if the axis of the joint lies on a coordinate axis and points against it, else 1.
     pub(crate) sign: R,
-    /// The value of the joint is `multiplier` · value number `value` + `offset`.
+    /// The value of the joint is `multiplier` · (the value at index `value`) + `offset`.
     pub(crate) multiplier: R,
     pub(crate) offset: R,
-    /// The same factors for half the value, times `sign`.
+    /// `multiplier` and `offset`, each times `sign` and halved: they give half of the joint's value
+    /// about the coordinate axis.
     pub(crate) half_multiplier: R,
     pub(crate) half_bias: R,
     pub(crate) plan: JointPlan<R>,
     pub(crate) limits: Option<[R; 2]>,
     pub(crate) mimics: bool,
-    /// The numbers of the first value and the first rate of the joint.
+    /// The indices of the joint's first value and first rate.
     pub(crate) value: u32,
     pub(crate) rate: u32,
-    /// The caller's numbers of the joint and of its parent.
+    /// The indices of the joint and of its parent in the caller's order.
     pub(crate) link: u32,
     pub(crate) parent: u32,
-    /// The place of the step of link i, in step i. While steps are put in order: the place to which
-    /// this one goes.
+    /// In step i, the index of the step that belongs to link i. While steps are put in order, the
+    /// index to which this step will be moved.
     pub(crate) position: u32,
-    /// The number of steps from here on that belong to this link and to what it carries.
+    /// The count of steps, from this step on, that belong to this link and to the links that it
+    /// carries.
     pub(crate) size: u32,
-    /// While steps are put in order: the child with the largest subtree, and the next free place
-    /// for the subtree of another child.
+    /// The child with the largest subtree, and the next free index for the subtree of another
+    /// child. Both are used only while steps are put in order.
     pub(crate) largest: u32,
     pub(crate) free: u32,
-    /// The slot in which the pose is kept for the children, and the slot of the parent.
+    /// The slots on the stack of the kernels that hold the pose of this link and the pose of its
+    /// parent.
     pub(crate) slot: u8,
     pub(crate) parent_slot: u8,
 }
 
 impl<R: Real> Default for Step<R> {
-    /// Memory that [`Mechanism::new`](super::Mechanism::new) will write.
+    /// Returns a placeholder, which [`Mechanism::new`](super::Mechanism::new) overwrites.
     fn default() -> Self {
         Self {
             rotation: [R::ZERO, R::ZERO, R::ZERO, R::ONE],
@@ -117,7 +127,8 @@ impl<R: Real> Default for Step<R> {
 }
 
 impl<R: Real> Step<R> {
-    /// Checks joint number `index` on its own. Its parent and what it mimics are checked later.
+    /// Checks the joint with this `index` on its own, and makes its step. The callers check its
+    /// parent and the joint that it mimics.
     pub(crate) fn of(joint: &Joint<R>, index: usize) -> Result<Self, MechanismError> {
         let mut step = Self::default();
         step.place(joint.placement, index)?;
@@ -160,7 +171,7 @@ impl<R: Real> Step<R> {
         Ok(step)
     }
 
-    /// The pose of the joint in the frame of its parent.
+    /// Returns the pose of the joint in the frame of its parent.
     #[inline]
     pub(crate) fn placement(&self) -> DualQuat<R> {
         let rotation = Quat::from_array(self.rotation);
@@ -182,7 +193,8 @@ impl<R: Real> Step<R> {
         for number in translation {
             finite(number, "translation", index)?;
         }
-        // The cosine of a quarter turn is not zero in floats, only by rounding.
+        // In floats the cosine of a quarter turn is not zero, because π/2 is rounded. Such
+        // components become exactly zero here, so that the alignment below is found.
         for number in &mut rotation {
             if number.abs() <= R::EPSILON {
                 *number = R::ZERO;
@@ -201,38 +213,44 @@ impl<R: Real> Step<R> {
     }
 }
 
-/// A frame that a joint moves, from that of the joint to that of its link. What each kind of joint
-/// does is written once, in [`link_frame`](Self::link_frame): for lanes, for one configuration of
-/// floats, and for one of any number. `V` holds the values.
+/// A frame that a joint moves, from the joint's own frame to the frame of its link. The motion of
+/// each kind of joint is written once, in [`link_frame`](Self::link_frame), for three implementers:
+/// many configurations on lanes, one configuration of floats, and one configuration of any `Real`.
+/// `V` holds the values of the joints.
 ///
-/// Lanes count angles and distances in halves, which is all that their products need; the others
-/// count them whole.
+/// The implementation on lanes uses halves of angles and distances, because its products need only
+/// the halves. The other two use whole angles and distances.
 pub(crate) trait JointFrame<R: Real, V>: Copy {
-    /// A number, or one per lane.
+    /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
-    /// The same number in every lane.
+    /// Returns a constant, with the same value in every lane.
     fn number(self, number: R) -> Self::Number;
-    /// The first `C` numbers of a joint.
+    /// Returns the first `C` values of a joint, as they are in memory.
     fn numbers<const C: usize>(self, step: &Step<R>, values: &mut V) -> [Self::Number; C];
-    /// Number `index` of a joint, an angle about its axis or a distance along it.
+    /// Returns value `index` of a joint, an angle about its axis or a distance along it, with the
+    /// rule of a joint that mimics another already applied.
     fn value(self, step: &Step<R>, index: usize, values: &mut V) -> Self::Number;
-    /// Cosine and sine of half an angle.
+    /// Returns the cosine and the sine of half an angle.
     fn half_angle(self, angle: Self::Number) -> [Self::Number; 2];
-    /// The same for a hinge that mimics no other: most joints of a robot.
+    /// Returns the cosine and the sine of half the angle of a hinge that mimics no other joint.
+    /// Most joints of a robot are such hinges, so implementers may have faster code for them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn own_half_angle(self, step: &Step<R>, values: &mut V) -> [Self::Number; 2] {
         self.half_angle(self.value(step, 0, values))
     }
-    /// Turned about the axis of the joint.
+    /// Returns the frame turned about the axis of the joint, by the cosine and sine of half the
+    /// angle.
     fn turn(self, step: &Step<R>, half_angle: [Self::Number; 2]) -> Self;
-    /// Moved along the axis of the joint.
+    /// Returns the frame moved along the axis of the joint.
     fn slide(self, step: &Step<R>, distance: Self::Number) -> Self;
-    /// Moved across the normal of a planar joint.
+    /// Returns the frame moved along the two directions of a planar joint, perpendicular to its
+    /// normal.
     fn slide_in_plane(self, step: &Step<R>, distances: [Self::Number; 2]) -> Self;
-    /// Moved by a translation, then turned by a quaternion of any length.
+    /// Returns the frame moved by the translation of a floating joint, then turned by its
+    /// quaternion, which may have any length.
     fn float(self, step: &Step<R>, numbers: [Self::Number; 7]) -> Self;
 
-    /// The frame of the link from that of the joint.
+    /// Returns the frame of the link, if `self` is the frame of the joint.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn link_frame(self, step: &Step<R>, values: &mut V) -> Self {
         match step.kind {
@@ -242,7 +260,8 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
             }
             JointKind::Prismatic { .. } => self.slide(step, self.value(step, 0, values)),
             JointKind::Floating => self.float(step, self.numbers(step, values)),
-            // One arm for three kinds: cosine and sine are most of the machine code.
+            // One arm serves three kinds of joints, so that the code of cosine and sine, which is
+            // most of the machine code, is compiled once.
             JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
                 let index = if let JointKind::Planar { .. } = step.kind { 2 } else { 0 };
                 let angle = self.value(step, index, values);
@@ -260,38 +279,41 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
     }
 }
 
-/// The twists that a joint gives its link, for a rate of one. What each kind of joint does is
-/// written once, in [`screw`](Self::screw): seen from the base, on lanes and for one configuration
-/// of floats, and seen from the link, for any number.
+/// The twists that a joint gives to its link if one of its rates is 1. They are written once for
+/// each kind of joint, in [`screw`](Self::screw). The implementers on lanes and for one
+/// configuration of floats give spatial twists, in the frame of the base. The one for any `Real`
+/// gives body twists, in the frame of the link.
 pub(crate) trait JointScrews<R: Real> {
-    /// A number, or one per lane.
+    /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
-    /// The same number in every lane.
+    /// Returns a constant, with the same value in every lane.
     fn number(&self, number: R) -> Self::Number;
-    /// The axis of the joint.
+    /// Returns the axis of the joint.
     fn axis(&self, step: &Step<R>) -> [Self::Number; 3];
-    /// Direction x or y of a planar joint.
+    /// Returns the direction in which a planar joint slides for x (index 0) or y (index 1).
     fn plane_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
-    /// Axis x, y or z of the link, for index 0 and 3, 1 and 4, 2 and 5.
+    /// Returns an axis of the link's frame: x for index 0 or 3, y for 1 or 4, z for 2 or 5.
     fn link_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
-    /// Turning about an axis through the origin of the joint.
+    /// Returns the twist of turning about an axis through the origin of the joint.
     fn hinge(&self, axis: [Self::Number; 3]) -> Twist<Self::Number>;
-    /// The same, and sliding along the axis, `pitch` for each radian.
+    /// Returns the twist of turning about an axis through the origin of the joint and sliding along
+    /// the axis by `pitch` for each radian.
     fn thread(&self, axis: [Self::Number; 3], pitch: R) -> Twist<Self::Number>;
-    /// Turning about an axis through the origin of the link.
+    /// Returns the twist of turning about an axis through the origin of the link.
     fn link_hinge(&self, step: &Step<R>, axis: [Self::Number; 3]) -> Twist<Self::Number>;
 
-    /// Sliding along an axis.
+    /// Returns the twist of sliding along an axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn slide(&self, axis: [Self::Number; 3]) -> Twist<Self::Number> {
         Twist { angular: [self.number(R::ZERO); 3], linear: axis }
     }
 
-    /// The twist for rate number `index` of the joint: a column of the Jacobian.
+    /// Returns the twist for rate `index` of the joint, which is a column of the Jacobian.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn screw(&self, step: &Step<R>, index: usize) -> Twist<Self::Number> {
         let screw = match step.kind {
-            // The slides of a planar joint come before its turn, those of a floating one after it.
+            // A planar joint slides before it turns, so it slides along axes of the joint. The
+            // rates of a floating joint are along axes of the link, after its turn.
             JointKind::Planar { .. } if index < 2 => self.slide(self.plane_axis(step, index)),
             JointKind::Floating => {
                 let axis = self.link_axis(step, index);
@@ -311,31 +333,32 @@ pub(crate) trait JointScrews<R: Real> {
     }
 }
 
-/// The shortest rotation that takes z to a unit vector.
+/// Returns the shortest rotation that takes z to the unit vector n = (x, y, z).
 fn from_z<R: Real>([x, y, z]: [R; 3]) -> Quat<R> {
     if x == R::ZERO && y == R::ZERO {
         let about_x = if z < R::ZERO { R::ONE } else { R::ZERO };
         return Quat::from_xyzw(about_x, R::ZERO, R::ZERO, R::ONE - about_x);
     }
-    // The quaternion is z × n and 1 + z·n. Near −z the sum cancels, and x and y give it better.
+    // The quaternion has the vector part z × n and the scalar part 1 + z·n. Near −z that sum
+    // cancels, so it is computed from x and y, as (x² + y²) / (1 − z).
     let across = vector::norm([x, y]);
     let w = if z < R::ZERO { across * across / (R::ONE - z) } else { R::ONE + z };
     Quat::from_xyzw(-y, x, R::ZERO, w).normalize()
 }
 
-/// The norm, not inlined so that machine code holds it once.
+/// Returns the norm. The function is not inlined, so that machine code holds it once.
 #[inline(never)]
 fn norm<R: Real>(quaternion: Quat<R>) -> R {
     quaternion.norm()
 }
 
-/// `true` for a length that is not 1 within [`UNIT`], and for NaN.
+/// Returns `true` for a length that differs from 1 by more than [`UNIT`], and for NaN.
 fn is_far_from_one<R: Real>(length: R) -> bool {
     let near = (length - R::ONE).abs() <= R::from(UNIT);
     !near
 }
 
-// Not inlined, so that machine code holds it once and not for each kind of joint.
+// The function is not inlined, so that machine code holds it once and not for each kind of joint.
 #[inline(never)]
 pub(crate) fn unit<R: Real>(axis: [R; 3], index: usize) -> Result<[R; 3], MechanismError> {
     let length = vector::norm(axis);
@@ -356,16 +379,16 @@ pub(crate) fn finite<R: Real>(
     Err(MechanismError::NotFinite { joint: index, what, value: value.into() })
 }
 
-/// The axis of a frame that a vector lies on. Most vectors of robots lie on one, and then most of a
-/// product would be multiplication by zero.
+/// The coordinate axis that a vector lies on. Most axes and offsets of robots lie on one. Kernels
+/// then leave out most of a product, which would be multiplications by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alignment {
-    /// The vector is zero: no rotation, or no translation.
+    /// The vector is zero, so the rotation or translation is the identity.
     None,
     X,
     Y,
     Z,
-    /// The vector lies on no axis.
+    /// The vector lies on no coordinate axis.
     Any,
 }
 
@@ -381,13 +404,13 @@ impl Alignment {
     }
 }
 
-/// The product q e_K of a quaternion with the unit vector of axis K: number i of it is number
-/// `ORDER[K][i]` of q, times `SIGNS[K][i]`.
+/// The product q e_K of a quaternion with the unit vector of axis K: component i of the product is
+/// component `ORDER[K][i]` of q, times `SIGNS[K][i]`.
 pub(crate) const ORDER: [[usize; 4]; 3] = [[3, 2, 1, 0], [2, 3, 0, 1], [1, 0, 3, 2]];
 pub(crate) const SIGNS: [[f32; 4]; 3] =
     [[1.0, 1.0, -1.0, -1.0], [-1.0, 1.0, 1.0, -1.0], [1.0, -1.0, 1.0, -1.0]];
 
-/// A vector, and the axis that it lies on.
+/// A vector, and the coordinate axis that it lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisVector<R> {
     pub(crate) along: Alignment,
@@ -402,7 +425,8 @@ impl<R: Real> AxisVector<R> {
     }
 }
 
-/// The quaternion v + w, by which frames are multiplied from the right.
+/// A constant quaternion with vector part v and scalar part w, by which frames are multiplied from
+/// the right.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factor<R> {
     pub(crate) v: AxisVector<R>,
@@ -422,28 +446,29 @@ impl<R: Real> Factor<R> {
     }
 }
 
-/// The motion of a joint between base frames.
+/// The motion of a joint, as seen between base frames.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Moves {
     Fixed,
-    /// A hinge with a value of its own, about x of the base; then about y, z, and any other axis.
+    /// A hinge that mimics no other joint and turns about x of its base frame. The next three
+    /// variants are hinges about y, about z, and about any other axis.
     AboutX,
     AboutY,
     AboutZ,
     AboutAny,
-    /// Any other joint. Few robots have one.
+    /// Any other joint; few robots have such joints.
     General,
 }
 
-/// A joint between base frames.
+/// The constants of a joint for computing with base frames.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JointPlan<R> {
     pub(crate) moves: Moves,
-    /// The rotation from the base frame of the link to its own.
+    /// The rotation from the base frame of the link to the link's own frame.
     pub(crate) link_rotation: Factor<R>,
-    /// Half the translation from the parent.
+    /// Half the translation from the parent to the joint, in the parent's base frame.
     pub(crate) half_offset: AxisVector<R>,
-    /// The axis or normal of the joint, in base frames.
+    /// The axis or normal of the joint, in the joint's base frame.
     pub(crate) axis: AxisVector<R>,
 }
 
@@ -456,8 +481,9 @@ impl<R: Real> JointPlan<R> {
     };
 }
 
-/// Plans all steps, which are still in the order of the joints.
-// Not inlined, so that machine code holds it once and not for each way to make a mechanism.
+/// Writes the plans of all steps. The steps must still be in the order of the joints, so that a
+/// parent is at its index and planned before its children.
+// The function is not inlined, so that machine code holds it once and not for each constructor.
 #[inline(never)]
 pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     for index in 0..steps.len() {
@@ -465,7 +491,7 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
         let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.plan.link_rotation);
         let on = on.quaternion();
         let own = on * Quat::from_array(step.rotation);
-        // One step of Newton's method removes what rounding has added to the norm.
+        // One step of Newton's method brings the norm, which rounding has changed, back to 1.
         let mut own = own.scale(R::from(1.5) - R::HALF * own.dot(own)).to_array();
         snap(&mut own, R::ONE);
         let largest = step.half_offset.into_iter().map(R::abs).fold(R::ZERO, R::max_or_nan);
@@ -490,8 +516,9 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     }
 }
 
-/// Replaces numbers that rounding has moved off zero, a half, the root of a half, or one, times
-/// `size`. Frames of machines are turned by quarters, whose quaternions are made of these.
+/// Replaces components that rounding has moved away from 0, ½, √½ or 1, times `size`, by these
+/// exact values. Frames of machines are mostly turned by quarter turns, whose quaternions consist
+/// of such components.
 #[inline(never)]
 fn snap<R: Real>(numbers: &mut [R], size: R) {
     let (root, near) = (R::HALF.sqrt(), R::TWO * R::EPSILON * size);
@@ -504,19 +531,22 @@ fn snap<R: Real>(numbers: &mut [R], size: R) {
     }
 }
 
-// In many files a joint that mimics another has limits of its own, copied from its leader without
-// the sign or the factor between them. They bind the leader if they leave a part of its range. If
-// they leave nothing, or one value alone, the file cannot mean them, and the joint has no limits.
+// In many files a joint that mimics another (the leader) has limits of its own, which were copied
+// from the leader without the sign or the factor of the rule. If these limits leave a part of the
+// leader's range, they narrow it. If they leave one value or none, the file cannot mean them, and
+// the joint has no limits.
 
-/// The part of the leader's range in which a follower, at `multiplier` times its value plus
-/// `offset`, is within its own `limits`. `None` if no more than one value is left.
+/// Returns the part of the leader's range `[low, high]` in which the follower is within its own
+/// `limits`. The follower's value is `multiplier` · (leader's value) + `offset`. The result is
+/// `None` if no more than one value is left.
 pub(crate) fn common_range<R: Real>(
     [low, high]: [R; 2],
     limits: [R; 2],
     multiplier: R,
     offset: R,
 ) -> Option<[R; 2]> {
-    // A multiplier of zero gives NaN and infinities, which have no common range.
+    // The limits are converted to values of the leader. A multiplier of zero gives NaN or
+    // infinities here, and is ruled out in the last line.
     let [a, b] = limits.map(|limit| (limit - offset) / multiplier);
     let [least, most] = if a <= b { [a, b] } else { [b, a] };
     let low = if least > low { least } else { low };
@@ -525,8 +555,8 @@ pub(crate) fn common_range<R: Real>(
 }
 
 impl<R: Real> Step<R> {
-    /// The [`common_range`] of the leader and of this joint, which mimics it; the whole range if
-    /// this joint has no limits.
+    /// Returns the part of the leader's `range` that the limits of this joint, which mimics the
+    /// leader, allow ([`common_range`]). It is the whole range if this joint has no limits.
     pub(crate) fn narrowed(&self, range: [R; 2]) -> Option<[R; 2]> {
         match self.limits {
             Some(limits) => common_range(range, limits, self.multiplier, self.offset),
@@ -535,7 +565,7 @@ impl<R: Real> Step<R> {
     }
 }
 
-/// From −∞ to ∞.
+/// Returns the range from −∞ to ∞.
 pub(crate) fn unlimited<R: Real>() -> [R; 2] {
     [-R::ONE / R::ZERO, R::ONE / R::ZERO]
 }
@@ -547,8 +577,8 @@ mod tests {
     use crate::mechanism::step::Step;
     use dq8::{DualQuat, Quat, Real};
 
-    /// Frames that are each turned by a quarter or a half, with the rounding of floats, keep their
-    /// axes on those of the base.
+    /// Checks that hinge axes and offsets stay on axes of the base in a chain of frames, each
+    /// turned by a quarter or half turn, in spite of the rounding of floats.
     fn stays_aligned<R: Real>() {
         let mut steps = [Step::default(); 60];
         for (index, step) in steps.iter_mut().enumerate() {

@@ -1,5 +1,5 @@
-//! [`Mechanism`]: a tree of joints, checked and put in order. Three constructors: from joints, from
-//! screws, and from a table of Denavit and Hartenberg.
+//! [`Mechanism`]: a tree of joints, checked and put in order. It has three constructors: from
+//! joints, from screws, and from a table of Denavit and Hartenberg.
 
 use super::joint::{Joint, JointKind, MechanismError};
 use super::step::{NONE, Step, finite, plan, unit, unlimited};
@@ -9,18 +9,19 @@ use dq8::scalar::{DualQuat, Quat, vector};
 use dq8::storage::same_length;
 use dq8::{Real, ShapeError};
 
-/// A tree of joints, checked once; their number is known at run time. It borrows its memory, a
-/// [`Step`] for each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
+/// A tree of joints, checked once. The count of joints is known at run time. The tree borrows its
+/// memory from the caller: one [`Step`] for each joint. [`OwnedMechanism`](super::OwnedMechanism)
+/// owns that memory.
 ///
-/// - Joint j carries link j, so joints and links share one number. It indexes poses, twists,
-///   accelerations and goals.
-/// - The values of a configuration are one array: those of joint 0, then those of joint 1, and so
-///   on. Joints that are fixed or mimic have none, so value j is not the value of joint j;
-///   [`values_of`](Self::values_of) gives the values of a joint. Limits and postures are indexed by
-///   value.
-/// - Rates are numbered in the same way, but by themselves, because a floating joint has seven
-///   values and six rates; [`rates_of`](Self::rates_of) gives the rates of a joint. Columns of a
-///   Jacobian are indexed by rate.
+/// - Joint j carries link j, so a joint and its link have the same index. Poses, twists,
+///   accelerations and goals are indexed by link.
+/// - The values of a configuration are one array: the values of joint 0, then the values of joint
+///   1, and so on. Joints that are fixed or mimic another joint have no values of their own, so
+///   value j need not belong to joint j; [`values_of`](Self::values_of) gives the values of a
+///   joint. Limits and postures are indexed by value.
+/// - Rates lie joint by joint in an array of their own, with indices of their own, because a
+///   floating joint has seven values and six rates; [`rates_of`](Self::rates_of) gives the rates of
+///   a joint. Columns of a Jacobian are indexed by rate.
 ///
 /// ```
 /// use dq8_robot::{Joint, Mechanism, Step};
@@ -41,7 +42,8 @@ use dq8::{Real, ShapeError};
 /// ```
 #[derive(Clone, Copy)]
 pub struct Mechanism<'a, R> {
-    /// The steps, each followed by all that its link carries, the largest branch last.
+    /// The steps in depth-first order: each is followed by the steps of all links that its link
+    /// carries, the largest branch last.
     pub(crate) steps: &'a [Step<R>],
     pub(crate) values: usize,
     pub(crate) rates: usize,
@@ -52,13 +54,15 @@ brief!([R] Mechanism<'_, R>: Mechanism |it| {
 });
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// Checks the joints and prepares them. Axes that lie on those of a frame, and placements
-    /// without a rotation or a translation, are found here; kernels do less for them.
+    /// Checks the joints and writes a step for each. The constructor finds the axes that lie on an
+    /// axis of a frame, and the placements without a rotation or a translation, for which kernels
+    /// need fewer operations.
     ///
     /// # Errors
     /// If a parent does not come before its joint, a placement or axis is farther than 10⁻³ from
-    /// unit or not finite, limits are not in order, a joint mimics one that does not have exactly
-    /// one value of its own, or there are fewer steps than joints. `steps` may have been written.
+    /// unit or not finite, limits are not in order, a joint mimics a joint that does not have
+    /// exactly one value of its own, or there are fewer steps than joints. In any of these cases
+    /// `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
         let steps = step_memory(steps, joints.len())?;
         let counts = check(joints, steps)?;
@@ -67,8 +71,10 @@ impl<'a, R: Real> Mechanism<'a, R> {
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// The least and the largest of each value, infinite without a limit: the limits of its joint,
-    /// narrowed by those of each joint that mimics it, unless these would leave one value or none.
+    /// Writes the least and the largest of each value of a configuration, infinite where there is
+    /// no limit. These are the limits of the joint that has the value, narrowed by the limits of
+    /// each joint that mimics it. Limits of a mimicking joint that would leave one value or none
+    /// are ignored.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -84,7 +90,7 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many limits as values; nothing is written.
+    /// If the length of `limits` is not [`values`](Self::values); nothing is written.
     pub fn value_limits(&self, limits: &mut [[R; 2]]) -> Result<(), ShapeError> {
         same_length("limits", limits.len(), self.values)?;
         limits.fill(unlimited());
@@ -104,8 +110,8 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// True if all joints are within their limits, those that mimic others too; false if a value is
-    /// NaN.
+    /// Returns `true` if all joints are within their limits, including the joints that mimic
+    /// others, and `false` if a value is NaN.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -119,7 +125,7 @@ impl<R: Real> Mechanism<'_, R> {
     /// ```
     ///
     /// # Errors
-    /// If there are not as many values as a configuration has.
+    /// If `values` does not have the length of a configuration.
     pub fn within_limits(&self, values: &[R]) -> Result<bool, ShapeError> {
         same_length("values", values.len(), self.values)?;
         let within = |step: &Step<R>| {
@@ -135,48 +141,50 @@ impl<R: Real> Mechanism<'_, R> {
 }
 
 impl<R: Copy> Mechanism<'_, R> {
-    /// An error if there is no such link.
+    /// Returns an error if the mechanism has no link of this index.
     pub(crate) fn check_link(&self, link: usize) -> Result<(), ShapeError> {
         let links = self.links();
         if link < links { Ok(()) } else { Err(ShapeError::NoLink { link, links }) }
     }
 
-    /// The number of links: one for each joint.
+    /// Returns the count of links, which is also the count of joints.
     #[must_use]
     pub fn links(&self) -> usize {
         self.steps.len()
     }
 
-    /// The link that carries a link; `None` if the base does, or there is no such link.
+    /// Returns the index of the link that carries `link`; `None` if the base carries it, or there
+    /// is no such link.
     #[must_use]
     pub fn parent(&self, link: usize) -> Option<usize> {
         let parent = self.step(link)?.parent;
         (parent != NONE).then_some(parent as usize)
     }
 
-    /// The number of values of a configuration.
+    /// Returns the count of values of a configuration.
     #[must_use]
     #[doc(alias("nq"))]
     pub fn values(&self) -> usize {
         self.values
     }
 
-    /// The number of rates of a configuration, and of columns of a Jacobian.
+    /// Returns the count of rates of a configuration, which is also the count of columns of a
+    /// Jacobian.
     #[must_use]
     #[doc(alias("nv"))]
     pub fn rates(&self) -> usize {
         self.rates
     }
 
-    /// The degrees of freedom of a configuration: as many as [`rates`](Self::rates). Floating
-    /// joints have more [`values`](Self::values) than that.
+    /// Returns the degrees of freedom, which are as many as [`rates`](Self::rates). There are more
+    /// [`values`](Self::values) if a joint is floating.
     #[must_use]
     pub fn dof(&self) -> usize {
         self.rates
     }
 
-    /// The numbers of the values of a joint; of a joint that mimics, the number of the value that
-    /// it takes.
+    /// Returns the indices of the values of a joint. For a joint that mimics another, this is the
+    /// index of the value that it follows.
     #[must_use]
     pub fn values_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
         let step = self.step(joint)?;
@@ -184,8 +192,8 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
     }
 
-    /// The numbers of the rates of a joint, and of its columns in a Jacobian; of a joint that
-    /// mimics, the number of the rate that moves it.
+    /// Returns the indices of the rates of a joint, which are also the indices of its columns in a
+    /// Jacobian. For a joint that mimics another, this is the index of the rate that it follows.
     #[must_use]
     pub fn rates_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
         let step = self.step(joint)?;
@@ -193,14 +201,15 @@ impl<R: Copy> Mechanism<'_, R> {
         Some(if step.rate == NONE { 0..0 } else { first..first + step.kind.rates() })
     }
 
-    /// The limits of a joint, if it has any that bind. [`value_limits`](Self::value_limits) has the
-    /// limits of its value, which joints that mimic it may narrow.
+    /// Returns the limits of a joint. Limits of a mimicking joint are left out if
+    /// [`value_limits`](Self::value_limits) ignores them. That method also gives the limits of each
+    /// value, which joints that mimic may narrow.
     #[must_use]
     pub fn limits(&self, joint: usize) -> Option<[R; 2]> {
         self.step(joint)?.limits
     }
 
-    /// The step of a link.
+    /// Returns the step of a link, which lies in `steps` at its own `position`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn step(&self, link: usize) -> Option<&Step<R>> {
         let position = self.steps.get(link)?.position;
@@ -208,7 +217,7 @@ impl<R: Copy> Mechanism<'_, R> {
     }
 }
 
-/// The first `joints` of the steps.
+/// Returns the first `joints` steps of the memory, or an error if there are too few.
 pub(crate) fn step_memory<R>(
     steps: &mut [Step<R>],
     joints: usize,
@@ -218,8 +227,9 @@ pub(crate) fn step_memory<R>(
     steps.ok_or(MechanismError::Steps { steps: count, joints })
 }
 
-/// Writes the step of joint number `index`, without what it mimics. Its values and rates are the
-/// next after those counted so far. Steps are large, so none is copied on the stack.
+/// Writes the step of the joint with this `index`, but does not look up the joint that it mimics.
+/// Its first value and first rate are the counts so far, which then grow. Steps are large, so the
+/// step is written in place, without a copy on the stack.
 pub(crate) fn write_step<R: Real>(
     joint: &Joint<R>,
     index: usize,
@@ -242,8 +252,8 @@ pub(crate) fn write_step<R: Real>(
     Ok(())
 }
 
-/// Checks the joints, writes their steps in the same order, and returns the numbers of values and
-/// of rates.
+/// Checks the joints, writes their steps in the order of the joints, and returns the counts of
+/// values and of rates.
 fn check<R: Real>(
     joints: &[Joint<R>],
     steps: &mut [Step<R>],
@@ -266,7 +276,8 @@ fn check<R: Real>(
         }
         if let Some(step) = steps.get_mut(index) {
             (step.value, step.rate) = leader;
-            // Limits that leave nothing of the leader's range cannot be meant.
+            // If the limits of the follower leave no range for the leader, the file's author cannot
+            // have meant them, so they are dropped.
             if step.narrowed(range).is_none() {
                 step.limits = None;
             }
@@ -275,7 +286,8 @@ fn check<R: Real>(
     Ok(counts)
 }
 
-/// Plans the steps, puts them in order, and makes the mechanism.
+/// Plans the steps for single configurations, puts them in depth-first order, and returns the
+/// mechanism.
 pub(crate) fn finish<R: Real>(
     steps: &mut [Step<R>],
     (values, rates): (usize, usize),
@@ -287,11 +299,11 @@ pub(crate) fn finish<R: Real>(
 
 /// Puts the steps in depth-first order, the largest branch last.
 ///
-/// A pose is kept for the other children of its link while a branch is computed. As each of these
-/// branches is no larger than the last one, at most log₂(n) + 1 poses are kept (the Strahler
-/// number of the tree), so memory of a fixed size is enough.
-// Steps are large, so none is copied to the stack. Not inlined, so that its stack frame does not
-// lie under that of `plan`.
+/// While one branch of a link is computed, the pose of the link is kept for its other children. As
+/// each branch is no larger than the last one, at most log₂(n) + 1 poses are kept at a time (the
+/// Strahler number of the tree), so memory of a fixed size is enough.
+// Steps are large, so none is copied to the stack. The function is not inlined: otherwise its stack
+// frame and the frame of `plan` would be needed at the same time.
 #[inline(never)]
 fn order<R>(steps: &mut [Step<R>]) {
     let count = steps.len();
@@ -306,7 +318,8 @@ fn order<R>(steps: &mut [Step<R>]) {
             }
         }
     }
-    // The largest branch goes to the end of its parent's range, the others to the front.
+    // The largest branch goes to the end of its parent's range, and the other branches go to the
+    // front.
     let mut free = 0;
     for index in 0..count {
         let Some(&Step { size, parent, .. }) = steps.get(index) else { return };
@@ -326,7 +339,7 @@ fn order<R>(steps: &mut [Step<R>]) {
         (step.slot, step.parent_slot) = (slot, parent_slot);
     }
     for index in 0..count {
-        // Each swap puts one step in its place.
+        // Each swap puts one step at its final position.
         while let Some(step) = steps.get(index)
             && let Ok([here, there]) = steps.get_disjoint_mut([index, step.position as usize])
         {
@@ -342,13 +355,14 @@ fn order<R>(steps: &mut [Step<R>]) {
 }
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// A serial arm as a product of exponentials, exp(½ξ₁q₁) … exp(½ξ_N q_N) tool
-    /// (Brockett 1984; Lynch & Park, *Modern Robotics*, 2017, eq. 4.14): a joint for each of N
-    /// screws, the one at the base first, each on the one before, and as link N the tool, fixed to
-    /// the last. `steps` are N + 1.
+    /// Makes a serial arm from a product of exponentials, exp(½ξ₁q₁) … exp(½ξ_N q_N) tool
+    /// (Brockett 1984; Lynch & Park, *Modern Robotics*, 2017, eq. 4.14). Each of the N screws is a
+    /// joint, from the base outward, and each joint is carried by the one before. Link N is the
+    /// tool, fixed to the last joint. `steps` must hold at least N + 1 steps.
     ///
-    /// A screw is the motion of all links that hang on the joint, for a value of 1, in the frame of
-    /// the base, while all other values are zero. No frames have to be laid into the links.
+    /// A screw is the motion that a value of 1 gives to all links beyond the joint while all other
+    /// values are zero, in the frame of the base. The caller does not have to choose frames for the
+    /// links.
     ///
     /// | angle | slide | joint |
     /// |---|---|---|
@@ -356,14 +370,15 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// | 1 | any | a thread, with `slide` as the length per radian |
     /// | 0 | 1 | a slide along the axis; the place of the axis does not matter |
     ///
-    /// With each screw come the limits of its joint, infinite if it has none. `tool` is the pose of
-    /// the tool while all values are zero. Axes and tool are made unit exactly, so numbers with
-    /// four decimals will do; a part of the moment along the axis is rounding, and is left out.
+    /// Each screw is paired with the limits of its joint, infinite for a joint without limits.
+    /// `tool` is the pose of the tool while all values are zero. Axes and tool are normalized, so
+    /// input with four decimals is precise enough. A component of the moment along the axis is
+    /// taken for rounding, and is left out.
     ///
-    /// While all values are zero, the frames of links are parallel to the base. That of a hinge is
-    /// at the point of its axis that is nearest to the frame before, so
-    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the distances from axis to
-    /// axis.
+    /// While all values are zero, the frames of the links are parallel to the base. The frame of a
+    /// hinge is at the point of its axis that is nearest to the frame before it, so
+    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the distances between
+    /// successive axes.
     ///
     /// ```
     /// use dq8::geometry::Screw;
@@ -382,10 +397,11 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// If an axis or the tool, as that of joint N, is farther than 10⁻³ from unit or not finite,
-    /// a screw is none of these three, limits are not in order, or there are fewer steps than N
-    /// + 1. `steps` may have been written.
-    // Not inlined, so that its stack frame does not lie under that of a search.
+    /// If an axis or the tool is farther than 10⁻³ from unit or not finite (errors name the tool
+    /// as joint N), a screw is none of these three, limits are not in order, or there are fewer
+    /// than N + 1 steps. In any of these cases `steps` may have been written.
+    // The function is not inlined: otherwise its stack frame would be part of the frame of a caller
+    // that goes on to a search by inverse kinematics.
     #[inline(never)]
     pub fn from_screws(
         screws: &[(Screw<R>, [R; 2])],
@@ -418,9 +434,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     }
 }
 
-/// The place of the first joint: on the axis of the first hinge or thread. A slide may be anywhere,
-/// so slides before it are placed there too, and the distance to it does not add to the reach of
-/// the arm.
+/// Returns the place of the first joint, which is on the axis of the first hinge or thread. The
+/// place of a slide does not matter, so slides before that hinge are placed there too. This way the
+/// distance from a slide to the hinge does not add to the reach of the arm.
 fn first_frame<R: Real>(
     screws: &[(Screw<R>, [R; 2])],
     tool: DualQuat<R>,
@@ -434,7 +450,8 @@ fn first_frame<R: Real>(
     Ok(tool.translation())
 }
 
-/// The kind of joint that a screw is, and its axis, both with a direction that is exactly unit.
+/// Returns the kind of joint that a screw describes, and its axis. The direction is normalized in
+/// both.
 fn checked<R: Real>(
     screw: &Screw<R>,
     joint: usize,
@@ -451,7 +468,8 @@ fn checked<R: Real>(
     } else {
         JointKind::Screw { axis, pitch: slide }
     };
-    // The moment of a slide does not matter.
+    // The moment of a slide's axis does not change the motion, so only hinges and threads need a
+    // finite moment.
     if angle == R::ONE {
         for number in moment {
             finite(number, "moment", joint)?;
@@ -460,7 +478,8 @@ fn checked<R: Real>(
     Ok((kind, Line { direction: axis, moment }))
 }
 
-/// A row of a table of Denavit and Hartenberg: θ about and d along z, α about and a along x.
+/// A row of a table of Denavit and Hartenberg: turn by θ about z and move by d along z, turn by α
+/// about x and move by a along x.
 ///
 /// ```text
 /// standard: turn θ about z, move d along z, move a along x, turn α about x
@@ -468,44 +487,45 @@ fn checked<R: Real>(
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dh<R> {
-    /// The angle θ in radians: of a hinge, the part that is added to its value.
+    /// The angle θ in radians. For a hinge, it is added to the value of the joint.
     pub theta: R,
-    /// The offset d: of a slide, the part that is added to its value.
+    /// The offset d along z. For a slide, it is added to the value of the joint.
     pub d: R,
-    /// The length a of the link.
+    /// The length a of the link, along x.
     pub a: R,
-    /// The twist α of the link, radians.
+    /// The twist α of the link, about x, in radians.
     pub alpha: R,
-    /// `true` for a slide, whose value is d; `false` for a hinge, whose value is θ.
+    /// `true` for a slide, whose value moves along z; `false` for a hinge, whose value turns about
+    /// z.
     pub slides: bool,
-    /// The least and the largest value of the joint.
+    /// The least and the largest value of the joint; `None` without limits.
     pub limits: Option<[R; 2]>,
 }
 
-/// The order in which a row acts.
+/// The order in which a row's motions about and along x and z are multiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DhConvention {
     /// z, then x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit & Hartenberg 1955; Paul; Spong).
     Standard,
-    /// x, then z: A = Rx(α) Tx(a) Rz(θ) Tz(d), with the a and α of the link before (Craig,
-    /// *Introduction to Robotics*).
+    /// x, then z: A = Rx(α) Tx(a) Rz(θ) Tz(d), where a and α belong to the preceding link
+    /// (Craig, *Introduction to Robotics*).
     Modified,
 }
 
 impl<R: Real> Dh<R> {
-    /// A hinge without limits.
+    /// Returns the row of a hinge without limits; angles are in radians.
     #[must_use]
     pub fn hinge(theta: R, d: R, a: R, alpha: R) -> Self {
         Self { theta, d, a, alpha, slides: false, limits: None }
     }
 
-    /// A slide without limits.
+    /// Returns the row of a slide without limits; angles are in radians.
     #[must_use]
     pub fn slide(theta: R, d: R, a: R, alpha: R) -> Self {
         Self { slides: true, ..Self::hinge(theta, d, a, alpha) }
     }
 
-    /// The same row with limits.
+    /// Returns this row with the limits `[least, largest]` of the joint's value.
     #[must_use]
     pub fn with_limits(self, limits: [R; 2]) -> Self {
         Self { limits: Some(limits), ..self }
@@ -523,9 +543,9 @@ impl<R: Real> Dh<R> {
 }
 
 impl<'a, R: Real> Mechanism<'a, R> {
-    /// A serial arm of N rows, A₁ … A_N tool: joint j turns or slides along its z, and link N
-    /// is the tool, fixed to the last; with the identity it is the last frame of the table. `steps`
-    /// are N + 1.
+    /// Makes a serial arm from N rows, A₁ … A_N tool. Each row is a joint that turns about its
+    /// z or slides along it. Link N is the tool, fixed to the last joint; if `tool` is the
+    /// identity, link N is the last frame of the table. `steps` must hold at least N + 1 steps.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -540,9 +560,10 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// If a number is not finite (in the standard form, a and α are those of the joint after),
-    /// limits are not in order, the tool, as that of joint N, is farther than 10⁻³ from unit, or
-    /// there are fewer steps than N + 1. `steps` may have been written.
+    /// If a component of a row is not finite (in the standard convention, errors in a and α name
+    /// the following joint), limits are not in order, the tool is farther than 10⁻³ from unit
+    /// (errors name it as joint N), or there are fewer than N + 1 steps. In any of these cases
+    /// `steps` may have been written.
     pub fn from_dh(
         rows: &[Dh<R>],
         convention: DhConvention,
@@ -557,8 +578,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
             let parent = index.checked_sub(1);
             let mut joint = Joint::fixed(parent, before * tool);
             if let Some(row) = row {
-                // The rotation and translation by z may stand before the motion of the joint, which
-                // is about or along z too.
+                // The row's rotation about z and translation along z commute with the motion of the
+                // joint, which is about or along z too. So they can be part of the placement.
                 let along_x = match convention {
                     DhConvention::Standard => core::mem::replace(&mut before, row.about_x()),
                     DhConvention::Modified => row.about_x(),

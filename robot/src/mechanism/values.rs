@@ -1,4 +1,4 @@
-//! The values of joints, from memory to lanes.
+//! The values of joints: their layouts in memory, and the loads that bring them to lanes.
 
 use core::fmt::Debug;
 use core::ops::Range;
@@ -7,12 +7,14 @@ use dq8::storage::{AoSoA, Element, Layout, Tile, same_length, whole_instances};
 use dq8::{Scalar, ShapeError};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
-/// Joint values, or rates, for poses in the layout `Y`: plain numbers, `[configuration][value]` or
-/// in columns, `[value]` slices of `[configuration]`, for any; or [`Block`](dq8::storage::Block)s
-/// of one number, `[configuration block][value]` for blocks of as many lanes. Sealed.
+/// An item of a slice of joint values, or rates, that can be used with poses in the layout `Y`.
+/// Three layouts exist. For poses in any layout, values are plain floats `[configuration][value]`,
+/// or columns: a slice `[configuration]` for each value. For poses in blocks, values may also be
+/// [`Block`](dq8::storage::Block)s of one component with as many lanes,
+/// `[configuration block][value]`. The trait is sealed.
 ///
-/// Where plain values meet poses in blocks, the last block may have lanes without a configuration.
-/// The poses there are those of values that are all zero.
+/// If values are plain and poses are in blocks, the last block may have lanes without a
+/// configuration. The poses in these lanes are computed from values that are all zero.
 pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn check(
@@ -21,12 +23,13 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError>;
-    /// The number of items, blocks or plain numbers, that belong to one element of poses for each
-    /// value. Zero for columns, in which configurations do not follow each other.
+    /// The count of items (blocks or plain floats) that belong to one element of poses, for each
+    /// value of a configuration. It is zero for columns, because there the items are columns and
+    /// not configurations.
     #[doc(hidden)]
     const EACH: usize;
-    /// The values of `elements` configurations, or blocks of them, from `first` on; fewer at the
-    /// end. Columns are not cut.
+    /// Returns the values of `elements` configurations or blocks, from element `first` on, or fewer
+    /// at the end of the slice. Columns are not cut.
     #[doc(hidden)]
     fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> Part<'_, Self> {
         if Self::EACH == 0 {
@@ -35,8 +38,9 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         let rest = slice.get(first * Self::EACH * count..).unwrap_or_default();
         Part { slice: rest.get(..elements * Self::EACH * count).unwrap_or(rest), first: 0 }
     }
-    /// Four values from number `first` on, one configuration per lane. Those beyond `count` are not
-    /// used.
+    /// Loads four consecutive values of a group of configurations, from index `first` on, into four
+    /// registers with one configuration per lane. A configuration has `count` values; registers
+    /// beyond that count are not used.
     #[doc(hidden)]
     fn load<V: Level>(
         level: V,
@@ -79,8 +83,8 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
     }
 }
 
-/// Plain numbers, for poses in any layout. One `impl` for every `Scalar` would overlap with that
-/// for blocks, so each type of number has its own.
+/// Implements the trait for plain floats, for poses in any layout. One `impl` for every `Scalar`
+/// would overlap with the `impl` for blocks, so `f32` and `f64` each have their own.
 macro_rules! plain_values {
     ($($real:ident)*) => {$(
         impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
@@ -110,8 +114,8 @@ macro_rules! plain_values {
             ) -> [Y::Register<V>; 4] {
                 let start = group.configuration::<Y, V>() * count + first;
                 let rows = slice.get(start..).unwrap_or_default();
-                // If a configuration has fewer than four, the rest is read from the next one and
-                // not used.
+                // If a configuration has fewer than four values, the remaining registers are read
+                // from the next configuration and not used.
                 if let Some(quad) = Y::Register::<V>::load_rows(level, rows, count) {
                     return quad;
                 }
@@ -158,7 +162,7 @@ impl<Y: Layout> JointValues<Y> for &[Y::Real] {
         let (at, lanes) = (group.configuration::<Y, V>(), Y::Register::<V>::LANES);
         let columns = slice.get(first..).unwrap_or_default();
         let mut quad = [Y::Register::<V>::splat(level, Y::Real::default()); 4];
-        // The usual case is four loads, one after the other.
+        // In the usual case there are four columns with enough rows, and four loads suffice.
         if let Some(four) = columns.first_chunk::<4>()
             && four.iter().all(|column| column.len() >= at + lanes)
         {
@@ -179,20 +183,21 @@ impl<Y: Layout> JointValues<Y> for &[Y::Real] {
     }
 }
 
-/// Values or rates of some configurations.
+/// The values or rates of a range of configurations.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
 pub struct Part<'s, T> {
     slice: &'s [T],
-    /// The first configuration, for columns, which hold those of others too.
+    /// The index of the first configuration of the range in each column, because columns are not
+    /// cut. It is zero for the other layouts.
     first: usize,
 }
 
-/// The values of one configuration in each lane.
+/// The values of joints in registers, one configuration per lane.
 pub(crate) trait LaneValues<L: Lanes> {
-    /// Value number `index`.
+    /// Returns the value with this `index`.
     fn get(&mut self, level: L::Level, index: usize) -> L;
-    /// Cosine and sine of half of value number `index`.
+    /// Returns the cosine and the sine of half of the value with this `index`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn half_angle(&mut self, level: L::Level, index: usize) -> [L; 2] {
         let value = self.get(level, index);
@@ -200,21 +205,22 @@ pub(crate) trait LaneValues<L: Lanes> {
     }
 }
 
-/// The first of no values: its distance to any number is more than four.
+/// The index `first` while no values are loaded. It differs from any real index by more than four.
 const NOWHERE: usize = usize::MAX / 2;
 
-/// The values of a group, loaded four at a time and kept until others are asked for. Plain values
-/// are transposed four at a time, and four cosines do not wait for each other.
+/// The values of a group of configurations. Four consecutive values are loaded at a time, and kept
+/// until a value outside of these four is needed. The transpose of plain values yields four at a
+/// time, and the CPU computes four independent cosines in parallel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CachedValues<'s, Y: Layout, T, V: Level> {
     part: Part<'s, T>,
-    /// The number of values of a configuration.
+    /// The count of values of a configuration.
     count: usize,
     group: Group,
-    /// The first of the four that are loaded.
+    /// The index of the first of the four loaded values.
     first: usize,
     quad: [Y::Register<V>; 4],
-    /// Cosine and sine of half of each of the four, if `has_cos_sin`.
+    /// The cosine and the sine of half of each of the four values; valid if `has_cos_sin`.
     cos_sin: [[Y::Register<V>; 2]; 4],
     has_cos_sin: bool,
 }
@@ -228,7 +234,7 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> CachedValues<'s, Y, T, V> {
         Self { part, count, group, first: NOWHERE, quad, cos_sin, has_cos_sin: false }
     }
 
-    /// Goes on to another group.
+    /// Moves on to another group of configurations.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn seek(&mut self, group: Group) {
         (self.group, self.first) = (group, NOWHERE);
@@ -237,7 +243,7 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> CachedValues<'s, Y, T, V> {
         }
     }
 
-    /// Loads value number `index` if need be, and gives its place among the four.
+    /// Loads the value with this `index` unless it is loaded, and returns its place among the four.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn find(&mut self, level: V, index: usize) -> usize {
         if index.wrapping_sub(self.first) >= 4 {
@@ -271,7 +277,8 @@ impl<Y: Layout, T: JointValues<Y>, V: Level> LaneValues<Y::Register<V>>
     }
 }
 
-/// Cosine and sine, or NaN for an angle that is out of the range of the lanes.
+/// Returns the cosine and the sine of `half`, or NaN if it is beyond the range of the sine on
+/// lanes.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn checked_cos_sin<L: Lanes>(half: L) -> [L; 2] {
     let near = half.abs().le(half.constant(farthest::<L>()));
@@ -287,31 +294,33 @@ mod sealed {
     impl<A> Sealed for dq8_simd::Block<A, 1> {}
 }
 
-/// Bytes of a cache line.
+/// The count of bytes of a cache line.
 const LINE: usize = 64;
 
-/// The configurations that the lanes of a kernel hold at a time.
+/// The group of configurations that the lanes of a kernel compute at a time.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
 pub struct Group {
-    /// The block, or the configuration in the first lane.
+    /// The index of the block or, for plain slices, of the configuration in the first lane.
     pub(crate) first: usize,
     pub(crate) register: usize,
 }
 
 impl Group {
-    /// Number `index` of the `count` things that each configuration has.
+    /// Returns the tile of item `index` for the configurations of this group, where each
+    /// configuration has `count` items, such as poses of links.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
-        // In plain slices the same thing of the next configuration lies `count` records on. A block
-        // holds it in the next lane.
+        // In plain slices the same item of the next configuration lies `count` records further on.
+        // In blocks it lies in the next lane of the same block.
         let tile = Tile::at(self.first * count + index, self.register);
         if Y::transposes::<V>() { tile.strided(count) } else { tile }
     }
 
-    /// Fetches the memory in which the next group will write `these` of its `count` things. The CPU
-    /// does not foresee that by itself, as a step writes to as many places as there are lanes: it
-    /// saves a third of the time if things do not fit the caches.
+    /// Prefetches the memory to which the next group will write `these` of its `count` items. The
+    /// CPU's own prefetcher does not recognise the pattern, as a step writes to as many places as
+    /// there are lanes. The prefetch saves a third of the time if the output does not fit the
+    /// caches.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn prefetch_next<Y: Layout, V: Level, E>(
         self,
@@ -331,7 +340,7 @@ impl Group {
         }
     }
 
-    /// The number of the configuration in the first lane.
+    /// Returns the index of the configuration in the first lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn configuration<Y: Layout, V: Level>(self) -> usize {
         self.first * Y::THINGS + self.register * Y::Register::<V>::LANES

@@ -1,4 +1,4 @@
-//! Velocities and accelerations of links for many configurations.
+//! The velocities and accelerations of links, computed for many configurations.
 
 use super::job::{Job, Run};
 use super::joint::JointKind;
@@ -15,11 +15,12 @@ use dq8::{Scalar, ShapeError};
 use dq8_simd::Level;
 
 impl<R: Scalar> Job<'_, R> {
-    /// Poses and spatial twists of all links for many configurations, in one pass: what
-    /// [`Mechanism::link_velocities`] gives for one.
+    /// Computes the poses and spatial twists of all links for many configurations, in one pass.
+    /// [`Mechanism::link_velocities`] computes them for one configuration, and its page defines
+    /// spatial twists.
     ///
-    /// `rates` is `[configuration][rate]` in the layout of the values, `poses` and `twists` are
-    /// `[configuration][link]`.
+    /// `values` is `[configuration][value]` and `rates` is `[configuration][rate]`, both in the
+    /// same layout ([`JointValues`]); `poses` and `twists` are `[configuration][link]`.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations; nothing is written.
@@ -59,9 +60,10 @@ impl<R: Scalar> Job<'_, R> {
         Ok(())
     }
 
-    /// Poses, spatial twists, and spatial accelerations, which are the derivatives of the twists:
-    /// what [`Mechanism::link_accelerations`] gives for one. That page has the formula, and the
-    /// acceleration of a point of a link.
+    /// Computes the poses, the spatial twists, and the spatial accelerations, which are the time
+    /// derivatives of the twists, of all links for many configurations.
+    /// [`Mechanism::link_accelerations`] computes them for one configuration; its page has the
+    /// formula, and the acceleration of a point of a link.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations; nothing is written.
@@ -114,7 +116,8 @@ impl<R: Scalar> Job<'_, R> {
         Ok(())
     }
 
-    /// Checks the poses of all links, the values and the rates.
+    /// Checks that the poses of all links, the values and the rates are for the same count of
+    /// configurations.
     fn check_rates<'r, T, E>(
         &'r self,
         values: &'r [T],
@@ -134,8 +137,9 @@ impl<R: Scalar> Job<'_, R> {
     }
 }
 
-/// Poses and twists (`N` = 1), and accelerations too (`N` = 2). Twists follow from the first rates,
-/// accelerations from the second.
+/// The task that writes poses and twists (`N` = 1), or poses, twists and accelerations (`N` = 2).
+/// `rates` holds the first rates, from which twists are computed, and if `N` = 2 the second rates,
+/// which accelerations need too. `count` is the count of rates of a configuration.
 struct Twists<'s, T, E, C, const N: usize> {
     poses: &'s mut [E],
     moved: [&'s mut [C]; N],
@@ -186,8 +190,9 @@ where
     ) -> Self::Carried<V> {
         let Visit { level, group, step, ref frames } = *visit;
         let mut all = *parent;
-        // The twist of the frame in which the next screw lies. The turn of a planar joint comes
-        // after its slides. A floating joint has all six screws in one frame.
+        // `carrying` is the twist of the frame in which the joint's next screw is constant. A
+        // planar joint turns after its slides, so the twist of the slides is added before its turn.
+        // The six screws of a floating joint share one frame.
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;

@@ -1,8 +1,9 @@
-//! The loop of all kernels over mechanisms, on lanes.
+//! The loop that all kernels over mechanisms share, on lanes.
 //!
 //! # The algorithm
 //!
-//! A lane holds one configuration, and a register holds the same number of each.
+//! Each lane computes one configuration, so a register holds the same component of several
+//! configurations.
 //!
 //! ```text
 //! for each group of configurations:
@@ -12,20 +13,21 @@
 //!         the task takes the link
 //! ```
 //!
-//! A [`Task`] writes the pose, adds a column to a Jacobian, or passes a velocity on to the
+//! A [`Task`] writes the pose, adds a column to a Jacobian, or passes the link's velocity on to its
 //! children.
 //!
 //! # Why it is as it is
 //!
-//! - *A stack laid out beforehand.* Poses that wait for children are kept in numbered slots, which
-//!   were chosen when the mechanism was made: a link's largest subtree comes last and takes over
-//!   the slot of the link. So 32 slots are enough for any tree, nothing is pushed or popped, and
-//!   all poses stay in the first cache.
-//! - *Subtrees follow each other*, so links that nobody asked for are skipped in one jump.
-//! - *Half translations.* The dual part of a motion is made of ½t, so keeping the half saves a
-//!   factor in every product.
-//! - *Axes of the frame* take half the operations of other axes, and a placement without a rotation
-//!   takes none ([`HalfPose`]).
+//! - *The stack is laid out beforehand.* A pose that children still need is kept in a slot, whose
+//!   index was chosen when the mechanism was made. A link's largest subtree comes last and takes
+//!   over the slot of the link. So 32 slots are enough for any tree, nothing is pushed or popped,
+//!   and all poses stay in the L1 cache.
+//! - *The steps of a subtree are contiguous*, so a subtree without any requested link is skipped in
+//!   one jump.
+//! - *Translations are kept as halves.* The dual part of a motion is made of ½t, so every product
+//!   needs one factor less.
+//! - *Rotations about a coordinate axis* take half the operations of rotations about other axes,
+//!   and a placement without a rotation takes none ([`HalfPose`]).
 
 use super::step::{Alignment, JointFrame, JointScrews, NONE, Step};
 use super::tree::Mechanism;
@@ -36,44 +38,48 @@ use dq8::storage::Layout;
 use dq8::{Kernel, Scalar};
 use dq8_simd::{Float, Lanes, Level};
 
-/// The most poses that wait for children: log₂ of the number of joints, plus one.
-/// [`Mechanism::new`] puts the steps in such an order.
+/// The greatest count of poses that are kept for children: log₂ of the count of joints, plus one.
+/// [`Mechanism::new`] puts the steps in an order for which this holds.
 pub(crate) const SLOTS: usize = 32;
 
-/// The work that is done with each link.
+/// The work that a kernel does with each link, for poses in the layout `Y`.
 pub(crate) trait Task<Y: Layout> {
-    /// `true` if sixteen lanes of plain `f32` are faster than eight on a CPU that shuffles both in
-    /// the same time. `false` for tasks whose memory would then not fit the first cache.
+    /// `true` if the task is faster with sixteen lanes of plain `f32` than with eight, on a CPU
+    /// that shuffles both in the same time. It is `false` for tasks whose memory for sixteen lanes
+    /// does not fit the L1 cache.
     const WIDE: bool = true;
-    /// The registers that it keeps from link to link.
+    /// The registers that the task keeps from link to link.
     type State<V: Level>;
-    /// Facts that children need of a link in addition to its pose.
+    /// The quantities of a link, besides its pose, that its children need, such as its twist.
     type Carried<V: Level>: Copy;
-    /// The state before the first group.
+    /// Returns the state before the first group of configurations.
     fn start<V: Level>(&self, level: V) -> Self::State<V>;
-    /// The facts of the base.
+    /// Returns the quantities that links on the base take from it in place of a parent's, such as a
+    /// twist of zero.
     fn base<V: Level>(level: V) -> Self::Carried<V>;
-    /// Begins a group, before its links.
+    /// Begins a group of configurations, before its links are visited.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn begin<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
-    /// `true` if neither the link of this step nor any link that it carries is wanted.
+    /// Returns `true` if the task needs neither the link of the step at the given position nor any
+    /// link that this link carries. The loop then skips all of them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, _: &[Step<Y::Real>], _: usize) -> bool {
         false
     }
-    /// Takes a link.
+    /// Does the task's work for one link, and returns the quantities that the link's children need.
     fn link<V: Level>(
         &mut self,
         visit: &Visit<'_, Y, V>,
         parent: &Self::Carried<V>,
         state: &mut Self::State<V>,
     ) -> Self::Carried<V>;
-    /// Ends a group, after its links.
+    /// Ends a group of configurations, after its links were visited.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
 }
 
-/// A link as the loop comes to it.
+/// A visit of the loop to one link, for one group of configurations: everything that a task may
+/// use.
 pub(crate) struct Visit<'s, Y: Layout, V: Level> {
     pub(crate) level: V,
     pub(crate) group: Group,
@@ -84,7 +90,7 @@ pub(crate) struct Visit<'s, Y: Layout, V: Level> {
 /// The frames of a joint and of its link, one configuration per lane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinkFrames<L> {
-    /// The frame of the joint, before it moves.
+    /// The frame of the joint before its motion.
     pub(crate) joint: HalfPose<L>,
     /// The pose of the link.
     pub(crate) link: HalfPose<L>,
@@ -93,16 +99,17 @@ pub(crate) struct LinkFrames<L> {
 pub(crate) struct Walk<'r, Y: Layout, T, K> {
     pub(crate) mechanism: Mechanism<'r, Y::Real>,
     pub(crate) values: Part<'r, T>,
-    /// The number of configurations, or of blocks of them.
+    /// The count of configurations, or of blocks if poses are in blocks.
     pub(crate) elements: usize,
     pub(crate) task: K,
 }
 
 impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     type Output = ();
-    // Plain poses are transposed. In f64 a link takes so long to compute that eight lanes still
-    // save a third of the time: 36 ns instead of 53 for the seven links of an arm. In f32 sixteen
-    // lanes save as much where shuffles are quick, and nothing elsewhere.
+    // Poses in plain slices are transposed with shuffles, which cost more with more lanes. In f64 a
+    // link takes so long to compute that eight lanes still save a third of the time: 36 ns instead
+    // of 53 for the seven links of an arm. In f32 sixteen lanes save as much on CPUs with quick
+    // shuffles, and nothing on others.
     const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE || K::WIDE;
     const SHUFFLES: bool = !Y::WIDE && <Y::Real as Float>::SINGLE;
 
@@ -125,8 +132,8 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                         continue;
                     }
                     position += 1;
-                    // The remainder changes no slot. It tells the compiler that the slots are
-                    // within the array, so no check is left.
+                    // Slots are below `SLOTS`, so the remainder changes none. It tells the compiler
+                    // that the slots are within the array, so that the loop has no bounds check.
                     let from = step.parent_slot as usize % SLOTS;
                     let to = step.slot as usize % SLOTS;
                     let is_root = step.parent == NONE;
@@ -147,12 +154,13 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     }
 }
 
-/// Poses while they are computed, one per lane: a rotation, and half the translation. In this form
-/// rotations about an axis of the frame, and translations along one, take the fewest operations.
+/// The form of poses while they are computed, one pose per lane: a rotation, and half the
+/// translation. In this form, rotations about a coordinate axis and translations along one take the
+/// fewest operations.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HalfPose<L> {
     pub(crate) rotation: [L; 4],
-    /// Half the translation, of which the dual part of a motion is made.
+    /// Half the translation, from which the dual part ½t r of the motion is computed.
     pub(crate) half: [L; 3],
 }
 
@@ -163,14 +171,14 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         Self { rotation: [zero, zero, zero, zero.constant(1.0)], half: [zero; 3] }
     }
 
-    /// The frame of a joint that stands on the base.
+    /// Returns the frame of a joint that stands on the base.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn on_base(level: L::Level, step: &Step<L::Real>) -> Self {
         let rotation = vector::splat(level, step.rotation);
         Self { rotation, half: vector::splat(level, step.half_offset) }
     }
 
-    /// The components of the motion r + ε ½t r: 12 multiplications.
+    /// Returns the components of the motion r + ε ½t r, with 12 multiplications.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn to_motion(self) -> [L; 8] {
         let ([x, y, z, w], [hx, hy, hz]) = (self.rotation, self.half);
@@ -186,7 +194,7 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         ]
     }
 
-    /// The frame of a joint that stands on a link with this pose.
+    /// Returns the frame of a joint that stands on a link with this pose.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn joint_frame(self, step: &Step<L::Real>) -> Self {
         let level = self.half[0].level();
@@ -205,7 +213,8 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         Self { rotation, half }
     }
 
-    /// Half the translation, moved by a constant vector in this frame, of which half is given.
+    /// Returns half the translation of this frame after it is moved by a constant vector of the
+    /// frame. `half` is half of that vector.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shifted(self, along: Alignment, half: [L::Real; 3]) -> [L; 3] {
         let level = self.half[0].level();
@@ -219,13 +228,16 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         }
     }
 
-    /// Half the translation, moved along an axis of the frame: h + d R e_K.
+    /// Returns half the translation after a move by the half distance d along axis K of this frame:
+    /// h + d R e_K.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn along<const K: usize>(self, distance: L) -> [L; 3] {
         let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);
         let (r, mut half) = (self.rotation, self.half);
         let twice = distance + distance;
-        // R e_K = e_K + 2(…): 1 − 2(r_n² + r_l²), 2(r_K r_n + w r_l), 2(r_K r_l − w r_n).
+        // The column R e_K = e_K + 2(…) of the rotation matrix has, for the axes K, n (next) and
+        // l (last), the components 1 − 2(r_n² + r_l²), 2(r_K r_n + w r_l), 2(r_K r_l − w
+        // r_n).
         let squares = r[next].mul_add(r[next], r[last] * r[last]);
         half[own] = twice.neg_mul_add(squares, half[own] + distance);
         half[next] = twice.mul_add(r[own].mul_add(r[next], r[3] * r[last]), half[next]);
@@ -233,19 +245,21 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         half
     }
 
-    /// Half the translation, moved by half a vector in this frame: h + R v.
+    /// Returns half the translation after a move by a vector of this frame, half of which is v: h +
+    /// R v.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn moved(self, vector: [L; 3]) -> [L; 3] {
         Quat::from_array(self.rotation).rotate_onto(vector, vector::add(vector, self.half))
     }
 
-    /// A vector of this frame in the frame of the base: R v.
+    /// Converts a vector from this frame to the frame of the base: R v.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotated(self, vector: [L; 3]) -> [L; 3] {
         Quat::from_array(self.rotation).rotate(vector)
     }
 
-    /// The axis of a joint in the frame of the base, R n: for an axis of the frame, a column of R.
+    /// Returns the axis n of a joint in the frame of the base, R n. If n is a coordinate axis, this
+    /// is a column of R.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn direction(self, step: &Step<L::Real>) -> [L; 3] {
         let level = self.half[0].level();
@@ -259,14 +273,15 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         }
     }
 
-    /// The twist of turning about an axis through the origin of this frame.
+    /// Returns the twist of turning about an axis through the origin of this frame.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn hinge(self, axis: [L; 3]) -> Twist<L> {
         let moment = vector::cross(self.half, axis);
         Twist { angular: axis, linear: vector::add(moment, moment) }
     }
 
-    /// The rotation r, turned about the axis n of a joint: r (cos + n sin).
+    /// Returns the rotation r of this frame after a turn about the axis n of a joint, by the cosine
+    /// and the sine of half the angle: r (cos + n sin).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotation_about_axis(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
         let level = cos.level();
@@ -302,7 +317,7 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
         numbers
     }
 
-    /// Half the value, times −1 if the axis points against that of the frame.
+    /// Returns half of the joint's value, times −1 if the axis points against a coordinate axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn value(self, step: &Step<L::Real>, index: usize, values: &mut N) -> L {
         let level = self.half[0].level();
@@ -315,7 +330,9 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
         checked_cos_sin(half)
     }
 
-    /// Cosines and sines of values that are not mimicked are computed four at a time.
+    /// Returns the cosine and the sine from the cache of `values`, which computes the cosines and
+    /// sines of four consecutive values at a time. The cache ignores multipliers and offsets, so
+    /// the joint must mimic no other.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn own_half_angle(self, step: &Step<L::Real>, values: &mut N) -> [L; 2] {
         let level = self.half[0].level();
@@ -359,7 +376,7 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
     }
 }
 
-/// The product r (cos + sin e_K): 8 multiplications instead of 16.
+/// Returns the product r (cos + sin e_K), with 8 multiplications instead of 16.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
     let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);
@@ -415,8 +432,8 @@ impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
 }
 
 impl<L: Lanes> LinkFrames<L> {
-    /// The rate, or NaN if the pose of the link is NaN. The screw of its joint may be known even
-    /// then, but the velocity of the link is not.
+    /// Returns the rate, or NaN if the pose of the link is NaN. Even then the screw of the joint
+    /// may be finite, and the velocity of the link must not be.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn nan_if_nowhere(&self, rate: L) -> L {
         let [.., w] = self.link.rotation;

@@ -1,10 +1,11 @@
-//! An element of a file. Its parts are read by name. Any other part is an error if it matters, or
-//! looks like a misspelling of a part that does, and a warning if not.
+//! An element of a URDF file. Its attributes and child elements are read by name. Any other part is
+//! an error if it says where links are or looks like a misspelling of a part that is read, and a
+//! warning otherwise.
 
 use super::error::{UrdfError, UrdfWarning};
 use roxmltree::Node;
 
-/// The text of a file, and where its lines begin.
+/// The text of a file, and the positions at which its lines begin.
 pub(crate) struct Lines<'f> {
     text: &'f str,
     starts: Vec<usize>,
@@ -16,7 +17,7 @@ impl<'f> Lines<'f> {
     }
 }
 
-/// An element, with its place in the file.
+/// An element of the XML document, with the lines of its file for messages.
 #[derive(Clone, Copy)]
 pub(crate) struct Element<'f> {
     pub(crate) node: Node<'f, 'f>,
@@ -28,13 +29,13 @@ impl<'f> Element<'f> {
         self.node.tag_name().name()
     }
 
-    /// The line on which the element begins, counted from one.
+    /// Returns the line on which the element begins, counted from one.
     pub(crate) fn line(self) -> u32 {
         let start = self.node.range().start;
         self.lines.starts.partition_point(|&line| line <= start) as u32 + 1
     }
 
-    /// The prefix of its name, empty if it has none.
+    /// Returns the namespace prefix of the element's name; empty if the name has no prefix.
     fn prefix(self) -> &'f str {
         let name = self.lines.text.get(self.node.range().start + 1..).unwrap_or_default();
         let end = name.find(|c: char| c.is_whitespace() || "/>".contains(c));
@@ -42,7 +43,8 @@ impl<'f> Element<'f> {
         prefix
     }
 
-    /// The name in errors: that of the element itself, or that of the element around it.
+    /// Returns the name of the element for errors, such as `<joint name="hip">`. An element without
+    /// the attribute `name` is followed by the element around it.
     pub(crate) fn title(self) -> String {
         let (prefix, name) = (self.prefix(), self.name());
         let colon = if prefix.is_empty() { "" } else { ":" };
@@ -72,7 +74,8 @@ impl<'f> Element<'f> {
         elements.map(move |node| Element { node, ..self })
     }
 
-    /// Checks all parts of the element that are not read at such a place.
+    /// Checks all parts of the element. A part that elements of the kind `place` neither read nor
+    /// may ignore gives an error or a warning.
     pub(crate) fn check(
         self,
         place: &Place,
@@ -83,7 +86,7 @@ impl<'f> Element<'f> {
             if place.has_attribute(name) {
                 continue;
             }
-            // A name with a prefix belongs to another program.
+            // A name with a prefix belongs to another program, so it is no misspelling.
             let meant = if name.contains(':') { None } else { meant(name, place.names()) };
             if let Some(meant) = meant {
                 let what = format!("the attribute {name:?} is unknown{}", instead(name, meant));
@@ -112,7 +115,7 @@ impl<'f> Element<'f> {
         Ok(())
     }
 
-    /// Checks that this element of `parent` is read, or need not be.
+    /// Checks that this child element of `parent` is read, or may be ignored.
     fn check_in(
         self,
         parent: Element<'f>,
@@ -125,8 +128,9 @@ impl<'f> Element<'f> {
         }
         let namespace = self.node.tag_name().namespace().filter(|_| !own);
         if namespace.is_some_and(|namespace| namespace.contains("xacro")) {
-            // Expanding a file leaves some such elements. A file that was not expanded lacks links,
-            // or has words in place of numbers, and is an error for that.
+            // Even an expanded file has some elements of xacro left, so they are a warning. A file
+            // that was not expanded gives another error, because it lacks links or has expressions
+            // in place of numbers.
             warnings.push(
                 self.warning("an element of xacro is not read; expand the file with xacro first"),
             );
@@ -134,7 +138,8 @@ impl<'f> Element<'f> {
         }
         let parts = if place.numbers { JOINT.elements } else { "" };
         let mut names = place.names().chain(parts.split_terminator(' '));
-        // A misspelling is looked for only in names without a prefix.
+        // Only a name without a prefix of its own can be a misspelling. With one, only the exact
+        // name of a part, in any case, is an error.
         let meant = if own {
             meant(name, names)
         } else {
@@ -148,12 +153,13 @@ impl<'f> Element<'f> {
         Ok(())
     }
 
-    /// All elements of this name.
+    /// Returns the child elements of this name.
     pub(crate) fn children(self, name: &str) -> impl Iterator<Item = Element<'f>> {
         self.elements().filter(move |child| child.name() == name)
     }
 
-    /// The first element of this name, as other readers take it, if there is one.
+    /// Returns the first child element of this name, if there is one. Other readers of URDF also
+    /// take the first.
     pub(crate) fn child(self, name: &str) -> Option<Element<'f>> {
         self.children(name).next()
     }
@@ -168,12 +174,12 @@ impl<'f> Element<'f> {
             .ok_or_else(|| self.missing(format!("the attribute {attribute:?}")))
     }
 
-    /// The number of an attribute, if it is there.
+    /// Reads an attribute as one finite number; `None` if the element does not have the attribute.
     pub(crate) fn number(self, attribute: &'static str) -> Result<Option<f64>, UrdfError> {
         Ok(self.numbers::<1>(attribute)?.map(|[number]| number))
     }
 
-    /// The `N` numbers of an attribute, if it is there. All are finite.
+    /// Reads an attribute as `N` finite numbers; `None` if the element does not have the attribute.
     pub(crate) fn numbers<const N: usize>(
         self,
         attribute: &'static str,
@@ -193,26 +199,30 @@ impl<'f> Element<'f> {
     }
 }
 
-/// The question in an error whether another name is meant.
+/// Returns the end of an error text that asks whether another name was meant.
 fn instead(name: &str, meant: &str) -> String {
     if name == meant { String::new() } else { format!("; did you mean {meant:?}?") }
 }
 
-/// A kind of element, with the names that matter in it. A name that is not read there is an error
-/// if it matters, or is close to one that does ([`meant`]). Any other name has nothing to do with
-/// places.
+/// A kind of element, with the names of its parts. A part that is not read there is an error if its
+/// name is among these, or is close to one of them ([`meant`]). Any other name has nothing to do
+/// with where links are.
 pub(crate) struct Place {
-    /// Attributes that are read. Names are separated by spaces, here and below.
+    /// The attributes that are read. Names are separated by spaces, in this field and the next
+    /// three.
     pub(crate) attributes: &'static str,
-    /// Elements that are read.
+    /// The child elements that are read.
     pub(crate) elements: &'static str,
-    /// Attributes and elements that say something about places and are not read.
+    /// Attributes and elements that would say where links are, but are not read, so they are an
+    /// error.
     pub(crate) unread: &'static str,
-    /// Parts of the format that say nothing about places. No warning is given for them.
+    /// Parts of the format that do not say where links are. They are ignored without a warning.
     pub(crate) known: &'static str,
-    /// `true` if there should be one element of each name. If there are more, the first is read.
+    /// `true` if there should be at most one child element of each name. If there are more, only
+    /// the first is read.
     pub(crate) once: bool,
-    /// `true` if the element has numbers as attributes, which some write as text in it.
+    /// `true` if the attributes of the element are numbers. Some authors write the numbers as text
+    /// inside the element, which is an error.
     pub(crate) numbers: bool,
 }
 
@@ -220,8 +230,8 @@ const NOTHING: Place =
     Place { attributes: "", elements: "", unread: "", known: "", once: false, numbers: false };
 const NUMBERS: Place = Place { numbers: true, ..NOTHING };
 
-/// A `<loop_joint>` would tie the values of joints to each other; a tree of links stands without
-/// it.
+/// The root element. It may hold a `<loop_joint>`, which would close a loop of joints and so
+/// constrain their values. The links form a tree without it, so it is ignored with a warning.
 pub(crate) const ROBOT: Place =
     Place { attributes: "version", elements: "link joint", known: "name material", ..NOTHING };
 
@@ -237,7 +247,7 @@ const PARTS: &str = "origin parent child axis limit mimic";
 pub(crate) const JOINT: Place =
     Place { attributes: "name type", elements: PARTS, known: "dynamics", once: true, ..NOTHING };
 
-/// `<parent>` and `<child>`.
+/// The elements `<parent>` and `<child>`, which name the links at the two ends of a joint.
 pub(crate) const END: Place = Place { attributes: "link", unread: PARTS, ..NUMBERS };
 
 pub(crate) const ORIGIN: Place = Place {
@@ -248,7 +258,8 @@ pub(crate) const ORIGIN: Place = Place {
 
 pub(crate) const AXIS: Place = Place { attributes: "xyz", unread: "x y z", ..NUMBERS };
 
-/// The other attributes of the format are about speeds and forces.
+/// The element `<limit>`. Its attributes other than `lower` and `upper` are about speeds and
+/// forces.
 pub(crate) const LIMIT: Place = Place {
     attributes: "lower upper",
     unread: "min max",
@@ -259,18 +270,18 @@ pub(crate) const LIMIT: Place = Place {
 pub(crate) const MIMIC: Place = Place { attributes: "joint multiplier offset", ..NUMBERS };
 
 impl Place {
-    /// All names that matter.
+    /// Returns the names that are read and the names that say where links are.
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
         let all = [self.attributes, self.elements, self.unread].into_iter();
         all.flat_map(|all| all.split_terminator(' '))
     }
 
-    /// `true` for an attribute that is read here, or need not be.
+    /// Returns `true` for an attribute that is read here or may be ignored.
     pub(crate) fn has_attribute(&self, name: &str) -> bool {
         [self.attributes, self.known].into_iter().any(|all| has(all, name))
     }
 
-    /// `true` for an element that is read here, or need not be.
+    /// Returns `true` for a child element that is read here or may be ignored.
     pub(crate) fn has_element(&self, name: &str) -> bool {
         [self.elements, self.known].into_iter().any(|all| has(all, name))
     }
@@ -280,12 +291,13 @@ fn has(all: &str, name: &str) -> bool {
     all.split_terminator(' ').any(|word| word == name)
 }
 
-/// Words that are close to names of the format, but are other words.
+/// Words that are close to names of the format, but are not misspellings of them.
 const OTHER_WORDS: [&str; 3] = ["line", "point", "power"];
 
-/// The name of these that is probably meant: one that differs in case, in the order of its letters,
-/// or in a few letters (lost, added, changed, or exchanged with a neighbour). One letter may differ
-/// in names of three to five letters, two in longer ones, none in shorter ones.
+/// Returns the name that is probably meant by the misspelling `found`, if there is one. It differs
+/// from `found` in case, in the order of its letters, or in a few letters (lost, added, changed, or
+/// exchanged with a neighbour). One letter may differ in names of three to five letters, two in
+/// longer names, and none in shorter names.
 pub(crate) fn meant(
     found: &str,
     names: impl IntoIterator<Item = &'static str>,
@@ -312,10 +324,10 @@ fn near(found: &[char], name: &str) -> bool {
         && (distance(found, &name) <= allowed || sorted(found) == sorted(&name))
 }
 
-/// The number of letters that must be added, removed, changed, or exchanged with the next one
-/// (optimal string alignment).
+/// Returns the least count of letters that must be added, removed, changed, or exchanged with the
+/// next letter to turn `a` into `b` (optimal string alignment).
 fn distance(a: &[char], b: &[char]) -> usize {
-    // Row i: the distances of the first i letters of `a` from all beginnings of `b`.
+    // Row i holds the distances of the first i letters of `a` from all prefixes of `b`.
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
     for i in 1..=a.len() {
         let mut row = vec![i];

@@ -3,21 +3,21 @@ use dq8::internal::errors;
 use std::fmt;
 
 errors! {
-    /// An error in a file that does not describe a robot, or one that a mechanism cannot express.
-    /// Each names the line and the element.
+    /// An error in a file that does not describe a robot, or describes a robot that a mechanism
+    /// cannot express. Errors about the contents name the line and the element.
     #[derive(Debug)]
     UrdfError {
-        /// The file cannot be read.
+        /// The file cannot be read from disk.
         Read { path: String = "Its name.", source: std::io::Error = "The reason." } from source => "cannot read {path}: {source}";
-        /// The text is in an encoding other than UTF-8 and UTF-16, which only the feature
-        /// `urdf-encodings` reads.
+        /// The text is in an encoding other than UTF-8 and UTF-16, and the feature
+        /// `urdf-encodings`, which reads other encodings, is off.
         Encoding { encoding: String = "What the file declares." }
             => "the file declares the encoding {encoding:?}, which dq8-robot reads only with its feature urdf-encodings: switch it on, \
                 or save the file as UTF-8";
-        /// The text is not XML.
+        /// The text of the file is not XML.
         Parse { line: u32 = "The line, counted from one.", message: String = "What the reader of XML says." }
             => "not a URDF file: line {line}: {message}";
-        /// The format has no such element, attribute or text there.
+        /// The format allows no such element, attribute or text at this place.
         Unexpected {
             line: u32 = "The line on which the element begins.",
             element: String = "The element, or the one that holds the attribute or text.",
@@ -31,7 +31,8 @@ errors! {
             what: String = "What is missing."
         }
             => "not a URDF file: line {line}: {element}: {what} is missing";
-        /// An attribute does not hold the right number of finite numbers.
+        /// An attribute must hold a fixed count of finite numbers, such as three for `xyz`, and
+        /// does not.
         Numbers {
             line: u32 = "The line on which the element begins.",
             element: String = "The element.",
@@ -46,10 +47,10 @@ errors! {
         /// A revolute or prismatic joint has no `<limit>`.
         NoLimit { line: u32 = "The line on which the joint begins.", joint: String = "The joint." }
             => "not a URDF file: line {line}: <joint name={joint:?}>: a revolute or prismatic joint must have a <limit>";
-        /// An element or attribute says where links are, and a mechanism cannot express it.
+        /// An element or attribute says where links are, but a mechanism cannot express it.
         NotExpressed { line: u32 = "The line on which the element begins.", what: String = "The element or attribute." }
             => "not supported: line {line}: {what}";
-        /// Two links, or two joints, have one name.
+        /// Two links, or two joints, have the same name.
         Twice {
             line: u32 = "The line of the second.",
             element: &'static str = "`link` or `joint`.",
@@ -73,7 +74,8 @@ errors! {
             first: String = "The first of them."
         }
             => "line {line}: <joint name={joint:?}>: its child link {link:?} is already the child of <joint name={first:?}>";
-        /// Not exactly one link is the child of no joint.
+        /// A tree has exactly one root, a link that is the child of no joint, but the file has none
+        /// or several.
         Roots {
             line: u32 = "The line of the second of them; of `<robot>` if there is no link.",
             links: Vec<String> = "The names of those that are."
@@ -82,17 +84,18 @@ errors! {
                 [] => "<robot> has no <link>".to_owned(),
                 _ => format!("more than one <link> is the child of no joint: {links:?}"),
             };
-        /// The joints above a link form a circle.
+        /// The joints that carry a link form a circle.
         Circle { line: u32 = "The line of the link.", link: String = "The link." }
             => "line {line}: <link name={link:?}>: the joints above it form a circle";
-        /// The length of an axis is zero, or not finite.
+        /// The length of an axis is zero or not finite, so the axis has no direction.
         Axis { line: u32 = "The line of the axis.", joint: String = "The joint.", axis: [f64; 3] = "The axis." }
             => "line {line}: <joint name={joint:?}>: the axis {axis:?} has no direction: its length must be positive and finite";
-        /// Joints mimic each other in a circle, or one of them does not have exactly one value.
+        /// Joints mimic each other in a circle, or the mimicking or the followed joint does not
+        /// have exactly one value.
         Mimic { line: u32 = "The line of `<mimic>`.", joint: String = "The joint.", other: String = "What it should mimic." }
             => "line {line}: <joint name={joint:?}> cannot mimic {other:?}: each must have exactly one value, and no joint may mimic \
                 itself through others";
-        /// The joints make no mechanism.
+        /// The joints do not form a valid mechanism.
         Mechanism {
             line: u32 = "The line of the joint.",
             joint: String = "The joint, or the root.",
@@ -102,14 +105,16 @@ errors! {
     }
 }
 
-/// A part of a file that is not read, because it says nothing about where links are; or the limits
-/// of a joint that mimics another, if they narrow the range of that one.
+/// A warning about a part of a file that is not read, because it does not say where links are; or
+/// about limits of a joint that mimics another, if they narrow the range of the followed joint or
+/// are ignored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct UrdfWarning {
     /// The line on which the element begins, counted from one.
     pub line: u32,
-    /// The element that is not read, or the one that holds the attribute or text.
+    /// The element that is not read, or the element that holds the attribute or text that is not
+    /// read.
     pub element: String,
     /// The text of the warning.
     pub text: String,

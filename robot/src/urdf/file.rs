@@ -1,4 +1,5 @@
-//! The elements of a file that say where links are, with defaults for what it leaves out.
+//! The elements of a URDF file that say where links are, with defaults for parts that the file
+//! leaves out.
 
 use super::element::{AXIS, END, Element, JOINT, LIMIT, LINK, Lines, MIMIC, ORIGIN, ROBOT};
 use super::error::{UrdfError, UrdfWarning};
@@ -7,36 +8,37 @@ use crate::{Joint, JointKind};
 use dq8::{DualQuat, Quat};
 use roxmltree::Document;
 
-/// `<robot>`.
+/// The contents of `<robot>`, the root element of a file.
 #[derive(Debug)]
 pub(crate) struct File {
     pub(crate) name: String,
     /// The line on which the element begins, counted from one.
     pub(crate) line: u32,
-    /// The names of the links.
+    /// The names of the links, in the order of the file.
     pub(crate) links: Vec<Name>,
     pub(crate) joints: Vec<JointElement>,
-    /// Warnings about parts that are not read, in the order of lines.
+    /// The warnings about parts that are not read, in the order of lines.
     pub(crate) warnings: Vec<UrdfWarning>,
 }
 
-/// `<joint>`.
+/// The contents of a `<joint>`.
 #[derive(Debug)]
 pub(crate) struct JointElement {
     pub(crate) name: Name,
-    /// With an axis of length 1; along x where there is none.
+    /// The kind of the joint, whose axis has length 1, and is x if the file does not give it.
     pub(crate) kind: JointKind<f64>,
     pub(crate) parent: Name,
     pub(crate) child: Name,
     pub(crate) xyz: [f64; 3],
     pub(crate) rpy: [f64; 3],
-    /// The limits of a revolute or prismatic joint, which must have some.
+    /// The limits of the joint's value. Only revolute and prismatic joints have limits, and they
+    /// must have them.
     pub(crate) limits: Option<[f64; 2]>,
     pub(crate) drive: Drive,
     pub(crate) mimic: Option<MimicElement>,
 }
 
-/// `<mimic>`.
+/// The contents of a `<mimic>`.
 #[derive(Debug)]
 pub(crate) struct MimicElement {
     pub(crate) joint: Name,
@@ -44,7 +46,7 @@ pub(crate) struct MimicElement {
     pub(crate) offset: f64,
 }
 
-/// A name, and the line on which it is given.
+/// A name, and the line of the file on which it is written.
 #[derive(Clone, Debug)]
 pub(crate) struct Name {
     pub(crate) text: String,
@@ -86,7 +88,8 @@ impl File {
     }
 }
 
-/// The limits of a `<limit>` that does not give them: zero, or since version 1.2 none.
+/// Returns the defaults of `lower` and `upper` for a `<limit>` without these attributes. They are
+/// zero, or, since version 1.2 of the format, infinite.
 fn unsaid(robot: Element<'_>) -> Result<[f64; 2], UrdfError> {
     match robot.node.attribute("version").map(str::trim) {
         None | Some("1.0" | "1.1") => Ok([0.0; 2]),
@@ -117,8 +120,8 @@ impl JointElement {
             None => [[0.0; 3]; 2],
             Some(origin) => placement(origin, warnings)?,
         };
-        // In many files fixed and floating joints have an axis too, even one of zeros. It is not
-        // read.
+        // In many files fixed and floating joints have an `<axis>` too, even an axis of zeros. So
+        // `<axis>` is read only for kinds of joints that have an axis.
         if let JointKind::Revolute { axis: own }
         | JointKind::Prismatic { axis: own }
         | JointKind::Planar { normal: own } = &mut kind
@@ -126,11 +129,12 @@ impl JointElement {
             *own = axis(joint, warnings)?;
         }
         let limits = if has_limits { limits(joint, unsaid, warnings)? } else { None };
-        // Speed and effort do not say where links are, so they are never an error.
+        // Speed and effort do not say where links are, so a wrong value of these is never an error.
         let drive = joint.child("limit").map_or(Drive::FREE, Drive::of);
         let mut mimic = None;
         if let Some(element) = joint.child("mimic") {
-            // People who lock a joint by its type leave its other elements as they are.
+            // People who lock a joint by changing its type to fixed leave its other elements as
+            // they are, so a `<mimic>` here is a warning and no error.
             if kind == JointKind::Fixed {
                 warnings
                     .push(element.warning("a fixed joint mimics nothing, so <mimic> is not read"));
@@ -141,7 +145,8 @@ impl JointElement {
         Ok(Self { name, kind, parent, child, xyz, rpy, limits, drive, mimic })
     }
 
-    /// The joint of a mechanism, without what it mimics.
+    /// Returns the joint for a mechanism, on the link with index `parent`, without its rule if it
+    /// mimics another joint.
     pub(crate) fn joint(&self, parent: usize) -> Joint<f64> {
         let [roll, pitch, yaw] = self.rpy;
         let turn = Quat::from_rpy(roll, pitch, yaw);
@@ -150,7 +155,8 @@ impl JointElement {
     }
 }
 
-/// The kind of joint of a type, with x as its axis, and `true` if it must have limits.
+/// Returns the kind of joint that the attribute `type` names, with x as its axis, and `true` if
+/// such a joint must have limits.
 fn kind(joint: Element<'_>) -> Result<(JointKind<f64>, bool), UrdfError> {
     let axis = [1.0, 0.0, 0.0];
     Ok(match joint.text("type")? {
@@ -181,7 +187,7 @@ fn placement(
     Ok([vector("xyz")?, vector("rpy")?])
 }
 
-/// The direction of an axis, of length 1. Files have axes of any length.
+/// Returns the axis of a joint, scaled to length 1, because files have axes of any length.
 fn axis(joint: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<[f64; 3], UrdfError> {
     let Some(element) = joint.child("axis") else { return Ok([1.0, 0.0, 0.0]) };
     element.check(&AXIS, warnings)?;
@@ -195,8 +201,8 @@ fn axis(joint: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<[f64; 3],
     Err(UrdfError::Axis { line, joint, axis })
 }
 
-/// The limits in `<limit>`, which revolute and prismatic joints must have. `lower` and `upper` have
-/// a default.
+/// Returns the limits in `<limit>`, an element that revolute and prismatic joints must have. Its
+/// attributes `lower` and `upper` have defaults.
 fn limits(
     joint: Element<'_>,
     [least, most]: [f64; 2],
@@ -240,18 +246,19 @@ impl MimicElement {
     }
 }
 
-/// The greatest speed and effort of a joint: `velocity` and `effort` of its `<limit>`, infinite if
-/// they are missing or not a number from zero on. Poses and inverse kinematics do not use them.
+/// The greatest speed and the greatest effort of a joint, from `velocity` and `effort` of its
+/// `<limit>`. They are infinite if the attribute is missing, negative or not a number. Poses and
+/// inverse kinematics do not use them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
-    /// The greatest speed: radians, or the unit of length, in a second.
+    /// The greatest speed, in radians or units of length per second.
     pub velocity: f64,
-    /// The greatest torque or force: newton metres or newtons.
+    /// The greatest torque or force, in newton metres or newtons.
     pub effort: f64,
 }
 
 impl Drive {
-    /// Without limits.
+    /// The drive without limits: both fields are infinite.
     pub const FREE: Self = Self { velocity: f64::INFINITY, effort: f64::INFINITY };
 
     pub(super) fn of(limit: Element<'_>) -> Self {

@@ -36,53 +36,54 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Link 0 of the mechanism is the root of the file, at the base; the others follow in the order of
-//! the file as far as parents come first.
+//! Link 0 of the mechanism is the root of the file, and stands on the base. The other links follow
+//! in the order of the file, except that a parent always comes before its children.
 //!
 //! # What is read
-//! In `<joint>`: its name and type, `<parent>`, `<child>`, `<origin>` (`xyz`, `rpy`), `<axis>`,
-//! `<limit>` (`lower`, `upper`) and `<mimic>`; each of them once. What says where links are and
-//! cannot be expressed is an [error](UrdfError), never left out. Errors name the line and the
-//! element.
+//! The reader takes, from each `<joint>`, its name and type, `<parent>`, `<child>`, `<origin>`
+//! (`xyz`, `rpy`), `<axis>`, `<limit>` (`lower`, `upper`) and `<mimic>`; each of them once. A part
+//! that says where links are but cannot be expressed by a mechanism is an [error](UrdfError), and
+//! is never ignored. Errors name the line and the element.
 //!
-//! Limits are those of the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or
-//! prismatic joint must have a `<limit>`; one without is an error. `lower` and `upper` are zero
-//! where they are not written, so a joint with neither cannot move. (Since version 1.2 of the
-//! format, in `<robot version="1.2">`, what is not written has no bound.) Two zeros lock a joint
-//! too. Limits of a joint that mimics another hold for that one as well, and a
-//! [warning](Robot::warnings) says so, but where they would leave it one value or none: those are
-//! not read. Joints of other types have no limits, whatever `<limit>` says, and a fixed joint stays
-//! fixed, whatever it should mimic.
+//! Limits follow the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or prismatic
+//! joint without a `<limit>` is an error. `lower` and `upper` are zero if they are not written, so
+//! a joint with neither cannot move. (Since version 1.2 of the format, in `<robot version="1.2">`,
+//! a limit that is not written is infinite.) Two zeros lock a joint too. If a joint mimics another,
+//! its limits narrow the range of the followed joint, and a [warning](Robot::warnings) says so. If
+//! they would leave that joint one value or none, they are ignored, with a warning. Joints of other
+//! types have no limits, whatever `<limit>` says, and a fixed joint stays fixed even if it has a
+//! `<mimic>`.
 //!
 //! # What is not read
-//! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and what is in them, and
-//! rates of `<limit>` other than `velocity` and `effort`, which are [drives](Robot::drives): they
-//! say how a robot looks, weighs or is driven, not where its links are.
+//! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and their contents are
+//! ignored, and so are attributes of `<limit>` about speeds and forces, except `velocity` and
+//! `effort`, which become [drives](Robot::drives). These parts say how a robot looks, weighs or is
+//! driven, not where its links are.
 //!
-//! Everything else that says nothing about places is not read either, and
-//! [reported](Robot::warnings): parts for simulators and controllers (`<gazebo>`, `<transmission>`,
-//! `<sensor>` …), names with a prefix, other attributes and elements, and text. So are the soft
-//! limits of `<safety_controller>`: a controller begins to brake there, but joints may be beyond
-//! them, as far as `<limit>` says.
+//! Any other part that does not say where links are is ignored with a [warning](Robot::warnings):
+//! parts for simulators and controllers (`<gazebo>`, `<transmission>`, `<sensor>` …), names with
+//! a prefix, other attributes and elements, and text. The soft limits of `<safety_controller>` are
+//! among them: a controller begins to brake there, but joints may go beyond them up to the
+//! `<limit>`.
 //!
-//! Of elements of which a joint has one, the first counts, limits in the wrong order are exchanged,
-//! and left-overs of xacro and loops of joints are passed over, as by other readers; each is
-//! reported.
+//! Three faults are treated as other readers treat them, each with a warning. If a joint has two
+//! elements of a name that it should have once, the first is read. Limits in the wrong order are
+//! exchanged. Left-overs of xacro and loops of joints are ignored.
 //!
-//! What may be a misspelt part of what is read stays an error, because a limit that is not read
-//! would be none: names that differ from those above, where they may stand, in case, in the order
-//! of their letters, or in one letter (lost, added, changed, or exchanged with its neighbour; two
-//! in names of more than five letters). So are names that clearly say where something is: `x`, `y`,
-//! `z`, `roll`, `pitch`, `yaw` and quaternions in `<origin>`, `min` and `max` in `<limit>`, joints
-//! in links, and numbers as text in `<origin>`, `<axis>`, `<limit>` or `<mimic>`.
+//! A name that may be a misspelling of a part that is read is an error, because an ignored limit
+//! would be no limit. Such a name differs from one that may stand at its place in case, in the
+//! order of its letters, or in one letter (lost, added, changed, or exchanged with its neighbour;
+//! two in names of more than five letters). Parts that clearly say where something is are errors
+//! too: `x`, `y`, `z`, `roll`, `pitch`, `yaw` and quaternions in `<origin>`, `min` and `max` in
+//! `<limit>`, joints in links, and numbers as text in `<origin>`, `<axis>`, `<limit>` or `<mimic>`.
 //!
 //! # Text
-//! A file is read in the encoding that it declares ([`Robot::from_bytes`]): UTF-8 and UTF-16, and
-//! with the feature `urdf-encodings` all that browsers know, such as Latin-1. Its XML declaration
-//! may come late or twice, comments may hold any dashes, prefixes need no declaration, and a
-//! document type is skipped. Entities other than those of XML itself are an error, and so are
-//! elements more than 500 deep in each other, more than 1,000 attributes of an element, and names
-//! with more than 1,000 prefixes.
+//! A file is read in the encoding that it declares ([`Robot::from_bytes`]): UTF-8 or UTF-16, and
+//! with the feature `urdf-encodings` any encoding that browsers know, such as Latin-1. The XML
+//! declaration may come late or twice, comments may contain any dashes, prefixes need no
+//! declaration, and a document type is skipped. Four things are errors: entities other than those
+//! of XML itself, elements nested more than 500 deep, more than 1,000 attributes of an element, and
+//! more than 1,000 different prefixes.
 
 mod element;
 mod error;

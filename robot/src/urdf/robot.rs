@@ -10,7 +10,8 @@ use std::fmt;
 use std::iter::repeat_n;
 use std::path::Path;
 
-/// The mechanism of a file, and its names.
+/// The robot that a URDF file describes: its mechanism, and the names of its links, joints and
+/// values.
 #[derive(Clone)]
 pub struct Robot {
     pub(super) name: String,
@@ -18,7 +19,7 @@ pub struct Robot {
     pub(super) drives: Vec<Drive>,
     pub(super) mechanism: OwnedMechanism<f64>,
     pub(super) link_names: Vec<String>,
-    /// The number of each link.
+    /// The index of each link, by its name.
     pub(super) links: HashMap<String, usize>,
     pub(super) joint_names: Vec<Option<String>>,
     pub(super) value_names: Vec<String>,
@@ -30,18 +31,19 @@ brief!([] Robot: Robot |it| {
 });
 
 impl Robot {
-    /// From the text of a file.
+    /// Reads a robot from the text of a URDF file.
     ///
     /// # Errors
-    /// If it is not URDF, links and joints are not one tree, or something is not understood.
+    /// If the text is not URDF, its links and joints do not form one tree, or a part that says
+    /// where links are is not understood.
     pub fn from_urdf(text: &str) -> Result<Self, UrdfError> {
         Self::from_elements(File::read(text)?)
     }
 
-    /// From a file.
+    /// Reads a robot from the URDF file at this path.
     ///
     /// # Errors
-    /// As for [`from_urdf`](Self::from_urdf), or if it cannot be read.
+    /// The errors of [`from_bytes`](Self::from_bytes), or an error if the file cannot be read.
     pub fn from_file(path: impl AsRef<Path>) -> Result<Self, UrdfError> {
         let path = path.as_ref();
         let bytes = std::fs::read(path)
@@ -49,12 +51,13 @@ impl Robot {
         Self::from_bytes(&bytes)
     }
 
-    /// From the bytes of a file, in the encoding that it declares: UTF-8, UTF-16 with a byte order
-    /// mark, or, with the feature `urdf-encodings`, any other.
+    /// Reads a robot from the bytes of a URDF file, in the encoding that the file declares. This is
+    /// UTF-8, UTF-16 with a byte order mark, or, with the feature `urdf-encodings`, any other
+    /// encoding that browsers know.
     ///
     /// # Errors
-    /// As for [`from_urdf`](Self::from_urdf), or, without the feature, if the text is
-    /// neither ASCII nor UTF-8 and declares another encoding.
+    /// The errors of [`from_urdf`](Self::from_urdf), or, without the feature `urdf-encodings`, an
+    /// error if the text is neither ASCII nor UTF-8 and declares another encoding.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, UrdfError> {
         let (text, warning) = xml::text(bytes)?;
         let mut robot = Self::from_urdf(&text)?;
@@ -112,41 +115,43 @@ impl Robot {
         })
     }
 
-    /// The parts of the file that are not read, because they say nothing about where links are.
+    /// Returns the warnings about the file: about parts that are not read because they do not say
+    /// where links are, and about limits of joints that mimic others.
     #[must_use]
     pub fn warnings(&self) -> &[UrdfWarning] {
         &self.warnings
     }
 
-    /// The name of the robot.
+    /// Returns the name of the robot.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The mechanism: link j is what joint j carries, link 0 the root.
+    /// Returns the mechanism. Joint j carries link j, and link 0 is the root of the file.
     #[must_use]
     pub fn mechanism(&self) -> Mechanism<'_, f64> {
         self.mechanism.view()
     }
 
-    /// The same in `f32`, or in other numbers.
+    /// Returns the mechanism in `f32` or another element type.
     ///
     /// # Errors
-    /// If something is beyond the range of these numbers.
+    /// If a placement or another constant of a joint is beyond the range of the element type.
     pub fn cast<R: Real>(&self) -> Result<OwnedMechanism<R>, MechanismError> {
         let joints: Vec<_> = self.joints.iter().map(Joint::cast).collect();
         OwnedMechanism::new(&joints)
     }
 
-    /// The joints that the mechanism is made of; link j is what joint j carries.
+    /// Returns the joints of which the mechanism is made; joint j carries link j.
     #[must_use]
     pub fn joints(&self) -> &[Joint<f64>] {
         &self.joints
     }
 
-    /// The greatest speed and effort of each joint: one for each link, 0 the root, which does not
-    /// move. [`value_drives`](Self::value_drives) has those of values.
+    /// Returns the greatest speed and effort of each joint, indexed by link. Joint 0 carries the
+    /// root, which does not move in a robot from a file. [`value_drives`](Self::value_drives) has
+    /// the speed and effort of each value.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -164,9 +169,9 @@ impl Robot {
         &self.drives
     }
 
-    /// The greatest speed and effort of each value of a configuration, in the order of
-    /// [`value_limits`](Self::value_limits): that of its joint. The seven of a floating joint have
-    /// what is written for that.
+    /// Returns the greatest speed and effort of each value of a configuration, in the order of
+    /// [`value_limits`](Self::value_limits). Each value has the speed and effort of its joint, so
+    /// the seven values of a floating joint all have the same.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -183,8 +188,9 @@ impl Robot {
         self.drives_of(JointKind::values).collect()
     }
 
-    /// The greatest speed of each rate, as many as [`Mechanism::rates`]: that of its joint, radians
-    /// or lengths in a second, infinite where the file has none. As Python has it, and pinocchio's
+    /// Returns the greatest speed of each rate, with [`Mechanism::rates`] elements: the speed of
+    /// the joint that has the rate, in radians or units of length per second, and infinite if the
+    /// file has none. The Python package has this array under the same name, and pinocchio calls it
     /// `velocityLimit`.
     ///
     /// ```
@@ -202,65 +208,71 @@ impl Robot {
         self.drives_of(JointKind::rates).map(|drive| drive.velocity).collect()
     }
 
-    /// The drive of each joint, repeated for each number that the joint has of its own.
+    /// Returns the drive of each joint, repeated `numbers(kind)` times, which is the count of the
+    /// joint's values or of its rates. A joint that mimics another has none of its own.
     fn drives_of(&self, numbers: fn(&JointKind<f64>) -> usize) -> impl Iterator<Item = Drive> {
         let own = self.joints.iter().zip(&self.drives).filter(|(joint, _)| joint.mimic.is_none());
         own.flat_map(move |(joint, &drive)| repeat_n(drive, numbers(&joint.kind)))
     }
 
-    /// The names of the links: link j of the mechanism.
+    /// Returns the names of the links, indexed as the links of the mechanism.
     #[must_use]
     pub fn link_names(&self) -> &[String] {
         &self.link_names
     }
 
-    /// The number of a link.
+    /// Returns the index of the link of this name.
     #[must_use]
     #[doc(alias("find_link", "get_frame_id"))]
     pub fn link(&self, name: &str) -> Option<usize> {
         self.links.get(name).copied()
     }
 
-    /// The names of the joints: what carries link j, nothing for the root.
+    /// Returns the names of the joints, indexed by the link that the joint carries; `None` for a
+    /// root that no joint carries.
     #[must_use]
     pub fn joint_names(&self) -> &[Option<String>] {
         &self.joint_names
     }
 
-    /// The number of the joint of this name, which is that of the link it carries.
+    /// Returns the index of the joint of this name, which is also the index of the link that it
+    /// carries.
     #[must_use]
     #[doc(alias("find_joint", "get_joint_id"))]
     pub fn joint(&self, name: &str) -> Option<usize> {
         self.joint_names.iter().position(|joint| joint.as_deref() == Some(name))
     }
 
-    /// The place in a configuration of the value of this [name](Self::value_names).
+    /// Returns the index in a configuration of the value of this [name](Self::value_names).
     #[must_use]
     pub fn value(&self, name: &str) -> Option<usize> {
         self.value_names.iter().position(|value| value == name)
     }
 
-    /// A name for each value of a configuration: that of the joint, with `.x`, `.y` and `.angle`
-    /// for planar joints, and `.qx`, `.qy`, `.qz`, `.qw`, `.x`, `.y`, `.z` for floating ones.
+    /// Returns a name for each value of a configuration. It is the name of the joint that has the
+    /// value, followed by `.x`, `.y` or `.angle` for planar joints, and by `.qx`, `.qy`, `.qz`,
+    /// `.qw`, `.x`, `.y` or `.z` for floating joints.
     #[must_use]
     pub fn value_names(&self) -> &[String] {
         &self.value_names
     }
 
-    /// Limits for each value, [as far](Mechanism::value_limits) as joints that mimic its joint let
-    /// it go; none for continuous, planar and floating joints.
+    /// Returns the limits of each value of a configuration, narrowed by the joints that mimic its
+    /// joint, as [`Mechanism::value_limits`] does. They are `None` for values without limits, such
+    /// as those of continuous, planar and floating joints.
     #[must_use]
     pub fn value_limits(&self) -> Vec<Option<[f64; 2]>> {
         let view = self.mechanism.view();
         let mut limits = vec![[f64::NEG_INFINITY, f64::INFINITY]; view.values()];
-        // There is one for each value.
+        // This cannot fail, as `limits` has one element for each value.
         let _ = view.value_limits(&mut limits);
         let has_an_end = |[low, high]: &[f64; 2]| low.is_finite() || high.is_finite();
         limits.into_iter().map(|limits| Some(limits).filter(has_an_end)).collect()
     }
 }
 
-/// The tree of links, each in front of its joint.
+/// Formats the robot as the tree of its links, each followed by the name of the joint that carries
+/// it.
 impl fmt::Display for Robot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parents: Vec<_> = self.joints.iter().map(|joint| joint.parent).collect();
@@ -271,7 +283,7 @@ impl fmt::Display for Robot {
         let labels = self.link_names.iter().zip(&self.joint_names).map(label);
         match Skeleton::new(&parents).and_then(|tree| tree.with_names(labels)) {
             Ok(tree) => write!(f, "{tree}"),
-            // A file cannot have such names of links.
+            // The links of a robot always form a tree with valid names, so this arm is never taken.
             Err(_) => f.write_str(&self.name),
         }
     }
@@ -280,13 +292,13 @@ impl fmt::Display for Robot {
 impl std::str::FromStr for Robot {
     type Err = UrdfError;
 
-    /// [`Robot::from_urdf`]
+    /// Reads a robot from the text of a URDF file, as [`Robot::from_urdf`] does.
     fn from_str(text: &str) -> Result<Self, UrdfError> {
         Self::from_urdf(text)
     }
 }
 
-/// The name of the joint that a mechanism refuses.
+/// Converts the error of a mechanism into an error that names the refused joint and its line.
 fn refused(source: MechanismError, nodes: &[Node<'_>], robot: &File) -> UrdfError {
     let index = match source {
         MechanismError::Parent { joint, .. }
@@ -320,23 +332,24 @@ pub(super) fn value_names(joints: &[Joint<f64>], names: &[Option<String>]) -> Ve
 }
 
 errors! {
-    /// An error of a change to a robot.
+    /// An error of a change to a robot, such as an added tool.
     #[derive(Clone, Debug, PartialEq)]
     ChangeError {
-        /// A link or joint of the robot already has the name.
+        /// A link or joint of the robot already has the name that was given to the new link or
+        /// joint.
         Taken { name: String = "The name." } => "the robot already has a link or joint with the name {name:?}";
-        /// The robot has no link of the name.
+        /// The robot has no link of the given name.
         Unknown { name: String = "The name.", links: Vec<String> = "The names that there are." }
             => "the robot has no link {name:?}; its links are {}", links.join(", ");
-        /// The changed joints make no mechanism.
+        /// The changed joints do not form a valid mechanism.
         Mechanism(error: MechanismError) => "{error}";
     }
 }
 
 impl Robot {
-    /// The same robot with a base that moves freely, by a joint of the name `root_joint`: the seven
-    /// values of a [floating joint](crate::JointKind::Floating) and its six rates come before all
-    /// others.
+    /// Returns the robot with a base that moves freely. A [floating
+    /// joint](crate::JointKind::Floating) named `root_joint` carries the root, and its seven values
+    /// and six rates come before all others.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -348,16 +361,17 @@ impl Robot {
     /// ```
     ///
     /// # Errors
-    /// If a joint has the name.
+    /// If the robot already has a joint named `root_joint`.
     pub fn floating(self) -> Result<Self, ChangeError> {
         self.on("root_joint", Joint::floating(None, DualQuat::IDENTITY))
     }
 
-    /// The same robot on a joint of this name: a rail, a turntable, a floor where it drives. The
-    /// joint carries the root, and stands on the base.
+    /// Returns the robot on a joint of this name, such as a rail, a turntable, or a floor on which
+    /// the robot drives. The joint carries the root, and stands on the base.
     ///
     /// # Errors
-    /// If a joint has the name, or a mechanism refuses the joint, which is number 0.
+    /// If the robot already has a joint of this name, or the joint is not valid in a mechanism,
+    /// where its index is 0.
     pub fn on(mut self, name: &str, joint: Joint<f64>) -> Result<Self, ChangeError> {
         if self.joint(name).is_some() {
             return Err(ChangeError::Taken { name: name.into() });
@@ -368,8 +382,8 @@ impl Robot {
         self.rebuilt()
     }
 
-    /// The same robot with a link of its own name, fixed on another at a pose: a tool, a camera, a
-    /// sole. It is the last.
+    /// Returns the robot with one more link, such as a tool, a camera or a sole. The new link is
+    /// called `name`, is fixed to `link` at `pose` in the frame of `link`, and has the last index.
     ///
     /// ```
     /// # use dq8_robot::urdf::Robot;
@@ -381,8 +395,8 @@ impl Robot {
     /// ```
     ///
     /// # Errors
-    /// If there is no such link, a link or joint has the name, or the pose is farther than 10⁻³
-    /// from unit.
+    /// If the robot has no link of the name `link`, a link or joint already has the name `name`, or
+    /// the pose is farther than 10⁻³ from unit.
     pub fn with_tool(
         mut self,
         name: &str,

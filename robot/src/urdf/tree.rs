@@ -1,18 +1,18 @@
-//! The tree of links, and the joints that mimic others.
+//! The tree of a file's links, and the joints that mimic others.
 
 use super::error::{UrdfError, UrdfWarning};
 use super::file::{File, JointElement, Name};
 use crate::mechanism::step::{common_range, unlimited};
 use std::collections::HashMap;
 
-/// A link, and the number of the joint that carries it unless it is the root.
+/// A link, and the index of the joint that carries it, unless the link is the root.
 #[derive(Clone, Copy)]
 pub(crate) struct Node<'u> {
     pub(crate) link: &'u Name,
     pub(crate) joint: Option<usize>,
 }
 
-/// The links of a file, parents first, and otherwise in its order.
+/// Returns the links of a file in its order, except that a parent comes before its children.
 pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     let mut numbers: HashMap<&str, usize> = HashMap::new();
     for (number, link) in robot.links.iter().enumerate() {
@@ -22,7 +22,8 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
             return Err(UrdfError::Twice { line, element: "link", name, first });
         }
     }
-    // For each link, the joint that carries it and the parent link.
+    // For each link, `carried` holds the joint that carries it and the parent link; `None` for the
+    // root.
     let mut carried: Vec<Option<(usize, usize)>> = vec![None; robot.links.len()];
     for (number, joint) in robot.joints.iter().enumerate() {
         let link = |element, name: &Name| {
@@ -47,7 +48,8 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     let mut nodes = Vec::with_capacity(robot.links.len());
     let mut done = vec![false; robot.links.len()];
     for link in 0..robot.links.len() {
-        // Up to a link that is done already, then down again.
+        // The loop goes from a link up to an ancestor that is done already; then the links on the
+        // way are appended in the order from that ancestor down.
         let (mut way, mut next) = (Vec::new(), Some(link));
         while let Some(link) = next.filter(|&link| !done[link]) {
             if way.len() > robot.links.len() {
@@ -72,7 +74,7 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     Err(UrdfError::Roots { line, links: roots.into_iter().map(|root| root.text.clone()).collect() })
 }
 
-/// The joint whose value another one takes, by its number among all joints.
+/// The joint whose value another joint follows, by its index in the file, and the rule.
 #[derive(Clone, Copy)]
 pub(crate) struct Leader {
     pub(crate) joint: usize,
@@ -81,7 +83,8 @@ pub(crate) struct Leader {
 }
 
 impl Leader {
-    /// The warning if limits of a joint that mimics this one narrow its range, or cannot be meant.
+    /// Returns a warning if the limits of the joint `from`, which mimics the leader `other`, narrow
+    /// the leader's range, or are ignored because they would leave no range.
     pub(crate) fn warning(&self, from: &JointElement, other: &JointElement) -> Option<UrdfWarning> {
         let (limits, range) = (from.limits?, other.limits.unwrap_or(unlimited()));
         let text = match common_range(range, limits, self.multiplier, self.offset) {
@@ -102,15 +105,16 @@ impl Leader {
     }
 }
 
-/// For each joint the one that it mimics in the end. In some files a joint mimics one that mimics
-/// another.
+/// Returns, for each joint that mimics another, the joint with a value of its own that it follows
+/// in the end. In some files the mimicked joint mimics a third joint.
 pub(crate) fn leaders(
     joints: &[JointElement],
     by_name: &HashMap<&str, usize>,
 ) -> Result<Vec<Option<Leader>>, UrdfError> {
     let mut leaders: Vec<Option<Leader>> = vec![None; joints.len()];
     for first in 0..joints.len() {
-        // Goes to a joint with a value of its own, or one whose leader is known, then back again.
+        // The loop follows the rules to a joint with a value of its own, or with a known leader.
+        // Then the rules are combined on the way back.
         let (mut way, mut next) = (Vec::new(), first);
         while let Some(mimic) = joints[next].mimic.as_ref().filter(|_| leaders[next].is_none()) {
             let (from, other) = (&joints[next], &mimic.joint);
@@ -126,7 +130,7 @@ pub(crate) fn leaders(
                 name: other.text.clone(),
             })?;
             way.push((next, leader, mimic));
-            // A path longer than the number of joints goes in a circle.
+            // A path longer than the count of joints goes in a circle.
             let valued = |joint: &JointElement| joint.kind.values() == 1;
             if way.len() > joints.len() || !valued(from) || !valued(&joints[leader]) {
                 return Err(refused());

@@ -1,23 +1,23 @@
-//! The text of a file: decoded from its bytes, and made strict XML.
+//! The text of a URDF file: its bytes are decoded, and the text is converted to strict XML.
 
 use super::error::{UrdfError, UrdfWarning};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-/// The decoded text.
+/// The text of a file, decoded from its bytes, and how the decoding went.
 struct Decoded<'b> {
     text: Cow<'b, str>,
-    /// The name of the encoding.
+    /// The name of the encoding from which the text was decoded.
     encoding: &'static str,
-    /// `true` if some bytes are not in it.
+    /// `true` if some bytes are not valid in the encoding.
     failed: bool,
-    /// `true` if the name that is declared is that of an encoding.
+    /// `true` if the XML declaration names a known encoding.
     is_known: bool,
 }
 
-/// Decodes by the byte order mark, or by the declaration, or as UTF-8. Bytes that are not in that
-/// encoding become U+FFFD, with a warning and no error, as most readers of URDF do not look at the
-/// encoding at all.
+/// Decodes the bytes in the encoding of the byte order mark, else in the declared encoding, else as
+/// UTF-8. Bytes that are not valid in that encoding become U+FFFD. They give a warning and no
+/// error, as most readers of URDF ignore the encoding.
 pub(crate) fn text(bytes: &[u8]) -> Result<(Cow<'_, str>, Option<UrdfWarning>), UrdfError> {
     let declared = declared(bytes).unwrap_or(b"UTF-8");
     let name = String::from_utf8_lossy(declared);
@@ -42,17 +42,20 @@ pub(crate) fn text(bytes: &[u8]) -> Result<(Cow<'_, str>, Option<UrdfWarning>), 
 fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
     use encoding_rs::{Encoding, UTF_8};
     let known = Encoding::for_label_no_replacement(declared);
-    // A declaration that can be read as ASCII is not in UTF-16, whatever it says.
+    // The declaration could be read as ASCII, so the text is not in UTF-16, even if the declaration
+    // says so.
     let ascii = known.filter(|encoding| encoding.is_ascii_compatible()).unwrap_or(UTF_8);
     let (text, encoding, failed) = ascii.decode(bytes);
     Some(Decoded { text, encoding: encoding.name(), failed, is_known: known.is_some() })
 }
 
-/// None in an encoding that is neither UTF-8 nor UTF-16, if it matters in which: text of others is
-/// hardly ever UTF-8 by chance.
+/// Returns `None` if the text declares an encoding other than UTF-8 and UTF-16 and is not valid
+/// UTF-8. Valid UTF-8 is read as UTF-8 whatever the file declares, because text in another encoding
+/// is hardly ever valid UTF-8 by chance.
 #[cfg(not(feature = "urdf-encodings"))]
 fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
-    // A byte order mark counts more than the declaration, as with the feature.
+    // A byte order mark takes precedence over the declaration, as it does with the feature
+    // `urdf-encodings`.
     let declared = declared.trim_ascii();
     let unicode = ["utf-8", "utf8", "utf-16", "utf-16le", "utf-16be"].map(str::as_bytes);
     match bytes {
@@ -89,7 +92,7 @@ fn utf16(encoding: &'static str, bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Deco
     Decoded { text: text.into(), encoding, failed, is_known: true }
 }
 
-/// The encoding that a declaration names. Comments may stand before it.
+/// Returns the encoding that the XML declaration names. Comments may stand before the declaration.
 fn declared(bytes: &[u8]) -> Option<&[u8]> {
     let mut rest = bytes.trim_ascii_start();
     while let Some(comment) = rest.strip_prefix(b"<!--") {
@@ -103,25 +106,26 @@ fn declared(bytes: &[u8]) -> Option<&[u8]> {
     Some(&value[..end])
 }
 
-/// The bytes after the first `end`.
+/// Returns the bytes after the first occurrence of `end`.
 fn after<'b>(bytes: &'b [u8], end: &[u8]) -> Option<&'b [u8]> {
     let at = bytes.windows(end.len()).position(|window| window == end)?;
     Some(&bytes[at + end.len()..])
 }
 
-/// The greatest depth of nested elements. TinyXML, which most readers of URDF use, has the same
-/// limit.
+/// The greatest depth of nested elements that is read. TinyXML, which most readers of URDF use, has
+/// the same limit.
 const DEPTH: usize = 500;
-/// The greatest number of attributes of an element. The strict reader compares each with all
-/// others, which takes seconds for half a megabyte of them. No element of the format has more than
-/// seven.
+/// The greatest count of attributes of an element that is read. The strict XML reader compares each
+/// attribute with all others, which takes seconds for half a megabyte of attributes. No element of
+/// URDF has more than seven.
 const ATTRIBUTES: usize = 1000;
 
-/// The text for a strict reader of XML, line for line: without declarations, comments and a
-/// document type, and with every prefix declared. Readers of URDF are not strict. They skip
-/// declarations and comments wherever these are, and know nothing of namespaces.
+/// Converts the text for a strict reader of XML, and keeps its line numbers: declarations, comments
+/// and the document type are removed, and every prefix is declared. This is needed because other
+/// readers of URDF are not strict. They skip declarations and comments at any place, and ignore
+/// namespaces.
 pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
-    // Some editors leave these characters at the ends.
+    // Some editors leave a byte order mark at the beginning, or NUL or Ctrl-Z at the end.
     let text = text.trim_start_matches('\u{feff}').trim_end_matches(['\0', '\u{1a}']);
     let mut out = String::with_capacity(text.len());
     let (mut used, mut declared) = (BTreeSet::new(), BTreeSet::new());
@@ -144,7 +148,7 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
         let found =
             if section { ends(rest, "]]>").map(|end| (end, Vec::new())) } else { tag(rest) };
         let Some((length, colons)) = found else {
-            // The rest is not XML, and the strict reader will say so.
+            // The remaining text is not XML, so the strict reader will return an error for it.
             break;
         };
         let (tag, after) = rest.split_at(length);
@@ -166,7 +170,8 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
             }
             let what = match tag.matches('=').count() {
                 _ if depth > DEPTH => format!("elements are nested more than {DEPTH} deep"),
-                // Some of them may be in values, so attributes are counted exactly.
+                // Some of these signs may stand inside values, so the attributes are now counted
+                // exactly.
                 many if many > ATTRIBUTES && attributes(tag) > ATTRIBUTES => {
                     format!("it has more than {ATTRIBUTES} attributes")
                 }
@@ -183,8 +188,8 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
     out.push_str(rest);
     let unknown: Vec<_> = used.difference(&declared).collect();
     let root = root.unwrap_or_default();
-    // Declarations become attributes of the root, and the strict reader looks through all of them
-    // for each name.
+    // The declarations of prefixes become attributes of the root, and the strict reader searches
+    // all of them for each name. Their count is limited, so that this search stays quick.
     if unknown.len() > ATTRIBUTES {
         let (line, element) = (newlines(&out[..root]).count() as u32 + 1, "<robot>".into());
         let what = format!("its names have more than {ATTRIBUTES} prefixes");
@@ -200,7 +205,8 @@ fn newlines(text: &str) -> impl Iterator<Item = char> {
     text.chars().filter(|&c| c == '\n')
 }
 
-/// The length of a comment, a declaration or a document type at the beginning of the text.
+/// Returns the length of the comment, declaration or document type with which the text begins, if
+/// it begins with one.
 fn skipped(text: &str, before_root: bool) -> Option<usize> {
     if let Some(comment) = text.strip_prefix("<!--") {
         ends(comment, "-->").map(|length| 4 + length)
@@ -213,7 +219,7 @@ fn skipped(text: &str, before_root: bool) -> Option<usize> {
     }
 }
 
-/// The length up to and with `end`.
+/// Returns the length of the text up to and including the first `end`.
 fn ends(text: &str, end: &str) -> Option<usize> {
     text.find(end).map(|at| at + end.len())
 }
@@ -232,7 +238,8 @@ fn document_type(text: &str) -> Option<usize> {
     None
 }
 
-/// The length of a tag, and where colons are in it outside of values.
+/// Returns the length of the tag with which the text begins, and the positions of colons in it
+/// outside of attribute values.
 fn tag(text: &str) -> Option<(usize, Vec<usize>)> {
     let (mut quote, mut colons) = (None, Vec::new());
     for (at, byte) in text.bytes().enumerate().skip(1) {
@@ -248,7 +255,7 @@ fn tag(text: &str) -> Option<(usize, Vec<usize>)> {
     None
 }
 
-/// The signs of equality in a tag, outside of values.
+/// Counts the attributes of a tag: its signs of equality outside of attribute values.
 fn attributes(tag: &str) -> usize {
     let (mut quote, mut count) = (None, 0);
     for byte in tag.bytes() {
@@ -262,7 +269,7 @@ fn attributes(tag: &str) -> usize {
     count
 }
 
-/// The words on both sides of a colon.
+/// Returns the words on both sides of a colon: a prefix and a name.
 fn around(tag: &str, colon: usize) -> (&str, &str) {
     let ends = |c: char| c.is_whitespace() || "<>/='\":".contains(c);
     let before = tag[..colon].rsplit(ends).next();

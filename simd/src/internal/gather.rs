@@ -38,8 +38,13 @@ pub struct Gather<'f> {
 impl<'f> Gather<'f> {
     /// These frames, of a table whose rows have `pitch` records.
     #[must_use]
+    #[inline(always)]
     pub fn new(frames: &'f [u32], pitch: usize) -> Self {
-        let greatest = frames.iter().max().map_or(0, |&frame| saturated::<usize>(frame));
+        let mut greatest = 0;
+        for &frame in frames {
+            greatest = frame.max(greatest);
+        }
+        let greatest = saturated::<usize>(greatest);
         Self { frames, pitch, greatest: greatest.saturating_mul(pitch) }
     }
 

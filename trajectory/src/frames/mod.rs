@@ -5,15 +5,16 @@ mod lookup;
 
 pub use error::FramesError;
 
-use crate::along::SAMPLES;
-use crate::job::{Job, samples};
-use crate::segments::{Frame, Outside, Segments};
-use crate::{Trajectory, TrajectoryError};
+use crate::Trajectory;
+use crate::along::{SAMPLES, Samples};
+use crate::job::Job;
+use crate::segments::{Outside, Segments};
+use crate::stretches::segments;
 use alloc::borrow::ToOwned;
 use alloc::collections::BTreeMap;
 use alloc::string::String;
 use alloc::vec::Vec;
-use dq8::DualQuat;
+use dq8::{Backend, DualQuat};
 
 /// An edge of [`Frames`]: where a frame is in its parent.
 #[derive(Clone, Copy, Debug)]
@@ -111,7 +112,7 @@ impl Frames {
                     return Err(FramesError::NotFinite { frame: frame.to_owned() });
                 }
                 Pose::Fixed(pose) => Motion::Fixed(pose),
-                Pose::Moving(path) => Motion::Moving(Moving::new(path)?),
+                Pose::Moving(path) => Motion::Moving(Moving::new(path)),
             };
             let parent = frames.insert(parent);
             let index = frames.insert(frame);
@@ -217,11 +218,12 @@ struct Way {
 }
 
 impl Moving {
-    fn new(path: Trajectory<'_>) -> Result<Self, TrajectoryError> {
+    fn new(path: Trajectory<'_>) -> Self {
         let range = path.range();
         // One pose has no way to go on, and a job that asks for it is refused.
         let outside = if path.stamps().len() > 1 { Outside::Continue } else { Outside::Hold };
-        Ok(Self { segments: samples(path, Frame::World, outside)?, range })
+        let (into, backend) = (DualQuat::IDENTITY, Backend::best());
+        Self { segments: segments::<_, Samples, SAMPLES>(path, outside, into, backend), range }
     }
 
     fn is_one_pose(&self) -> bool {

@@ -7,10 +7,11 @@ use crate::clock::Time;
 use crate::job::{GRAIN, Job};
 use crate::screw::horner;
 use crate::segments::{Outside, Segments};
+use alloc::vec::Vec;
 use dq8::batch::{self, lie_bracket};
 use dq8::internal::Rows;
 use dq8::storage::{Element, Layout, Register, Tile, same_length};
-use dq8::{DualQuat, Lanes, Level, Scalar, Twist};
+use dq8::{DualQuat, Lanes, Level, Real, Scalar, Twist};
 
 /// The numbers of a record: the first control pose of four, the three ways between them, and two
 /// that fill fours.
@@ -147,7 +148,7 @@ impl Job<&Spline> {
         let records = [ends[0]].into_iter().chain(spline.records(into)).chain([ends[1]]);
         // The last knot is of the segment before.
         let starts = [first].into_iter().chain(spline.starts()).chain([last.next_up()]);
-        Ok(Segments::new(starts, records, [first, last]))
+        Ok(Segments::new(starts.collect(), rounded(records), [first, last]))
     }
 }
 
@@ -169,8 +170,12 @@ impl Spline {
         let starts = [range[0]].into_iter().chain(self.starts());
         let records = self.records(DualQuat::IDENTITY);
         let before = self.records(DualQuat::IDENTITY).take(1);
-        Segments::new(starts, before.chain(records), range)
+        Segments::new(starts.collect(), rounded(before.chain(records)), range)
     }
+}
+
+fn rounded<R: Scalar>(records: impl Iterator<Item = [f64; RECORD]>) -> Vec<[R; RECORD]> {
+    records.map(|record| record.map(<R as Real>::from_f64)).collect()
 }
 
 fn record(pose: DualQuat<f64>, ways: &[Twist<f64>]) -> [f64; RECORD] {
