@@ -163,6 +163,34 @@ pub trait Lanes:
         unsafe { store_rows(components, to, 3) };
     }
 
+    /// Loads `C` numbers per lane that adjoin, and transposes them: number `c` at `from + C·i`
+    /// becomes lane `i` of vector `c`. Returns `None`, and reads nothing, if these lanes have no
+    /// instructions for it: then [`load_quads`](Self::load_quads) is quicker.
+    ///
+    /// # Safety
+    /// The `C` numbers at each of these `LANES` places must be readable.
+    #[doc(hidden)]
+    #[inline(always)]
+    unsafe fn load_adjoining<const C: usize>(
+        level: Self::Level,
+        from: *const Self::Real,
+    ) -> Option<[Self; C]> {
+        let _ = (level, from);
+        None
+    }
+    /// Transposes `C` vectors and stores `C` numbers per lane that adjoin: lane `i` of vector `c`
+    /// becomes number `c` at `to + C·i`. Returns `false`, and writes nothing, if these lanes have
+    /// no instructions for it.
+    ///
+    /// # Safety
+    /// As for [`store_quads`](Self::store_quads), with `C` numbers per lane.
+    #[doc(hidden)]
+    #[inline(always)]
+    unsafe fn store_adjoining<const C: usize>(components: [Self; C], to: *mut Self::Real) -> bool {
+        let _ = (components, to);
+        false
+    }
+
     /// Interpolates between two records of four 16-bit numbers per lane. With
     /// `[a, b] = records(i)`, lane `i` of vector `c` is 2¹⁴((1−t)·aᶜ + t·bᶜ), where aᶜ
     /// is number `c` of record `from + a` and t is lane `i` of `t`.
@@ -393,6 +421,22 @@ pub trait PackedDualQuat: Lanes {
             half.copy_from_slice(from);
         }
         Self::load(level, &twice)
+    }
+
+    /// Each of eight numbers in all lanes.
+    #[inline(always)]
+    fn splat_each(level: Self::Level, from: &[Self::Real; 8]) -> [Self; 8] {
+        let &[a, b, c, d, e, f, g, h] = level.locate(from);
+        [
+            Self::splat(level, a),
+            Self::splat(level, b),
+            Self::splat(level, c),
+            Self::splat(level, d),
+            Self::splat(level, e),
+            Self::splat(level, f),
+            Self::splat(level, g),
+            Self::splat(level, h),
+        ]
     }
 
     /// The columns of the matrix of a product from the left, in both halves: for a quaternion b,

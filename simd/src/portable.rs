@@ -1,7 +1,11 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions that the build target has.
 
+#[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
+use crate::aarch64;
 use crate::internal::square_root::VECTORS;
-use crate::lanes::{Lanes, Level, Mask, PackedDualQuat};
+#[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
+use crate::lanes::PackedDualQuat;
+use crate::lanes::{Lanes, Level, Mask};
 use crate::shorts::{Shorts, four_at_once, one_by_one};
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
@@ -118,7 +122,7 @@ mod relaxed {
 /// Implements lanes and masks for the vectors of `wide`, whose operations are inherent methods that
 /// no generic `impl` can call.
 macro_rules! wide_lanes {
-    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(=> $half:ident)?;)*) => {$(
+    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(quads $quads:ident)? $(records $neon:ident)? $(=> $half:ident)?;)*) => {$(
         impl crate::sealed::Sealed for $vector {}
         impl Lanes for $vector {
             type Real = $real;
@@ -174,6 +178,68 @@ macro_rules! wide_lanes {
                 }
             )?
             $(
+                #[inline(always)]
+                unsafe fn load_quads(
+                    _: Portable,
+                    from: *const $real,
+                    offset: impl Fn(usize) -> usize,
+                ) -> [Self; 4] {
+                    // SAFETY: the caller promises this.
+                    unsafe { aarch64::$quads::load_quads(from, offset) }
+                }
+                #[inline(always)]
+                unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
+                    // SAFETY: the caller promises this.
+                    unsafe { aarch64::$quads::store_quads(components, to, stride) }
+                }
+            )?
+            $(
+                #[inline(always)]
+                unsafe fn store_triples(components: [Self; 3], to: *mut $real) {
+                    // SAFETY: the caller promises this.
+                    unsafe { aarch64::$neon::store_triples(components, to) }
+                }
+                #[inline(always)]
+                unsafe fn store_adjoining<const C: usize>(
+                    components: [Self; C],
+                    to: *mut $real,
+                ) -> bool {
+                    // SAFETY: the caller promises this.
+                    unsafe { aarch64::$neon::store_adjoining(components, to) }
+                }
+                #[inline(always)]
+                unsafe fn load_adjoining<const C: usize>(
+                    _: Portable,
+                    from: *const $real,
+                ) -> Option<[Self; C]> {
+                    // SAFETY: the caller promises this.
+                    unsafe { aarch64::$neon::load_adjoining::<C>(from) }
+                }
+            )?
+            $(
+                #[inline(always)]
+                unsafe fn load_quads(
+                    level: Portable,
+                    from: *const $real,
+                    offset: impl Fn(usize) -> usize,
+                ) -> [Self; 4] {
+                    // SAFETY: the caller promises this for the lanes of both halves.
+                    let [[a, b, c, d], [e, f, g, h]] = unsafe {
+                        let upper = |lane| offset($lanes / 2 + lane);
+                        [$half::load_quads(level, from, &offset), $half::load_quads(level, from, upper)]
+                    };
+                    [[a, e], [b, f], [c, g], [d, h]].map(bytemuck::cast)
+                }
+                #[inline(always)]
+                unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
+                    let halves = components.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
+                    // SAFETY: the caller promises this for the lanes of both halves.
+                    unsafe {
+                        $half::store_quads(halves.map(|half| half[0]), to, stride);
+                        let upper = to.add($lanes / 2 * stride);
+                        $half::store_quads(halves.map(|half| half[1]), upper, stride);
+                    }
+                }
                 // For the loop over numbers of `Lanes::sum_quads` the compiler goes through memory,
                 // which takes five times as long with SSE2.
                 #[inline(always)]
@@ -258,11 +324,19 @@ macro_rules! wide_lanes {
         }
     )*};
 }
+#[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
 wide_lanes! {
     f32x4: [f32; 4], part::F32x4, four_at_once, transpose;
+    f64x2: [f64; 2], part::F64x2, one_by_one;
+}
+#[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
+wide_lanes! {
+    f32x4: [f32; 4], part::F32x4, four_at_once, transpose records f32x4;
+    f64x2: [f64; 2], part::F64x2, one_by_one quads f64x2 records f64x2;
+}
+wide_lanes! {
     f32x8: [f32; 8], part::F32x8, one_by_one => f32x4;
     f32x16: [f32; 16], part::F32x16, one_by_one;
-    f64x2: [f64; 2], part::F64x2, one_by_one;
     f64x4: [f64; 4], part::F64x4, one_by_one;
     f64x8: [f64; 8], part::F64x8, one_by_one;
 }
@@ -291,5 +365,7 @@ impl<V: Not<Output = V>> Not for WideMask<V> {
     }
 }
 
+#[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
 impl PackedDualQuat for f32x8 {}
+#[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
 impl PackedDualQuat for f64x8 {}

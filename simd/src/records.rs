@@ -115,11 +115,21 @@ pub trait Records: Lanes {
             array.as_mut().copy_from_slice(row);
             return [Self::load(level, &array); C];
         }
-        // A fourth number is read after a record of three.
-        if const { C < 3 }
-            || flat.len() < reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } })
+        if stride.is_none()
+            && flat.len() >= reach(Self::LANES, C, C)
+            // SAFETY: `from` has a record for each lane, as just checked.
+            && let Some(components) = unsafe { Self::load_adjoining::<C>(level, flat.as_ptr()) }
         {
-            let rows = load_each::<Self, C>(from, stride.unwrap_or(1), padding);
+            return components;
+        }
+        let all = match stride {
+            Some(stride) if const { C >= 4 } => has_all::<Self, C>(from.len(), stride),
+            // A fourth number is read after a record of three.
+            _ => flat.len() >= reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } }),
+        };
+        if const { C < 3 } || !all {
+            // By value: who passes a constant need not keep it in memory for this call.
+            let rows = load_each::<Self, C>(from, stride.unwrap_or(1), *padding);
             let mut components = [Self::splat(level, Self::Real::default()); C];
             let mut component = 0;
             while component < C {
@@ -203,9 +213,19 @@ pub trait Records: Lanes {
             }
             return;
         }
+        let records = to.len();
         let flat = to.as_flattened_mut();
         let spacing = C.saturating_mul(stride.unwrap_or(1));
-        let fits = flat.len() >= reach(Self::LANES, spacing, C);
+        let fits = match stride {
+            Some(stride) if const { C >= 4 } => has_all::<Self, C>(records, stride),
+            _ => flat.len() >= reach(Self::LANES, spacing, C),
+        };
+        if stride.is_none() && fits {
+            // SAFETY: `to` has a record for each lane.
+            if unsafe { Self::store_adjoining(components, flat.as_mut_ptr()) } {
+                return;
+            }
+        }
         if const { C == 3 }
             && let (&[x, y, z], true, 3) = (components.as_slice(), fits, spacing)
         {
@@ -306,18 +326,28 @@ fn reach(lanes: usize, spacing: usize, count: usize) -> usize {
     spacing.saturating_mul(lanes - 1).saturating_add(count)
 }
 
+/// `true` if every `stride`-th of so many records of `C` numbers in memory is there for each lane:
+/// what [`reach`] answers, in fewer instructions. `C` is at least four.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn has_all<L: Lanes, const C: usize>(records: usize, stride: usize) -> bool {
+    // The bytes of a slice are at most half of all that `usize` counts, and a record has more bytes
+    // than there are lanes to multiply by: the product does not wrap.
+    const { assert!(C < 4 || L::LANES <= C * size_of::<L::Real>()) }
+    stride <= records && (L::LANES - 1) * stride < records
+}
+
 /// Loads one number at a time where the slice ends: the rare case of [`Records::load_strided`].
 #[cold]
 #[inline(never)]
 fn load_each<L: Lanes, const C: usize>(
     from: &[[L::Real; C]],
     stride: usize,
-    padding: &[L::Real; C],
+    padding: [L::Real; C],
 ) -> [L::Array; C] {
     let mut rows = [L::Array::zeroed(); C];
     let mut records = from.iter().step_by(stride.max(1));
     for lane in 0..L::LANES {
-        for (row, &value) in rows.iter_mut().zip(records.next().unwrap_or(padding)) {
+        for (row, &value) in rows.iter_mut().zip(records.next().unwrap_or(&padding)) {
             row.as_mut()[lane] = value;
         }
     }

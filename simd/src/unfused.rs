@@ -96,6 +96,27 @@ impl<L: Lanes> Lanes for Unfused<L> {
         unsafe { L::store_triples([x.0, y.0, z.0], to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
+    unsafe fn load_adjoining<const C: usize>(
+        level: Self::Level,
+        from: *const L::Real,
+    ) -> Option<[Self; C]> {
+        // SAFETY: the same promise.
+        let components = unsafe { L::load_adjoining::<C>(level.0, from) };
+        components.map(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |components| components.map(Self),
+        )
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    unsafe fn store_adjoining<const C: usize>(components: [Self; C], to: *mut L::Real) -> bool {
+        let components = components.map(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |component| component.0,
+        );
+        // SAFETY: the same promise.
+        unsafe { L::store_adjoining(components, to) }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn between_shorts(
         level: Self::Level,
         from: *const Shorts,
@@ -151,6 +172,11 @@ impl<L: PackedDualQuat> PackedDualQuat for Unfused<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_twice(level: Self::Level, from: &[L::Real; 4]) -> Self {
         Self(L::load_twice(level.0, from))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn splat_each(level: Self::Level, from: &[L::Real; 8]) -> [Self; 8] {
+        let [a, b, c, d, e, f, g, h] = L::splat_each(level.0, from);
+        [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn columns(self) -> [Self; 4] {

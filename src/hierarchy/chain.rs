@@ -271,8 +271,8 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
     }
 }
 
-/// Computes left · right, where one register holds the left factor and the components of the right
-/// factor are read from memory one by one.
+/// Computes left · right, where one register holds the left factor and each component of the right
+/// factor fills a register in turn.
 ///
 /// In left · (p + εq), the product left · q is multiplied by ε, and the term with ε² dropped:
 /// this takes eight multiplications of vectors. The last sum adds −0 to the real part, which
@@ -286,13 +286,9 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
     let [x, y, z, w] = left.columns();
-    let [px, py, pz, pw, qx, qy, qz, qw] = level.locate(right);
-    let dual = x.mul_add(L::splat(level, *qx), w * L::splat(level, *qw));
-    let dual = y.mul_add(L::splat(level, *qy), dual);
-    let dual = z.mul_add(L::splat(level, *qz), dual);
-    let both = x.mul_add(L::splat(level, *px), w * L::splat(level, *pw));
-    let both = y.mul_add(L::splat(level, *py), both);
-    let both = z.mul_add(L::splat(level, *pz), both);
+    let [px, py, pz, pw, qx, qy, qz, qw] = L::splat_each(level, right);
+    let dual = z.mul_add(qz, y.mul_add(qy, x.mul_add(qx, w * qw)));
+    let both = z.mul_add(pz, y.mul_add(py, x.mul_add(px, w * pw)));
     both + dual.times_epsilon()
 }
 

@@ -203,6 +203,10 @@ fn packed<L: PackedDualQuat>(level: L::Level) {
         &numbers(motion.times_epsilon()),
         &[-0.0, -0.0, -0.0, -0.0, 1.0, 2.0, 3.0, 4.0],
     );
+    let eight = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
+    for (number, each) in eight.iter().zip(L::splat_each(level, &eight.map(L::Real::from_f64))) {
+        same("splat_each", &numbers(each), &[*number; 8]);
+    }
     // Wherever they lie: these begin one number after each other.
     let row = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(L::Real::from_f64);
     for (first, four) in row.windows(4).enumerate() {
@@ -241,7 +245,9 @@ fn check<L: Lanes>(level: L::Level) {
     comparisons::<L>(level);
     memory::<L>(level);
     sums::<L>(level);
+    records::<L, 2>(level);
     records::<L, 3>(level);
+    records::<L, 4>(level);
     records::<L, 7>(level);
     records::<L, 8>(level);
     records::<L, 12>(level);

@@ -5,21 +5,17 @@
 //! cargo run --release --manifest-path benches/mechanism/Cargo.toml [--features peers] -- [ROUNDS]
 //! ```
 
-mod ours;
-mod peers;
-mod points;
-mod robots;
-mod solutions;
-#[cfg(feature = "peers")]
-mod urdf;
-
 use dq8::{Backend, DualQuat};
 use dq8_fixtures::random::Random;
 use dq8_fixtures::turns::least;
 use dq8_robot::{Joint, OwnedMechanism};
-use peers::by_hand;
+use mechanism::peers::by_hand;
+use mechanism::{ours, robots, solutions};
 #[cfg(feature = "peers")]
-use peers::{dynibo, k};
+use mechanism::{
+    peers::{dynibo, k},
+    urdf,
+};
 
 const CONFIGURATIONS: usize = 10_000;
 

@@ -1,0 +1,98 @@
+//! One dual quaternion in registers of 128 bits: two of `f32`, or four of `f64`.
+
+use crate::lanes::PackedDualQuat;
+use crate::portable::Portable;
+use core::arch::aarch64::*;
+use core::arch::asm;
+use core::mem::transmute;
+use wide::{f32x8, f64x8};
+
+/// The signs of (w, z, −y, −x), (−z, w, x, −y) and (y, −x, w, −z).
+const SINGLE: [[u32; 4]; 3] = {
+    const MINUS: u32 = 1 << 31;
+    [[0, 0, MINUS, MINUS], [MINUS, 0, 0, MINUS], [0, MINUS, 0, MINUS]]
+};
+/// The same.
+const DOUBLE: [[u64; 4]; 3] = {
+    const MINUS: u64 = 1 << 63;
+    [[0, 0, MINUS, MINUS], [MINUS, 0, 0, MINUS], [0, MINUS, 0, MINUS]]
+};
+
+/// The signs of the columns, for `f32`.
+#[inline(always)]
+fn signs() -> [uint32x4_t; 3] {
+    // SAFETY: the types are of one size.
+    let mut signs = unsafe { transmute::<[[u32; 4]; 3], [uint32x4_t; 3]>(SINGLE) };
+    // The assembly hides the constants from the compiler, which would move the changes of signs to
+    // other places and load two of the constants for every product.
+    for row in &mut signs {
+        // SAFETY: the assembly has no instruction.
+        unsafe {
+            asm!("/* {0:v} */", inout(vreg) * row, options(pure, nomem, nostack, preserves_flags));
+        }
+    }
+    signs
+}
+
+impl PackedDualQuat for f32x8 {
+    #[inline(always)]
+    fn splat_each(_: Portable, from: &[f32; 8]) -> [Self; 8] {
+        // SAFETY: the pointers are to a whole array, and NEON is compiled in wherever this module
+        // is. A vector is two registers.
+        unsafe {
+            let (p, q) = (vld1q_f32(from.as_ptr()), vld1q_f32(from.as_ptr().add(4)));
+            let twice = |one: float32x4_t| transmute::<[float32x4_t; 2], Self>([one, one]);
+            [
+                twice(vdupq_laneq_f32::<0>(p)),
+                twice(vdupq_laneq_f32::<1>(p)),
+                twice(vdupq_laneq_f32::<2>(p)),
+                twice(vdupq_laneq_f32::<3>(p)),
+                twice(vdupq_laneq_f32::<0>(q)),
+                twice(vdupq_laneq_f32::<1>(q)),
+                twice(vdupq_laneq_f32::<2>(q)),
+                twice(vdupq_laneq_f32::<3>(q)),
+            ]
+        }
+    }
+    #[inline(always)]
+    fn columns(self) -> [Self; 4] {
+        let [s, t, u] = signs();
+        // SAFETY: NEON is compiled in wherever this module is. A vector is two registers.
+        unsafe {
+            let [p, q]: [uint32x4_t; 2] = transmute(self);
+            let join = |p, q| transmute::<[uint32x4_t; 2], Self>([p, q]);
+            let (yxwz_p, yxwz_q) = (vrev64q_u32(p), vrev64q_u32(q));
+            let swapped = |v| vextq_u32::<2>(v, v);
+            [
+                join(veorq_u32(swapped(yxwz_p), s), veorq_u32(swapped(yxwz_q), s)),
+                join(veorq_u32(swapped(p), t), veorq_u32(swapped(q), t)),
+                join(veorq_u32(yxwz_p, u), veorq_u32(yxwz_q, u)),
+                self,
+            ]
+        }
+    }
+}
+
+impl PackedDualQuat for f64x8 {
+    #[inline(always)]
+    fn columns(self) -> [Self; 4] {
+        // SAFETY: NEON is compiled in wherever this module is. A vector is four registers.
+        unsafe {
+            let [p_xy, p_zw, q_xy, q_zw]: [uint64x2_t; 4] = transmute(self);
+            let swapped = |v| vextq_u64::<1>(v, v);
+            let [p_yx, p_wz, q_yx, q_wz] =
+                [swapped(p_xy), swapped(p_zw), swapped(q_xy), swapped(q_zw)];
+            let signed = |[a, b, c, d]: [uint64x2_t; 4], signs: [u64; 4]| {
+                let [s, t] = transmute::<[u64; 4], [uint64x2_t; 2]>(signs);
+                let signed = [veorq_u64(a, s), veorq_u64(b, t), veorq_u64(c, s), veorq_u64(d, t)];
+                transmute::<[uint64x2_t; 4], Self>(signed)
+            };
+            [
+                signed([p_wz, p_yx, q_wz, q_yx], DOUBLE[0]),
+                signed([p_zw, p_xy, q_zw, q_xy], DOUBLE[1]),
+                signed([p_yx, p_wz, q_yx, q_wz], DOUBLE[2]),
+                self,
+            ]
+        }
+    }
+}
