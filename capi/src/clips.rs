@@ -56,30 +56,34 @@ pub unsafe extern "C" fn dq8_clips_make(
     clips: *mut Clips,
     bad_offset: *mut usize,
 ) -> Status {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     Status::of(unsafe { make(bytes, length, clips, bad_offset) })
 }
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::write`], and the bytes must not change later.
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::write`], and the bytes
+/// must not change later.
 unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *mut usize) -> Done {
     let bytes = Input::<u8>::new(bytes, length)?;
     let (made, bad_offset) = (Output::<Clips>::new(clips, 1)?, Output::unless_null(bad_offset)?);
     disjoint(&[made.span, bad_offset.span], &[bytes.span])?;
-    // SAFETY: the caller promises this; what is made lives as long as C keeps the bytes.
+    // SAFETY: the caller guarantees that the bytes are valid and do not change while the clips are
+    // used.
     let known = match PackedClips::from_bytes(unsafe { bytes.slice() }) {
         Ok(clips) => Known { clips, bytes: bytes.span },
         Err(error) => {
             if let PackedError::Bytes { offset, .. } = error {
-                // SAFETY: the caller promises this, and the arrays are disjoint.
+                // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
+                // checked to overlap nothing.
                 unsafe { bad_offset.write(offset) };
             }
             return Err(Status::NotClips);
         }
     };
     let opaque = [const { MaybeUninit::uninit() }; 13];
-    // SAFETY: the caller promises this, and the arrays are disjoint; clips of the library fit, by
-    // the assertion.
+    // SAFETY: the caller guarantees that the memory is valid, the outputs have been checked to
+    // overlap nothing, and `opaque` has room for the clips, by the assertion above.
     unsafe {
         made.write(Clips { joints: known.clips.joints(), clips: known.clips.clips(), opaque });
         ptr::addr_of_mut!((*clips).opaque).cast::<Known>().write(known);
@@ -91,8 +95,8 @@ unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *
 /// The clips must be zeroed or made, and their bytes must be what they were then.
 unsafe fn known(clips: *const Clips) -> Result<(Known, Span), Status> {
     let span = Span::of(clips, 1)?;
-    // SAFETY: neither null nor misaligned, by `Span::of`; if they have been made, their inside was
-    // written.
+    // SAFETY: `Span::of` has checked that the pointer is neither null nor misaligned. If `joints`
+    // is not 0, the clips have been made, so `opaque` was written.
     unsafe {
         if ptr::addr_of!((*clips).joints).read() == 0 {
             return Err(Status::NoClips);
@@ -112,24 +116,27 @@ pub unsafe extern "C" fn dq8_clips_duration(
     clip: usize,
     duration: *mut f64,
 ) -> Status {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     Status::of(unsafe { write_duration(clips, clip, duration) })
 }
 
 /// # Safety
-/// The same as for [`known`] and [`Output::write`].
+/// The caller must keep the conditions of [`known`] and [`Output::write`].
 unsafe fn write_duration(clips: *const Clips, clip: usize, duration: *mut f64) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let duration = Output::<f64>::new(duration, 1)?;
     disjoint(&[duration.span], &[span, bytes])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { duration.write(clips.duration(clip).ok_or(Status::UnknownValue)?) };
     Ok(())
 }
 
 /// # Safety
-/// The same as for [`known`] and [`Output::write`].
+/// The caller must keep the conditions of [`known`] and [`Output::write`].
 unsafe fn place<R: Scalar>(
     clips: *const Clips,
     clip: usize,
@@ -137,12 +144,14 @@ unsafe fn place<R: Scalar>(
     place: *mut Place,
     t: *mut R,
 ) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let (place, to) = (Output::<TrackPlace>::new(place, 1)?, Output::<R>::new(t, 1)?);
     disjoint(&[place.span, to.span], &[span, bytes])?;
     let (found, t) = clips.place(clip, at).ok_or(Status::UnknownValue)?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         place.write(found);
         to.write(t);
@@ -151,7 +160,7 @@ unsafe fn place<R: Scalar>(
 }
 
 /// # Safety
-/// The same as for [`known`], [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`known`], [`Input::slice`] and [`Output::slice`].
 #[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
 unsafe fn to_model<R: Scalar>(
     parents: *const i32,
@@ -167,12 +176,14 @@ unsafe fn to_model<R: Scalar>(
     let root = Input::<DualQuat<R>>::unless_null(root)?;
     let (places, t) =
         (Input::<TrackPlace>::new(places, instances)?, Input::<R>::new(t, instances)?);
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let count = instances.checked_mul(joints).ok_or(Status::TooLarge)?;
     let models = Output::<DualQuat<R>>::new(models, count)?;
     disjoint(&[models.span], &[parents.span, root.span, places.span, t.span, span, bytes])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         let root = root.slice().first().copied().map_or(Root::None, Root::Same);
         let hierarchy = Hierarchy::new(parents.slice())?;

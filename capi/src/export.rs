@@ -31,7 +31,8 @@ macro_rules! export {
         /// Arrays must have the lengths that are named.
         #[unsafe(export_name = concat!("dq8_", stringify!($plain), "_", stringify!($R)))]
         pub unsafe extern "C" fn $plain($($argument: $type,)* count: usize) -> Status {
-            // SAFETY: the caller promises this.
+            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+            // functions called here.
             Status::of(unsafe { super::$plain::<Aos<$R>>($($argument,)* count) })
         }
 
@@ -50,9 +51,11 @@ macro_rules! export {
             count: usize,
         ) -> Status {
             Status::of(match lanes {
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+                // functions called here.
                 $few => unsafe { super::$plain::<AoSoA<[$R; $few]>>($($argument,)* count) },
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+                // functions called here.
                 $many => unsafe { super::$plain::<AoSoA<[$R; $many]>>($($argument,)* count) },
                 _ => Err(Status::Lanes),
             })
@@ -87,7 +90,8 @@ macro_rules! export_one {
         /// made.
         #[unsafe(export_name = $export)]
         pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
-            // SAFETY: the caller promises this.
+            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+            // functions called here.
             Status::of(unsafe { $body })
         }
     };

@@ -20,12 +20,13 @@ type Root<L> = Input<DualQuat<<L as Layout>::Real>>;
 /// The job that computes a hierarchy from a root.
 ///
 /// # Safety
-/// The same as for [`Input::slice`].
+/// The caller must keep the conditions of [`Input::slice`].
 unsafe fn job<'a, L: Layout>(
     parents: &Input<u32>,
     root: &Root<L>,
 ) -> Result<Job<'a, StandsOn<'a, L::Record<8>>>, Status> {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let (parents, root) = unsafe { (parents.slice(), root.slice()) };
     let job = Hierarchy::new(parents)?.job();
     Ok(job.on(match *root {
@@ -38,7 +39,8 @@ unsafe fn job<'a, L: Layout>(
 macro_rules! poses {
     ($name:ident($from:ident, $to:ident) by |$job:ident| $elsewhere:expr, $in_place:ident) => {
         /// # Safety
-        /// The same as for [`from_to`]; `parents` and `root` as [`job`].
+        /// The caller must keep the conditions of [`from_to`], and for `parents` and `root` those
+        /// of [`job`].
         unsafe fn $name<L: Layout>(
             parents: *const i32,
             joints: usize,
@@ -50,9 +52,11 @@ macro_rules! poses {
             let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
             let written = Output::<L::Record<8>>::new($to, count)?.span;
             disjoint(&[written], &[parents.span, root.span])?;
-            // SAFETY: the caller promises this, and it is disjoint from what is written.
+            // SAFETY: the caller guarantees that both arrays are valid, and the outputs have been
+            // checked to overlap neither.
             let $job = unsafe { job::<L>(&parents, &root)? };
-            // SAFETY: the caller promises this.
+            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+            // functions called here.
             unsafe { from_to($from, $to, count, $elsewhere, |all| $job.$in_place(all)) }
         }
     };
@@ -67,7 +71,8 @@ poses! {
 }
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`], and for `parents`
+/// and `root` those of [`job`].
 unsafe fn rotations_to_model<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -82,7 +87,8 @@ unsafe fn rotations_to_model<L: Layout>(
     let offsets = Input::<[L::Real; 3]>::new(offsets, joints)?;
     let models = Output::new(models, count)?;
     disjoint(&[models.span], &[parents.span, root.span, rotations.span, offsets.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         let job = job::<L>(&parents, &root)?;
         let locals = Bones { rotations: rotations.slice(), offsets: offsets.slice() };
@@ -91,7 +97,8 @@ unsafe fn rotations_to_model<L: Layout>(
 }
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`], and for `parents`
+/// and `root` those of [`job`].
 unsafe fn rotations_translations_to_model<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -104,7 +111,8 @@ unsafe fn rotations_translations_to_model<L: Layout>(
     let locals = Input::<L::Record<7>>::new(locals, count)?;
     let models = Output::new(models, count)?;
     disjoint(&[models.span], &[parents.span, root.span, locals.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         let job = job::<L>(&parents, &root)?;
         Ok(job.locals_to_model(RotationsTranslations(locals.slice()), models.slice())?)
@@ -115,7 +123,8 @@ unsafe fn rotations_translations_to_model<L: Layout>(
 macro_rules! palettes {
     ($($name:ident of $count:literal;)+) => {$(
         /// # Safety
-        /// The same as for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
+        /// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`], and for
+        /// `parents` and `root` those of [`job`].
         #[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
         unsafe fn $name<L: Layout>(
             parents: *const i32,
@@ -134,7 +143,8 @@ macro_rules! palettes {
             let palette = Output::<L::Record<$count>>::new(palette, count)?;
             let read = [parents.span, root.span, locals.span, binds.span];
             disjoint(&[models.span, palette.span], &read)?;
-            // SAFETY: the caller promises this, and the arrays are disjoint.
+            // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
+            // checked to overlap nothing.
             unsafe {
                 let (job, locals) = (job::<L>(&parents, &root)?, Poses(locals.slice()));
                 let (models, palette) = (models.slice(), palette.slice());
@@ -227,35 +237,40 @@ pub unsafe extern "C" fn dq8_check_parents(
     joints: usize,
     bad_joint: *mut usize,
 ) -> Status {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     Status::of(unsafe { check_parents(parents, joints, bad_joint) })
 }
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::write`].
 unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize) -> Done {
     let (parents, bad_joint) = (parents(start, joints)?, Output::unless_null(bad_joint)?);
     disjoint(&[bad_joint.span], &[parents.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { checked(&parents, &bad_joint).map(|_| ()) }
 }
 
 /// The hierarchy of these parents. If one of them is wrong, its joint is written to `bad_joint`.
 ///
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::write`], and the two must be disjoint.
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::write`], and the two must
+/// be disjoint.
 pub(crate) unsafe fn checked<'a>(
     parents: &Input<u32>,
     bad_joint: &Output<usize>,
 ) -> Result<Hierarchy<'a>, Status> {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let hierarchy = Hierarchy::new(unsafe { parents.slice() });
     if let Err(
         HierarchyError::ParentNotBefore { joint, .. }
         | HierarchyError::ParentOutOfRange { joint, .. },
     ) = &hierarchy
     {
-        // SAFETY: the caller promises this.
+        // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+        // functions called here.
         unsafe { bad_joint.write(*joint) };
     }
     Ok(hierarchy?)

@@ -9,7 +9,7 @@ macro_rules! kernel {
             -> $out:tt by $kernel:ident
     ) => {
         /// # Safety
-        /// The same as for [`Input::slice`](crate::memory::Input::slice) and
+        /// The caller must keep the conditions of [`Input::slice`](crate::memory::Input::slice) and
         /// [`Output::slice`](crate::memory::Output::slice).
         pub(super) unsafe fn $name<L: Layout>(
             $($from: *const L::Real,)+
@@ -21,7 +21,8 @@ macro_rules! kernel {
             $(let $from = crate::memory::Input::<L::Record<$size>>::new($from, count)?;)+
             let out = crate::memory::Output::<L::Record<$out>>::new(out, count)?;
             crate::span::disjoint(&[out.span], &[$($from.span),+])?;
-            // SAFETY: the caller promises this, and the arrays are disjoint.
+            // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
+            // checked to overlap nothing.
             let (($($from,)+), out) = unsafe { (($($from.slice(),)+), out.slice()) };
             Ok(dq8::Backend::best().$kernel($($from,)+ $($more,)? out)?)
         }
@@ -37,8 +38,8 @@ macro_rules! kernel_or_in_place {
             by $kernel:ident, $in_place:ident
     ) => {
         /// # Safety
-        /// The same as for [`from_to`](crate::memory::from_to); for one motion
-        /// [`read`](crate::memory::read), and for other arrays
+        /// The caller must keep the conditions of [`from_to`](crate::memory::from_to); for one
+        /// motion [`read`](crate::memory::read), and for other arrays
         /// [`Input::slice`](crate::memory::Input::slice).
         pub(super) unsafe fn $name<L: Layout>(
             $($motion: *const L::Real,)?
@@ -52,14 +53,16 @@ macro_rules! kernel_or_in_place {
                 let one = crate::span::Span::of($motion.cast::<dq8::DualQuat<L::Real>>(), 1)?;
                 let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
                 crate::span::disjoint(&[to.span], &[one])?;
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+                // functions called here.
                 let $motion: dq8::DualQuat<L::Real> = unsafe { crate::memory::read($motion)? };
             )?
             $(
                 let $other = crate::memory::Input::<L::Record<$others>>::new($other, count)?;
                 let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
                 crate::span::disjoint(&[to.span], &[$other.span])?;
-                // SAFETY: the caller promises this, and the arrays are disjoint.
+                // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
+                // checked to overlap nothing.
                 let $other = unsafe { $other.slice() };
             )*
             let elsewhere =
@@ -67,7 +70,8 @@ macro_rules! kernel_or_in_place {
             let in_place = |all: &mut [L::Record<$size>]| {
                 done!(best.$in_place($($motion,)? all $(, $other)*); $($other)*)
             };
-            // SAFETY: the caller promises this.
+            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+            // functions called here.
             unsafe { crate::memory::from_to($from, out, count, elsewhere, in_place) }
         }
     };

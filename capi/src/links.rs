@@ -8,7 +8,7 @@ use dq8::storage::{AoSoA, Aos, Layout};
 use dq8_robot::JointValues;
 
 /// # Safety
-/// The same as for [`Checked::new`], [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`] and [`Output::slice`].
 unsafe fn link_poses<L: Layout>(
     mechanism: *const Mechanism<L::Real>,
     values: *const L::Real,
@@ -19,12 +19,14 @@ unsafe fn link_poses<L: Layout>(
 where
     L::Real: JointValues<L>,
 {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<L::Real>::new(values, value_count)?;
     let poses = Output::<L::Record<8>>::new(poses, count)?;
     disjoint(&[poses.span], &[values.span, checked.given, checked.steps])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { Ok(checked.known.job().poses(values.slice(), poses.slice())?) }
 }
 

@@ -16,7 +16,7 @@ struct Influences<R> {
 /// [`DualQuat::dib`] of motions and weights in two arrays.
 ///
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::write`].
 unsafe fn mean<R: Real>(
     influences: Influences<R>,
     tolerance: R,
@@ -31,14 +31,16 @@ unsafe fn mean<R: Real>(
     let out = Output::new(out, 1)?;
     let converged_to = Output::<i32>::unless_null(converged)?;
     disjoint(&[converged_to.span], &[out.span])?;
-    // SAFETY: the caller promises this, and nothing is written before they are read.
+    // SAFETY: the caller guarantees that the arrays are valid, and the output is written only after
+    // both have been read.
     let (motions, weights) = unsafe { (motions.slice(), weights.slice()) };
     let influences = motions.iter().enumerate();
     let influences =
         influences.map(|(at, &motion)| (motion, weights.get(at).copied().unwrap_or(R::ONE)));
     let mean = internal::dib(influences, tolerance, max_iterations).ok_or(Status::NoInfluences)?;
     let motion = finite(mean.motion)?;
-    // SAFETY: the caller promises this, and nothing is read after it.
+    // SAFETY: the caller guarantees that the output is valid, and no input is read after this
+    // write, so the output may overlap them.
     unsafe {
         out.write(motion);
         converged_to.write(i32::from(mean.converged));

@@ -82,7 +82,8 @@ fn known<'a, R: Real>(
 }
 
 /// # Safety
-/// The same as for [`Input::slice`], [`Output::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
+/// [`Output::write`].
 unsafe fn make<R: Real>(
     joints: *const Joint<R>,
     count: usize,
@@ -95,7 +96,8 @@ unsafe fn make<R: Real>(
     let made = Output::<Mechanism<R>>::new(mechanism, 1)?;
     let bad_joint = Output::<usize>::unless_null(bad_joint)?;
     disjoint(&[steps.span, made.span, bad_joint.span], &[joints.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     let (joints, buffer) = unsafe { (joints.slice(), steps.slice()) };
     // A mechanism without joints needs a pointer too, because null means that it has not been made.
     let steps = buffer.as_ptr().cast();
@@ -104,15 +106,16 @@ unsafe fn make<R: Real>(
         Ok(known) => known,
         Err((status, joint)) => {
             if let Some(joint) = joint {
-                // SAFETY: the caller promises this, and the arrays are disjoint.
+                // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
+                // checked to overlap nothing.
                 unsafe { bad_joint.write(joint) };
             }
             return Err(status);
         }
     };
     let (links, values, rates) = (known.links(), known.values(), known.rates());
-    // SAFETY: the caller promises this, and the arrays are disjoint; a mechanism of the library
-    // fits, by `fits`.
+    // SAFETY: the caller guarantees that the memory is valid, the outputs have been checked to
+    // overlap nothing, and `opaque` has room for the mechanism, which `fits` asserts.
     unsafe {
         made.write(Mechanism { links, values, rates, steps, opaque: [ptr::null(); 4] });
         ptr::addr_of_mut!((*mechanism).opaque).cast::<Known<R>>().write(known);
@@ -132,7 +135,8 @@ impl<R: Real> Checked<R> {
     /// The mechanism must be zeroed or made, and its steps must be there.
     pub(crate) unsafe fn new(mechanism: *const Mechanism<R>) -> Result<Self, Status> {
         let given = Span::of(mechanism, 1)?;
-        // SAFETY: neither null nor misaligned, by `Span::of`; the caller promises the rest.
+        // SAFETY: `Span::of` has checked that the pointer is neither null nor misaligned. The
+        // caller guarantees that it points to valid memory.
         let steps = unsafe { ptr::addr_of!((*mechanism).steps).read() };
         if steps.is_null() {
             return Err(Status::NoMechanism);
@@ -144,7 +148,7 @@ impl<R: Real> Checked<R> {
 }
 
 /// # Safety
-/// The same as for [`Checked::new`], [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`] and [`Output::slice`].
 unsafe fn link_poses<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -152,17 +156,20 @@ unsafe fn link_poses<R: Real>(
     poses: *mut R,
     link_count: usize,
 ) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let poses = Output::<DualQuat<R>>::new(poses, link_count)?;
     disjoint(&[poses.span], &[values.span, checked.given, checked.steps])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { Ok(checked.known.link_poses(values.slice(), poses.slice())?) }
 }
 
 /// # Safety
-/// The same as for [`Checked::new`] and [`Input::slice`], and for [`Output::write`].
+/// The caller must keep the conditions of [`Checked::new`] and [`Input::slice`], and for
+/// [`Output::write`].
 unsafe fn link_pose<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -170,7 +177,8 @@ unsafe fn link_pose<R: Real>(
     link: usize,
     pose: *mut R,
 ) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let pose = Output::<DualQuat<R>>::new(pose, 1)?;
@@ -178,7 +186,8 @@ unsafe fn link_pose<R: Real>(
     if link >= checked.known.links() {
         return Err(Status::NoLink);
     }
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { pose.write(checked.known.link_pose(values.slice(), link)?) };
     Ok(())
 }
@@ -193,14 +202,16 @@ struct Query<R> {
 }
 
 /// # Safety
-/// The same as for [`Checked::new`], [`Input::slice`], [`Output::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`], [`Output::slice`] and
+/// [`Output::write`].
 unsafe fn link_jacobian<R: Real>(
     query: Query<R>,
     columns: *mut R,
     column_count: usize,
     pose: *mut R,
 ) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let checked = unsafe { Checked::new(query.mechanism)? };
     let values = Input::<R>::new(query.values, query.value_count)?;
     let columns = Output::<Twist<R>>::new(columns, column_count)?;
@@ -210,7 +221,8 @@ unsafe fn link_jacobian<R: Real>(
     if link >= known.links() {
         return Err(Status::NoLink);
     }
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     let (values, columns) = unsafe { (values.slice(), columns.slice()) };
     let reached = match query.frame {
         frame if frame == Frame::World as i32 => known.link_jacobian(World, values, link, columns),
@@ -220,7 +232,8 @@ unsafe fn link_jacobian<R: Real>(
         }
         _ => return Err(Status::UnknownValue),
     }?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { pose.write(reached) };
     Ok(())
 }

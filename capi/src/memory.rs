@@ -31,8 +31,8 @@ impl<T: Copy> Input<T> {
         if self.count == 0 {
             return &[];
         }
-        // SAFETY: neither null nor misaligned nor too large, by `Span::of`; the caller promises the
-        // rest.
+        // SAFETY: `Span::of` has checked that the array is neither null nor misaligned nor too
+        // large. The caller guarantees that its memory is valid and not aliased.
         unsafe { slice::from_raw_parts(self.start, self.count) }
     }
 }
@@ -63,8 +63,8 @@ impl<T: Copy> Output<T> {
         if self.count == 0 {
             return &mut [];
         }
-        // SAFETY: neither null nor misaligned nor too large, by `Span::of`; the caller promises the
-        // rest.
+        // SAFETY: `Span::of` has checked that the array is neither null nor misaligned nor too
+        // large. The caller guarantees that its memory is valid and not aliased.
         unsafe { slice::from_raw_parts_mut(self.start, self.count) }
     }
 
@@ -74,7 +74,8 @@ impl<T: Copy> Output<T> {
     /// The element must be there, and nothing else may read or write it now.
     pub(crate) unsafe fn write(&self, value: T) {
         if self.count > 0 {
-            // SAFETY: neither null nor misaligned, by `Span::of`; the caller promises the rest.
+            // SAFETY: `Span::of` has checked that the pointer is neither null nor misaligned. The
+            // caller guarantees that it points to valid memory.
             unsafe { self.start.write(value) }
         }
     }
@@ -117,14 +118,15 @@ pub(crate) fn place<T: Copy>(
 /// The element must be there, any bits must be valid for `T`, and nothing may write it now.
 pub(crate) unsafe fn read<T: Copy, R>(from: *const R) -> Result<T, Status> {
     let input = Input::<T>::new(from, 1)?;
-    // SAFETY: neither null nor misaligned, by `Input::new`; the caller promises the rest.
+    // SAFETY: `Input::new` has checked that the pointer is neither null nor misaligned. The caller
+    // guarantees that it points to a valid element.
     Ok(unsafe { input.start.read() })
 }
 
 /// Calls `elsewhere` with two arrays of `count` elements, or `in_place` if they are the same array.
 ///
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`].
 pub(crate) unsafe fn from_to<T: Copy, R, E>(
     from: *const R,
     to: *mut R,
@@ -137,25 +139,28 @@ where
 {
     let (from, to) = (Input::<T>::new(from, count)?, Output::<T>::new(to, count)?);
     if to.start.cast_const() == from.start {
-        // SAFETY: the caller promises this, and the input is not borrowed at the same time.
+        // SAFETY: the caller guarantees that the array is valid, and the input, which is the same
+        // array, is not borrowed here.
         return Ok(in_place(unsafe { to.slice() })?);
     }
     disjoint(&[to.span], &[from.span])?;
-    // SAFETY: the caller promises this, and the two are disjoint.
+    // SAFETY: the caller guarantees that both arrays are valid, and the check above found that they
+    // do not overlap.
     Ok(elsewhere(unsafe { from.slice() }, unsafe { to.slice() })?)
 }
 
 /// Computes one thing from another. The output may overlap the input.
 ///
 /// # Safety
-/// The same as for [`read`] and [`Output::write`].
+/// The caller must keep the conditions of [`read`] and [`Output::write`].
 pub(crate) unsafe fn one<A: Copy, B: Copy, R>(
     from: *const R,
     to: *mut R,
     of: impl FnOnce(A) -> Result<B, Status>,
 ) -> Done {
     let to = Output::new(to, 1)?;
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     unsafe { to.write(of(read(from)?)?) };
     Ok(())
 }
@@ -163,15 +168,17 @@ pub(crate) unsafe fn one<A: Copy, B: Copy, R>(
 /// Computes one thing from two others. The output may overlap the inputs.
 ///
 /// # Safety
-/// The same as for [`read`] and [`Output::write`].
+/// The caller must keep the conditions of [`read`] and [`Output::write`].
 pub(crate) unsafe fn two<A: Copy, B: Copy, C: Copy, R>(
     a: *const R,
     b: *const R,
     to: *mut R,
     of: impl FnOnce(A, B) -> Result<C, Status>,
 ) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let b = unsafe { read(b)? };
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     unsafe { one(a, to, |a| of(a, b)) }
 }

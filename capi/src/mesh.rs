@@ -15,7 +15,8 @@ pub(crate) trait Mesh<R: Scalar + Weight> {
     /// Poses the mesh. It is an error if an output overlaps anything.
     ///
     /// # Safety
-    /// The same as for [`Posing::borrow`], [`Input::slice`] and [`Output::slice`].
+    /// The caller must keep the conditions of [`Posing::borrow`], [`Input::slice`] and
+    /// [`Output::slice`].
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
@@ -68,7 +69,8 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         let to = fields.map(|field| field.map_or(Span::NOWHERE, |(_, to)| to.span));
         disjoint(&to, &from)?;
         disjoint(&to, &by.spans)?;
-        // SAFETY: the caller promises this, and everything that is written is disjoint.
+        // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked
+        // to overlap nothing.
         unsafe {
             let (skin, palettes) = by.borrow();
             let rest = Surface {
@@ -137,7 +139,8 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
         let posed = Output::<R>::new(self.posed, numbers(to.stride)?)?;
         disjoint(&[posed.span], &[rest.span])?;
         disjoint(&[posed.span], &by.spans)?;
-        // SAFETY: the caller promises this, and what is written is disjoint.
+        // SAFETY: the caller guarantees that the memory is valid, and the output has been checked
+        // to overlap nothing.
         unsafe {
             let (skin, palettes) = by.borrow();
             let (rest, posed) = ((rest.slice(), from), (posed.slice(), to));

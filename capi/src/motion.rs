@@ -6,16 +6,17 @@ use crate::status::{Done, Status};
 use dq8::{DualQuat, Quat, Real};
 
 /// # Safety
-/// The same as for [`Output::write`].
+/// The caller must keep the conditions of [`Output::write`].
 unsafe fn identity<R: Real>(out: *mut R) -> Done {
     let out = Output::new(out, 1)?;
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     unsafe { out.write(DualQuat::<R>::IDENTITY) };
     Ok(())
 }
 
 /// # Safety
-/// The same as for [`read`] and [`Output::write`].
+/// The caller must keep the conditions of [`read`] and [`Output::write`].
 unsafe fn to_rotation_translation<R: Real>(
     motion: *const R,
     rotation: *mut R,
@@ -23,7 +24,8 @@ unsafe fn to_rotation_translation<R: Real>(
 ) -> Done {
     let (rotation, translation) = (Output::new(rotation, 1)?, Output::new(translation, 1)?);
     disjoint(&[rotation.span, translation.span], &[])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         let motion: DualQuat<R> = read(motion)?;
         rotation.write(motion.rotation());
@@ -33,9 +35,10 @@ unsafe fn to_rotation_translation<R: Real>(
 }
 
 /// # Safety
-/// The same as for [`read`].
+/// The caller must keep the conditions of [`read`].
 unsafe fn check_unit<R: Real>(motion: *const R, tolerance: R) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let motion: DualQuat<R> = unsafe { read(motion)? };
     if motion.is_unit(tolerance) { Ok(()) } else { Err(Status::NotUnit) }
 }

@@ -8,7 +8,7 @@ use dq8::storage::{self, Block};
 use dq8::{DualQuat, Scalar, ShapeError};
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`].
 unsafe fn to_blocks<R: Scalar, const N: usize>(
     poses: *const R,
     pose_count: usize,
@@ -22,12 +22,13 @@ where
     let poses = Input::<DualQuat<R>>::new(poses, pose_count)?;
     let blocks = Output::<Block<R, N>>::new(blocks, block_count)?;
     disjoint(&[blocks.span], &[poses.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { Ok(run(poses.slice(), blocks.slice())?) }
 }
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`].
 unsafe fn from_blocks<R: Scalar, const N: usize>(
     blocks: *const R,
     block_count: usize,
@@ -41,7 +42,8 @@ where
     let blocks = Input::<Block<R, N>>::new(blocks, block_count)?;
     let poses = Output::<DualQuat<R>>::new(poses, pose_count)?;
     disjoint(&[poses.span], &[blocks.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { Ok(run(blocks.slice(), poses.slice())?) }
 }
 
@@ -59,9 +61,11 @@ macro_rules! export_packing {
         #[unsafe(export_name = concat!("dq8_", stringify!($name), "_", stringify!($R)))]
         pub unsafe extern "C" fn $name(lanes: usize, $($argument: $type),*) -> Status {
             Status::of(match lanes {
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+                // functions called here.
                 $few => unsafe { $way::<$R, $few>($($array,)* $run) },
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+                // functions called here.
                 $many => unsafe { $way::<$R, $many>($($array,)* $run) },
                 _ => Err(Status::Lanes),
             })

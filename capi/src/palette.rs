@@ -8,7 +8,7 @@ use dq8::skinning::{matrix_palette, split_palette};
 use dq8::{DualQuat, Real};
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`].
 unsafe fn products<R: Real>(
     models: *const R,
     inverse_binds: *const R,
@@ -21,12 +21,13 @@ unsafe fn products<R: Real>(
     let inverse_binds = Input::<[[R; 4]; 4]>::new(inverse_binds, joints)?;
     let matrices = Output::<[[R; 4]; 3]>::new(matrices, joints)?;
     disjoint(&[matrices.span], &[models.span, inverse_binds.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     Ok(unsafe { matrix_palette(models.slice(), inverse_binds.slice(), order, matrices.slice()) }?)
 }
 
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`].
 unsafe fn split<R: Real>(
     matrices: *const R,
     motions: *mut R,
@@ -37,7 +38,8 @@ unsafe fn split<R: Real>(
     let motions = Output::<DualQuat<R>>::new(motions, joints)?;
     let stretches = Output::<[[R; 4]; 3]>::new(stretches, joints)?;
     disjoint(&[motions.span, stretches.span], &[matrices.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { split_palette(matrices.slice(), motions.slice(), stretches.slice()) }?;
     Ok(())
 }

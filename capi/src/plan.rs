@@ -24,12 +24,13 @@ pub unsafe extern "C" fn dq8_plan_make(
     scratch: *mut u32,
     bad_joint: *mut usize,
 ) -> Status {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     Status::of(unsafe { make(parents, joints, order, scratch, bad_joint) })
 }
 
 /// # Safety
-/// The same as for [`checked`] and [`Output::slice`].
+/// The caller must keep the conditions of [`checked`] and [`Output::slice`].
 unsafe fn make(
     parents: *const i32,
     joints: usize,
@@ -42,7 +43,8 @@ unsafe fn make(
     let scratch = Output::<PlanScratch>::new(scratch, joints)?;
     let bad_joint = Output::unless_null(bad_joint)?;
     disjoint(&[order.span, scratch.span, bad_joint.span], &[parents.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         let hierarchy = checked(&parents, &bad_joint)?;
         Plan::new(&hierarchy, order.slice(), scratch.slice())?;
@@ -51,7 +53,8 @@ unsafe fn make(
 }
 
 /// # Safety
-/// The same as for [`from_to`], and [`Input::slice`] of `parents` and `order`.
+/// The caller must keep the conditions of [`from_to`], and [`Input::slice`] of `parents` and
+/// `order`.
 unsafe fn local_to_model<R: Scalar>(
     parents: *const i32,
     order: *const u32,
@@ -63,12 +66,14 @@ unsafe fn local_to_model<R: Scalar>(
     let parents = crate::hierarchy::parents(parents, joints)?;
     let order = Input::<[u32; 2]>::new(order, joints)?;
     disjoint(&[Output::<DualQuat<R>>::new(models, count)?.span], &[parents.span, order.span])?;
-    // SAFETY: the caller promises this, and it is disjoint from what is written.
+    // SAFETY: the caller guarantees that both arrays are valid, and the outputs have been checked
+    // to overlap neither.
     let (parents, order) = unsafe { (parents.slice(), order.slice()) };
     let hierarchy = Hierarchy::new(parents)?;
     let job = hierarchy.job().plan(&Plan::of_order(&hierarchy, order).or(Err(Status::NoPlan))?);
     let elsewhere = |from: &[DualQuat<R>], to: &mut [_]| job.local_to_model(from, to);
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     unsafe { from_to(locals, models, count, elsewhere, |all| job.local_to_model_in_place(all)) }
 }
 

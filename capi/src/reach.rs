@@ -135,21 +135,23 @@ fn scratch_len<R: Real>(
 }
 
 /// # Safety
-/// The same as for [`Checked::new`] and [`Output::write`].
+/// The caller must keep the conditions of [`Checked::new`] and [`Output::write`].
 pub(crate) unsafe fn reach_scratch<R: Real>(
     mechanism: *const Mechanism<R>,
     goal_count: usize,
     scratch_count: *mut usize,
     width: Width,
 ) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let checked = unsafe { Checked::new(mechanism)? };
     let to = Output::<usize>::new(scratch_count, 1)?;
     disjoint(&[to.span], &[checked.given, checked.steps])?;
     if goal_count > GOALS {
         return Err(Status::TooLarge);
     }
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe { to.write(scratch_len(checked.known, goal_count, width)?) };
     Ok(())
 }
@@ -180,7 +182,7 @@ impl<R: Real> ReachOptions<R> {
 }
 
 /// # Safety
-/// The same as for [`Output::write`].
+/// The caller must keep the conditions of [`Output::write`].
 unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
     let to = Output::<ReachOptions<R>>::new(options, 1)?;
     let known = ik::Options::<R>::default();
@@ -193,7 +195,8 @@ unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
         max_step: known.max_step,
         damping: known.damping,
     };
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     unsafe { to.write(default) };
     Ok(())
 }
@@ -230,14 +233,15 @@ pub(crate) struct Search<'a, R> {
 }
 
 /// # Safety
-/// The same as for [`Checked::new`], [`Input::slice`] and [`Output::slice`].
+/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`] and [`Output::slice`].
 pub(crate) unsafe fn reach<R: Scalar>(
     query: Query<R>,
     results: Results<R>,
     width: Width,
     solve: impl FnOnce(Search<'_, R>) -> Result<(), ShapeError>,
 ) -> Done {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let checked = unsafe { Checked::new(query.mechanism)? };
     let Results { count, value_count, scratch_count, .. } = results;
     let target_count = query.goal_count.checked_mul(count).ok_or(Status::TooLarge)?;
@@ -252,7 +256,8 @@ pub(crate) unsafe fn reach<R: Scalar>(
     let options = Input::<ReachOptions<R>>::unless_null(query.options)?;
     let read = [goals.span, targets.span, posture.span, options.span, checked.given, checked.steps];
     disjoint(&[values.span, scratch.span, reports.span], &read)?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     let options = match *unsafe { options.slice() } {
         [options] => options.known()?,
         _ => ik::Options::default(),
@@ -263,9 +268,11 @@ pub(crate) unsafe fn reach<R: Scalar>(
     if scratch_count < scratch_len(known, query.goal_count, width)? {
         return Err(Status::Length);
     }
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     let (goals, targets, posture) = unsafe { (goals.slice(), targets.slice(), posture.slice()) };
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     let (values, scratch) = unsafe { (values.slice(), scratch.slice()) };
     // The scratch is large enough, as has been checked, but the compiler does not know that.
     let (freedoms, rest) =
@@ -280,8 +287,9 @@ pub(crate) unsafe fn reach<R: Scalar>(
     if !query.posture.is_null() {
         reach = reach.with_posture(posture).map_err(|error| status(&error))?;
     }
-    // No error can come any more, so reports may be written. C may have anything there.
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // No error can come any more, so reports may be written. C may have anything there. SAFETY: the
+    // caller guarantees that the memory is valid, and the outputs have been checked to overlap
+    // nothing.
     let reports = bytes(unsafe { reports.slice() });
     let (reports, _) = place(reports, count, ik::Report::default()).ok_or(Status::Length)?;
     Ok(solve(Search { reach, targets, values, scratch, reports, options })?)

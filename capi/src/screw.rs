@@ -17,16 +17,18 @@ pub(crate) fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status
 /// [`DualQuat::dlb`] of motions and weights in two arrays.
 ///
 /// # Safety
-/// The same as for [`Input::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`] and [`Output::write`].
 unsafe fn blend<R: Real>(motions: *const R, weights: *const R, count: usize, out: *mut R) -> Done {
     let motions = Input::<DualQuat<R>>::new(motions, count)?;
     let weights = Input::<R>::new(weights, count)?;
     let out = Output::new(out, 1)?;
-    // SAFETY: the caller promises this, and nothing is written before they are read.
+    // SAFETY: the caller guarantees that the arrays are valid, and the output is written only after
+    // both have been read.
     let (motions, weights) = unsafe { (motions.slice(), weights.slice()) };
     let influences = motions.iter().copied().zip(weights.iter().copied());
     let sum = internal::weighted_sum(influences).ok_or(Status::NoInfluences)?;
-    // SAFETY: the caller promises this, and nothing is read after it.
+    // SAFETY: the caller guarantees that the output is valid, and no input is read after this
+    // write, so the output may overlap them.
     unsafe { out.write(sum.try_normalize()?) };
     Ok(())
 }

@@ -71,8 +71,8 @@ pub(crate) struct SkinParts<R> {
 
 impl<R: Scalar + skinning::Weight> SkinParts<R> {
     /// # Safety
-    /// The same as for [`Input::slice`] and [`Output::write`], and joints and weights must not
-    /// change later.
+    /// The caller must keep the conditions of [`Input::slice`] and [`Output::write`], and joints
+    /// and weights must not change later.
     pub(crate) unsafe fn make(self, skin: *mut Skin<R>, bad_vertex: *mut usize) -> Done {
         let Self {
             joints,
@@ -90,7 +90,8 @@ impl<R: Scalar + skinning::Weight> SkinParts<R> {
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
         disjoint(&[made.span, bad_vertex.span], &[joint_indices.span, weights.span])?;
-        // SAFETY: the caller promises this, and the skin lives as long as C keeps the arrays.
+        // SAFETY: the caller guarantees that both arrays are valid and do not change while the skin
+        // is used.
         let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
         let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
         let (by, how_much) = ((joint_indices, field(joint_field)), (weights, field(weight_field)));
@@ -98,15 +99,16 @@ impl<R: Scalar + skinning::Weight> SkinParts<R> {
             Ok(known) => known,
             Err(error) => {
                 if let Some(vertex) = vertex_of(&error) {
-                    // SAFETY: the caller promises this, and the arrays are disjoint.
+                    // SAFETY: the caller guarantees that the memory is valid, and the outputs have
+                    // been checked to overlap nothing.
                     unsafe { bad_vertex.write(vertex) };
                 }
                 return Err(error.into());
             }
         };
         let opaque = [const { MaybeUninit::uninit() }; 8];
-        // SAFETY: the caller promises this, and the arrays are disjoint; a skin of the library
-        // fits, by `fits`.
+        // SAFETY: the caller guarantees that the memory is valid, the outputs have been checked to
+        // overlap nothing, and `opaque` has room for the skin, which `fits` asserts.
         unsafe {
             made.write(Skin { vertices, influences, joints, opaque });
             ptr::addr_of_mut!((*skin).opaque).cast::<Known<R>>().write(known);
@@ -156,7 +158,8 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
         Pointers { motions, matrices, shares }: Pointers<R>,
     ) -> Result<Self, Status> {
         let given = Span::of(skin, 1)?;
-        // SAFETY: neither null nor misaligned, by `Span::of`; the caller promises the rest.
+        // SAFETY: `Span::of` has checked that the pointer is neither null nor misaligned. The
+        // caller guarantees that it points to valid memory.
         if unsafe { ptr::addr_of!((*skin).influences).read() } == 0 {
             return Err(Status::NoSkin);
         }
@@ -180,9 +183,10 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
     /// The skin and its palettes.
     ///
     /// # Safety
-    /// The same as for [`new`](Self::new) and [`Input::slice`].
+    /// The caller must keep the conditions of [`new`](Self::new) and [`Input::slice`].
     pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, Palettes<'p, R>) {
-        // SAFETY: the caller promises this.
+        // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+        // functions called here.
         unsafe {
             let (motions, matrices) = (self.motions.slice(), self.matrices.slice());
             (self.known, Palettes { motions, matrices, shares: self.shares.slice() })

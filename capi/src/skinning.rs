@@ -12,14 +12,15 @@ use dq8::skinning::{self, DualBlend, Linear, Mixed, StretchedDualBlend};
 macro_rules! blends {
     ($($name:ident($($palette:ident),+) of $mesh:ident: $given:expr, |$by:ident| $blend:expr;)+) => {$(
         /// # Safety
-        /// The same as for [`Mesh::pose`].
+        /// The caller must keep the conditions of [`Mesh::pose`].
         unsafe fn $name<R: Scalar + skinning::Weight>(
             skin: *const Skin<R>,
             $($palette: *const R,)+
             joints: usize,
             $mesh: impl Mesh<R>,
         ) -> Done {
-            // SAFETY: the caller promises this.
+            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+            // functions called here.
             unsafe {
                 let by = Posing::new(skin, joints, $given)?;
                 $mesh.pose(&by, |$by| $blend)

@@ -91,7 +91,8 @@ macro_rules! exports {
                 out: *mut $R,
                 count: usize,
             ) -> Status {
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+                // functions called here.
                 Status::of(unsafe { of_each::$name::<Aos<$R>>($input, $($other,)* $($parameter,)? out, count) })
             }
         )*
@@ -117,11 +118,13 @@ macro_rules! exports {
                     count: usize,
                 ) -> Status {
                     Status::of(match lanes {
-                        // SAFETY: the caller promises this.
+                        // SAFETY: the caller keeps the conditions under `# Safety`, which are those
+                        // of the functions called here.
                         $few => unsafe {
                             of_each::$name::<AoSoA<[$R; $few]>>($input, $($other,)* $($parameter,)? out, count)
                         },
-                        // SAFETY: the caller promises this.
+                        // SAFETY: the caller keeps the conditions under `# Safety`, which are those
+                        // of the functions called here.
                         $many => unsafe {
                             of_each::$name::<AoSoA<[$R; $many]>>($input, $($other,)* $($parameter,)? out, count)
                         },

@@ -48,10 +48,11 @@ struct Bad(Output<usize>);
 
 impl Bad {
     /// # Safety
-    /// The same as for [`Output::write`].
+    /// The caller must keep the conditions of [`Output::write`].
     unsafe fn tell(&self, (status, index): (Status, Option<usize>)) -> Status {
         if let Some(index) = index {
-            // SAFETY: the caller promises this.
+            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
+            // functions called here.
             unsafe { self.0.write(index) };
         }
         status
@@ -64,7 +65,8 @@ unsafe fn of<P: Copy>(options: *const Options, job: Job<P>) -> Result<Job<P>, St
     if options.is_null() {
         return Ok(job);
     }
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
+    // called here.
     let options: Options = unsafe { read(options)? };
     let outside = match options.outside {
         0 => Outside::Hold,
@@ -99,7 +101,8 @@ struct At {
 }
 
 /// # Safety
-/// The same as for [`Input::slice`], [`Output::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
+/// [`Output::write`].
 unsafe fn resample<R: Scalar + Time>(
     known: Known<R>,
     at: *const R,
@@ -113,7 +116,8 @@ unsafe fn resample<R: Scalar + Time>(
     let out = Output::<DualQuat<R>>::new(out, count)?;
     let bad = Bad(Output::unless_null(bad_time)?);
     disjoint(&[out.span, bad.0.span], &[times.span, poses.span, at.span])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     let (times, poses, at, out) =
         unsafe { (times.slice(), poses.slice(), at.slice(), out.slice()) };
     let stamps = times.iter().map(|&time| time.into()).collect();
@@ -123,13 +127,15 @@ unsafe fn resample<R: Scalar + Time>(
         Some(index) => Err((Status::NotFinite, Some(index))),
         None => Ok(path),
     });
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     let path = path.map_err(|fault| unsafe { bad.tell(fault) })?;
     path.job().sample(at, out).map_err(|error| fault(error).0)
 }
 
 /// # Safety
-/// The same as for [`Input::slice`], [`Output::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
+/// [`Output::write`].
 unsafe fn sample<R: Scalar>(known: Known<f64>, at: At, out: *mut R, twists: *mut R) -> Done {
     let stamps = Input::<f64>::new(known.stamps, known.count)?;
     let poses = Input::<DualQuat<f64>>::new(known.poses, known.count)?;
@@ -141,7 +147,8 @@ unsafe fn sample<R: Scalar>(known: Known<f64>, at: At, out: *mut R, twists: *mut
     let bad = Bad(Output::unless_null(at.bad)?);
     let outputs = [out.span, twists.span, bad.0.span];
     disjoint(&outputs, &[stamps.span, poses.span, times.span, options])?;
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         let path = Trajectory::new(stamps.slice(), poses.slice());
         let job = of(at.options, path.map_err(|error| bad.tell(fault(error)))?.job())?;
@@ -155,7 +162,8 @@ unsafe fn sample<R: Scalar>(known: Known<f64>, at: At, out: *mut R, twists: *mut
 }
 
 /// # Safety
-/// The same as for [`Input::slice`], [`Output::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
+/// [`Output::write`].
 unsafe fn moved<R: Scalar, const BACK: bool>(
     known: Known<f64>,
     at: At,
@@ -171,8 +179,8 @@ unsafe fn moved<R: Scalar, const BACK: bool>(
     let bad = Bad(Output::unless_null(at.bad)?);
     disjoint(&[out.span, bad.0.span], &[stamps.span, poses.span, times.span, options])?;
     disjoint(&[bad.0.span], &[cloud.span])?;
-    // SAFETY: the caller promises this, and the outputs are disjoint from the inputs, or `points`
-    // and `moved` are the same array.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs are disjoint from the
+    // inputs, or `points` and `moved` are the same array.
     unsafe {
         let path = Trajectory::new(stamps.slice(), poses.slice());
         let path = path.map_err(|error| bad.tell(fault(error)))?;
@@ -210,7 +218,8 @@ struct Knots {
 }
 
 /// # Safety
-/// The same as for [`Input::slice`], [`Output::slice`] and [`Output::write`].
+/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
+/// [`Output::write`].
 unsafe fn spline<R: Scalar>(
     (control, control_count): (*const f64, usize),
     knots: Knots,
@@ -233,7 +242,8 @@ unsafe fn spline<R: Scalar>(
         1 => Basis::Through,
         _ => return Err(Status::UnknownValue),
     };
-    // SAFETY: the caller promises this, and the arrays are disjoint.
+    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
+    // overlap nothing.
     unsafe {
         let spline = Spline::new(knots.start, knots.every, control.slice(), basis);
         let spline = spline.map_err(|error| bad.tell(fault(error)))?;
