@@ -1,11 +1,12 @@
-//! Memory of all lanes, borrowed from the caller.
+//! [`Scratch`], the memory of a search for all lanes, which the caller lends, and its length.
 
 use super::problem::Reach;
 use crate::mechanism::tree::Mechanism;
 use dq8::{Scalar, ShapeError};
 use dq8_simd::{Lanes, MAX_LANES};
 
-/// Registers in memory: a number of each lane, in a row.
+/// Registers in memory. Each row of the slice is one register and holds one component for every
+/// lane.
 #[derive(Debug)]
 pub(super) struct Registers<'s, L: Lanes>(pub(super) &'s mut [L::Array]);
 
@@ -25,7 +26,7 @@ impl<L: Lanes> Registers<'_, L> {
         }
     }
 
-    /// `C` registers from `first` on.
+    /// Reads the `C` registers from row `first` on.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn record<const C: usize>(&self, level: L::Level, first: usize) -> [L; C] {
         let mut record = [L::splat(level, L::Real::default()); C];
@@ -53,13 +54,13 @@ impl<L: Lanes> Registers<'_, L> {
         }
     }
 
-    /// The registers in runs of `size`.
+    /// Returns the rows in groups of `size`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn runs(&self, size: usize) -> core::slice::ChunksExact<'_, L::Array> {
         self.0.chunks_exact(size.max(1))
     }
 
-    /// The number of one lane.
+    /// Returns the component of one lane in a row.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn number(&self, row: usize, lane: usize) -> L::Real {
         let array = self.0.get(row).map(AsRef::as_ref);
@@ -78,48 +79,53 @@ impl<L: Lanes> Registers<'_, L> {
 /// The memory of a search.
 #[derive(Debug)]
 pub(super) struct Scratch<'s, L: Lanes> {
-    /// The values of each lane, its start, the best values so far, and the candidate of a restart.
+    /// The joint values of each lane: the present ones, the start, the best so far, and those from
+    /// which a restart would begin.
     pub(super) values: Registers<'s, L>,
     pub(super) start: Registers<'s, L>,
     pub(super) best: Registers<'s, L>,
     pub(super) candidate: Registers<'s, L>,
     /// The screws of the joints that move a goal, six registers each.
     pub(super) twists: Registers<'s, L>,
-    /// Poses that wait for children, [`POSE`] registers each.
+    /// Poses of links whose children are not computed yet, [`POSE`] registers each.
     pub(super) slots: Registers<'s, L>,
     /// The state of each goal, [`GOAL`] registers each.
     pub(super) goals: Registers<'s, L>,
-    /// The Jacobian, `[freedom][component]`; zero for a freedom that is held.
+    /// The Jacobian as `[freedom][component]`. The column of a freedom that is held at its limit is
+    /// zero.
     pub(super) columns: Registers<'s, L>,
-    /// For each freedom its change, in its own unit; its change without limits, in radians; its
-    /// step to the posture, in radians; and 1 if it is held at a limit, else 0.
+    /// Four rows for each freedom: `changes`, its change in its own unit; `radians`, its change
+    /// without limits in radians; `posture_step`, its step toward the posture in radians; and
+    /// `held`, 1 if the freedom is held at a limit and 0 otherwise.
     pub(super) changes: Registers<'s, L>,
     pub(super) radians: Registers<'s, L>,
     pub(super) posture_step: Registers<'s, L>,
     pub(super) held: Registers<'s, L>,
-    /// For each component its error, and the residual without the contributions of held freedoms.
+    /// For each component of the goals: its error, and the residual that is left after the
+    /// contributions of held freedoms are subtracted.
     pub(super) error: Registers<'s, L>,
     pub(super) residual: Registers<'s, L>,
-    /// The normal equations: a lower triangle, the reciprocals of the diagonal of its factor, and
-    /// the solution.
+    /// The normal equations: `triangle`, the lower triangle of the matrix; `reciprocals`, the
+    /// reciprocals of the diagonal of its Cholesky factor; and `solution`.
     pub(super) triangle: Registers<'s, L>,
     pub(super) reciprocals: Registers<'s, L>,
     pub(super) solution: Registers<'s, L>,
-    /// The normal equations in the shape of the tree: the entries, their factors, the right-hand
-    /// side, and the bodies that wait for their parents.
+    /// The normal equations of a tree with several goals, which are sparse like the tree: the
+    /// entries `system`, their factors, the right-hand side, and the articulated bodies whose
+    /// parents are not computed yet.
     pub(super) system: Registers<'s, L>,
     pub(super) factor: Registers<'s, L>,
     pub(super) right_hand_side: Registers<'s, L>,
     pub(super) bodies: Registers<'s, L>,
 }
 
-/// Registers of a body in the tree: mass, mass times position, inertia (xx, yy, zz, xy, xz, yz),
-/// and its force as torque and force.
+/// The number of registers of an articulated body in the tree. They hold its mass, its mass times
+/// its position, its inertia (xx, yy, zz, xy, xz, yz), and the torque and the force on it.
 pub(super) const BODY: usize = 16;
 
-/// Registers of a goal: the target, drawn to where it may be reached, and the vector by which it
-/// was drawn; the pose (rotation and half the translation), the rotation to the target, and the sum
-/// of twists so far.
+/// The number of registers of a goal. They hold the target, replaced by the nearest point within
+/// reach if it is out of reach; the vector from that point to the target itself; the pose (rotation
+/// and half the translation); the rotation to the target; and the sum of the twists so far.
 pub(super) const GOAL: usize = TARGET + POSE + TURN + MOVED;
 pub(super) const TARGET: usize = EXCESS + 3;
 pub(super) const EXCESS: usize = 8;
@@ -127,18 +133,19 @@ pub(super) const POSE: usize = 7;
 pub(super) const TURN: usize = 3;
 pub(super) const MOVED: usize = 6;
 
-/// The size of a cache line: registers that straddle two take twice as long.
+/// The size of a cache line in bytes. Scratch is aligned to it, because a register that straddles
+/// two cache lines takes twice as long to read.
 const LINE: usize = 64;
 
 impl<R: Copy> Reach<'_, R> {
-    /// The length of the scratch for [`solve`](Self::solve), in numbers.
+    /// Returns the length of the scratch that [`solve`](Self::solve) needs, in values of type `R`.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers())
     }
 
-    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and a number of
-    /// goals, before the goals are known.
+    /// Returns the largest [`scratch_len`](Self::scratch_len) for a mechanism and a count of goals,
+    /// when the goals themselves are not known yet.
     #[must_use]
     pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
         let mut twists = 0;
@@ -154,9 +161,9 @@ impl<R: Copy> Reach<'_, R> {
         ))
     }
 
-    /// The same bound for a chain of `values` joints with one value each, none of which mimics
-    /// another, as a constant: for an array whose length is needed before there is a mechanism.
-    /// Fixed joints do not count.
+    /// Returns the largest [`scratch_len`](Self::scratch_len) for a chain of `values` joints with
+    /// one value each, none of which mimics another. Fixed joints do not count. This is a
+    /// `const fn` for the length of an array.
     ///
     /// ```
     /// use dq8_robot::ik::Reach;
@@ -169,15 +176,15 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts::most(values, values, values, 1, goals))
     }
 
-    /// The length of the scratch for a [`ReachJob`](super::ReachJob), in numbers, with any
-    /// instructions.
+    /// Returns the length of the scratch that a [`ReachJob`](super::ReachJob) needs with any
+    /// instructions, in values of type `R`.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))
     }
 }
 
-/// The number of everything that needs memory.
+/// The counts of all things that need memory in a search.
 struct Counts {
     values: usize,
     twists: usize,
@@ -201,7 +208,8 @@ impl Counts {
         }
     }
 
-    /// The most numbers that a lane needs, for goals that are whole poses.
+    /// Returns the largest number of registers that a search needs, which is for goals that are
+    /// whole poses.
     const fn most(
         values: usize,
         freedoms: usize,
@@ -210,13 +218,13 @@ impl Counts {
         goals: usize,
     ) -> usize {
         let rows = goals.saturating_mul(6);
-        // A pose alone has no such system.
+        // A single goal does not use the system of the tree.
         let tree = if goals > 1 { triangle(freedoms) } else { 0 };
         Self { values, twists, slots, goals, freedoms, rows, tree }.numbers()
     }
 
-    /// The numbers that a lane needs; the largest `usize` if it is more than that, which no memory
-    /// has.
+    /// Returns the number of registers that a search needs. It is the largest `usize` on overflow,
+    /// which no memory is large enough for.
     const fn numbers(&self) -> usize {
         let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
         let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));
@@ -241,7 +249,8 @@ impl Counts {
     }
 }
 
-/// The number of poses that wait for children at a time: one in a chain.
+/// Returns the largest number of poses that wait for their children at the same time; in a chain it
+/// is one.
 fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     let mut slots = 0;
     for step in mechanism.steps {
@@ -250,13 +259,13 @@ fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     slots
 }
 
-/// An error if scratch has fewer numbers than it needs.
+/// Returns an error if scratch is shorter than `expected`.
 pub(super) fn check_scratch(length: usize, expected: usize) -> Result<(), ShapeError> {
     let fits = length >= expected;
     if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }
 
-/// The numbers, and as many as align them to cache lines.
+/// Returns a length with room for aligning the first element to a cache line.
 const fn padded<R>(numbers: usize) -> usize {
     numbers.saturating_add(LINE / size_of::<R>())
 }
@@ -266,7 +275,7 @@ const fn triangle(rows: usize) -> usize {
 }
 
 impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
-    /// Takes the column of a freedom out of the system of rows, in some lanes.
+    /// Sets the column of a freedom in the Jacobian to zero, in the lanes of a mask.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn hold_column(
         &mut self,
@@ -281,7 +290,8 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
         }
     }
 
-    /// The memory of a search, cut from memory at any address; `None` if there is too little.
+    /// Cuts the memory of a search out of `memory`, which may have any alignment; `None` if it is
+    /// too short.
     pub(super) fn new(reach: &Reach<'_, L::Real>, memory: &'s mut [L::Real]) -> Option<Self> {
         let counts = Counts::of(reach);
         let first = memory.as_ptr().align_offset(LINE);
@@ -314,13 +324,13 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
     }
 }
 
-/// Memory for a number of registers.
+/// Returns the first part of `memory` as `registers` registers; `None` if it is too short.
 fn arrays<L: Lanes>(memory: &mut [L::Real], registers: usize) -> Option<&mut [L::Array]> {
     let memory = memory.get_mut(..registers.checked_mul(L::LANES)?)?;
     bytemuck::try_cast_slice_mut(memory).ok()
 }
 
-/// Takes the first registers of the rest.
+/// Cuts the first `rows` registers off `rest`; `None` if there are fewer.
 fn take<'s, L: Lanes>(rest: &mut &'s mut [L::Array], rows: usize) -> Option<Registers<'s, L>> {
     let (first, others) = core::mem::take(rest).split_at_mut_checked(rows)?;
     *rest = others;

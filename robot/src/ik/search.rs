@@ -38,14 +38,15 @@ use dq8::scalar::DualQuat;
 use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Mask};
 
-/// The targets, values and options of a search, and the place of its reports; their lengths fit.
+/// The inputs and outputs of a search: targets, values, options and the slice for the reports.
+/// Their lengths have been checked.
 pub(super) struct Work<'s, R> {
     pub(super) targets: &'s [DualQuat<R>],
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
     pub(super) settings: Settings<'s, R>,
-    /// The number of frames of each clip, of which each starts from the one before; `None` if every
-    /// configuration starts from its own values.
+    /// The number of frames of each clip. Within a clip each frame starts from the solution of the
+    /// frame before. `None` if every configuration starts from its own values.
     pub(super) clips: Option<&'s [usize]>,
 }
 
@@ -53,13 +54,14 @@ pub(super) struct Search<'s, L: Lanes, const TRACK: bool> {
     pub(super) model: Model<'s, L, TRACK>,
     pub(super) work: Work<'s, L::Real>,
     pub(super) lanes: &'s mut [Lane<L::Real>],
-    /// The next configuration and the next clip that a lane takes.
+    /// The indices of the next configuration and of the next clip that a lane will take.
     pub(super) next: usize,
     pub(super) clip: usize,
 }
 
 impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
-    /// `lanes` are idle, and as many as `L` has, or more.
+    /// Makes a search whose `lanes` are all idle. There must be at least as many as a register `L`
+    /// has.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         model: Model<'s, L, TRACK>,
@@ -69,7 +71,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         Self { model, work, lanes, next: 0, clip: 0 }
     }
 
-    /// Searches until every configuration has its report; with restarts if `RESTARTS`.
+    /// Searches until every configuration has its report. Searches restart only if `RESTARTS` is
+    /// `true`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn run<const RESTARTS: bool>(&mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
@@ -93,7 +96,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             let posture_distance = self.model.posture_step();
             self.decide::<RESTARTS>(errors, posture_distance, last);
             let decisions = self.decisions(may_restart);
-            // Lanes that have ended, or restart, stay where they are.
+            // The step leaves lanes that have ended or that restart where they are.
             if decisions.running.any() {
                 last = self.model.step(errors, decisions);
             }
@@ -148,13 +151,14 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             let row = freedom.value as usize;
             if freedom.is_single() {
                 let value = scratch.values.get(level, row);
-                // The start as well, once and for all: restarts keep the start of values whose
-                // range has no end.
+                // The start is brought within the limits as well, because a restart copies it for
+                // values without limits.
                 let start = freedom.range.clamp(scratch.start.get(level, row));
                 scratch.start.set(row, start);
                 scratch.values.set(row, freedom.range.wrap(value, start));
             } else if freedom.kind == Kind::FloatingTurn(0) {
-                // q and −q are the same rotation: take the one on the side of the start.
+                // q and −q are the same rotation. The sign is chosen so that the quaternion lies
+                // on the side of the start.
                 let value = Quat::from_array(scratch.values.record(level, row));
                 let dot = value.dot(Quat::from_array(scratch.start.record(level, row)));
                 let one = dot.constant(1.0);
@@ -164,7 +168,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         }
     }
 
-    /// The decisions of all lanes as vectors: numbers and masks for the arithmetic of the step.
+    /// Returns the decisions of all lanes as registers: factors and masks for the arithmetic of the
+    /// step.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn decisions(&self, may_restart: bool) -> Decisions<L> {
         let zero = L::splat(self.model.level, L::Real::ZERO);
@@ -188,7 +193,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         }
     }
 
-    /// A number of each lane.
+    /// Gathers one component from the state of every lane into a register.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn gather(&self, of: impl Fn(&Lane<L::Real>) -> L::Real) -> L {
         let mut array = L::splat(self.model.level, L::Real::ZERO).to_array();
@@ -206,8 +211,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         posture_distance: L,
         last: StepResult<L>,
     ) {
-        // Out of the registers once per round: the decisions below are branches, and differ from
-        // lane to lane.
+        // The errors leave the registers here, once per round, because the decisions below are
+        // branches that differ from lane to lane.
         let PoseErrors { square, angular, linear } = errors;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
         let has_posture = self.model.reach.posture.is_some();
@@ -270,13 +275,15 @@ pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
 /// The part to which the squared error must fall within [`PATIENCE`] steps to count as progress, if
 /// the lane may restart.
 const PROGRESS: f32 = 0.4;
-/// The same part if the lane may not restart, within [`LAST_PATIENCE`] steps.
+/// The part to which the squared error must fall within [`LAST_PATIENCE`] steps to count as
+/// progress, if the lane may not restart.
 const LAST_PROGRESS: f32 = 0.999;
 /// The number of steps in which progress is expected, if the lane may restart. Patience costs
 /// iterations that a restart could use: with 3, fewer of the random targets in the tests are
 /// reached.
 const PATIENCE: u32 = 2;
-/// The same number if the lane may not restart: then patience costs nothing.
+/// The number of steps in which progress is expected, if the lane may not restart. Patience costs
+/// nothing then, because no restart could use the iterations.
 const LAST_PATIENCE: u32 = 6;
 /// A lane that may restart gives up after a step that limits cut so short that even its own linear
 /// model leaves more than this part of the squared error. Of 10,000 random targets of an arm of
@@ -296,7 +303,8 @@ const DAMPING_GROWTH: f32 = 8.0;
 /// The errors of a lane, and the effect of its last step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measured<R> {
-    /// The weighted squared error, and the largest angle and distance to a target.
+    /// The weighted squared error, then the largest angle and the largest distance between a link
+    /// and its target.
     pub(super) square: R,
     pub(super) angular: R,
     pub(super) linear: R,
@@ -312,9 +320,9 @@ pub(super) struct Measured<R> {
 /// The state of the search for one configuration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lane<R> {
-    /// The configuration; `None` if the lane is idle.
+    /// The index of the configuration; `None` if the lane is idle.
     pub(super) configuration: Option<usize>,
-    /// The number of frames of its clip that are left.
+    /// The number of frames that are left in the clip of this configuration.
     pub(super) rest: usize,
     pub(super) iterations: u32,
     pub(super) restarts: u32,
@@ -327,10 +335,11 @@ pub(super) struct Lane<R> {
     is_invalid: bool,
     pub(super) converged: bool,
     ever_stuck: bool,
-    /// `true` once it has returned to the best values for the rest of the iterations.
+    /// `true` after the lane has returned to its best values, from which it steps for the remaining
+    /// iterations.
     stays_at_best: bool,
-    /// The squared error after the last step, the one that progress is measured from, and the
-    /// number of steps without progress since.
+    /// The squared error after the last step; the squared error from which progress is measured;
+    /// and the number of steps since then that brought no progress.
     square: R,
     reference: R,
     idle_steps: u32,
@@ -385,9 +394,9 @@ impl<R: Real> Lane<R> {
         Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Returns whether these values are the best so far, and the next action. With `has_posture`
-    /// the search goes on to a posture once the targets are reached; with `has_weights` the posture
-    /// or the start has a weight in every step.
+    /// Returns `true` if the measured values are the best so far, and the next action. With
+    /// `has_posture` the search goes on toward a posture after the targets are reached. With
+    /// `has_weights` the posture or the start has a weight in every step.
     #[cfg_attr(target_os = "none", inline(never))]
     fn decide<const RESTARTS: bool, const TRACK: bool>(
         &mut self,
@@ -399,7 +408,8 @@ impl<R: Real> Lane<R> {
         let arrived = measured.angular <= options.angular_tolerance
             && measured.linear <= options.linear_tolerance
             && !self.out_of_reach;
-        // Before anything ends: the report is that of the best values, not of the last ones.
+        // The best values are updated before the search can end, because the report is about the
+        // best values and not about the last ones.
         let is_best = if has_weights {
             self.is_new || self.is_nearer(&measured)
         } else if TRACK && !self.converged && measured.square.is_finite() {
@@ -413,8 +423,8 @@ impl<R: Real> Lane<R> {
         if is_best {
             self.best = measured;
         }
-        // Finite values can have a pose that overflows. Later poses are judged by comparisons,
-        // which are false for NaN.
+        // The pose of finite values can overflow. Only the first pose is checked for that: later
+        // poses are judged by comparisons, which are false for NaN.
         if self.is_new && !measured.square.is_finite() {
             self.is_invalid = true;
             return (false, Next::End);
@@ -436,9 +446,10 @@ impl<R: Real> Lane<R> {
         (is_best, next)
     }
 
-    /// Values that reach the targets are better than all before, even if an earlier pose had the
-    /// smaller sum of errors: one of its two errors was beyond its tolerance. Among values that
-    /// reach the targets, those nearest to the posture are best.
+    /// Returns `true` if the measured values are better than the best values so far. Values that
+    /// reach the targets are better than values that do not, even if those have a smaller sum of
+    /// errors: one of their two errors is beyond its tolerance. Among values that reach the
+    /// targets, those nearest to the posture are best.
     fn is_best(&self, measured: &Measured<R>, arrived: bool) -> bool {
         match (self.is_new, self.converged) {
             (true, _) => true,
@@ -447,9 +458,9 @@ impl<R: Real> Lane<R> {
         }
     }
 
-    /// `true` if the error is smaller than that of the best values. The squared error of a target
-    /// out of reach is that of the point to which it was drawn; so one of the two reported errors
-    /// must fall as well.
+    /// Returns `true` if the error is smaller than the error of the best values. A target out of
+    /// reach is replaced by a nearer point, which the squared error refers to. So one of the two
+    /// reported errors, which refer to the target itself, must fall as well.
     fn is_nearer(&self, measured: &Measured<R>) -> bool {
         let gains = measured.linear <= self.best.linear || measured.angular < self.best.angular;
         measured.square < self.best.square && (gains || !self.out_of_reach)
@@ -472,7 +483,7 @@ impl<R: Real> Lane<R> {
         if is_stuck && !may_restart || self.iterations >= options.max_iterations {
             return Next::End;
         }
-        // Another beginning counts as an iteration too, so every search ends.
+        // A restart counts as an iteration too, so every search ends.
         self.iterations += 1;
         if !is_stuck {
             return Next::Step;
@@ -507,13 +518,14 @@ impl<R: Real> Lane<R> {
         // An error that is NaN gains nothing.
         let gains = measured.square < required;
         let is_little = options.least_gain > R::ZERO && !self.has_restarted && !gains;
-        // Count it as a stall, so that the outcome is Stalled and not Unfinished.
+        // A step that gains too little counts as a step without progress, so that the outcome is
+        // Stalled and not Unfinished.
         self.idle_steps += u32::from(is_little);
         is_little
     }
 
-    /// Adapts the damping: a step that led away makes the next ones shorter, and any other gives
-    /// half of that back.
+    /// Adapts the damping. A step that increases the error makes the next steps shorter; every
+    /// other step halves the additional damping.
     fn adapt_damping(&mut self, measured: &Measured<R>, is_bold: bool) {
         self.damping_factor = if is_bold || measured.square <= self.square {
             let less = self.damping_factor * R::HALF;
@@ -523,9 +535,9 @@ impl<R: Real> Lane<R> {
         };
     }
 
-    /// The next action of a lane that is at its targets, or has been: steps toward the posture,
-    /// until values at the targets come no nearer to it, or hardly anything moves. Steps between
-    /// them may leave the targets, because they follow the null space only to first order.
+    /// Returns the next action of a lane that has reached its targets: a step toward the posture,
+    /// until values at the targets come no nearer to the posture or hardly anything moves. Single
+    /// steps may leave the targets, because they follow the null space only to first order.
     fn toward_posture(
         &mut self,
         measured: &Measured<R>,
@@ -538,7 +550,7 @@ impl<R: Real> Lane<R> {
         let tolerance = options.angular_tolerance;
         let is_there =
             arrived && (!is_nearer || measured.posture_distance <= tolerance * tolerance);
-        // Only values at the targets count as progress; at others the error is the price of the
+        // Only values at the targets count as progress. The error of other values is the price of a
         // step toward the posture.
         if arrived {
             (self.reference, self.idle_steps) = (measured.posture_distance, 0);
@@ -562,7 +574,7 @@ impl<R: Real> Lane<R> {
         measured.residual > self.square * R::from(HOPELESS) && self.square > R::from(NEAR_TARGET)
     }
 
-    /// The report of a search that ends.
+    /// Returns the report of a search that ends.
     fn report(&self, is_at_limits: bool) -> Report<R> {
         match self.outcome(is_at_limits) {
             Outcome::Invalid => Report::INVALID,
@@ -577,10 +589,10 @@ impl<R: Real> Lane<R> {
     }
 
     fn outcome(&self, is_at_limits: bool) -> Outcome {
-        // If the last step was the best of all, more iterations would go on.
+        // If the last step gave the best values, more iterations would improve them further.
         let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
-        // From the most to the least specific: a search for a target out of reach also stalls, and
-        // may press joints to their limits.
+        // The first outcome that applies counts, in order from the most to the least specific: a
+        // search for a target out of reach also stalls, and may press joints to their limits.
         match self {
             Self { is_invalid: true, .. } => Outcome::Invalid,
             Self { converged: true, .. } => Outcome::Converged,
@@ -597,7 +609,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// Gives a lane the next valid configuration, or makes it idle if there is none.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
-        // Invalid configurations are reported on the way, and take no lane.
+        // This loop also writes the reports of invalid configurations, which take no lane.
         let last = self.lanes.get(lane).map(|lane| (lane.configuration, lane.rest));
         let (mut before, mut rest) = last.unwrap_or_default();
         let next = loop {
@@ -615,8 +627,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
     }
 
-    /// The next frame of a clip, starting from the values of the one before, or the first frame of
-    /// the next clip; without clips, the next configuration.
+    /// Returns the index of the next configuration for a lane. With clips this is the next frame of
+    /// the lane's clip, whose start is the solution of the frame `before`, or else the first frame
+    /// of the next clip.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn next_configuration(&mut self, before: Option<usize>, rest: &mut usize) -> Option<usize> {
         // Only searches that track have clips.
@@ -645,8 +658,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         (first < self.work.reports.len()).then_some(first)
     }
 
-    /// Puts the targets and the start of a configuration into a lane, and returns whether a target
-    /// is out of reach. `None` if an input is invalid.
+    /// Puts the targets and the start of a configuration into a lane. Returns `Some(true)` if a
+    /// target is out of reach, and `None` if an input is invalid.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
         let options = self.work.settings.options;
@@ -656,7 +669,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
         let count = reach.mechanism.values;
         let values = self.work.values.get(configuration * count..)?.get(..count)?;
-        // Only values that move a goal are checked: a neighbour of the arm may hold anything.
+        // Only values that move a goal are checked: values of other joints of the robot may be
+        // anything.
         for freedom in reach.freedoms {
             let size = if freedom.is_single() { 1 } else { 7 };
             let own = values.get(freedom.value as usize..)?.get(..size)?;
@@ -678,8 +692,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
                 scratch.goals.set_number(index * GOAL + EXCESS + row, lane, number);
             }
         }
-        // The default length per radian is an eighth of the longest way to a goal. While tracking
-        // it does not depend on the targets, so that weights stay the same on the way.
+        // The default length per radian is an eighth of the longest distance from the base to a
+        // goal. While tracking, this distance does not depend on the targets, so that the weights
+        // stay the same from frame to frame.
         let longest =
             || if TRACK { reach.facts.size } else { reach.typical_length_to(targets, values) };
         let eighth = || longest() * L::Real::from(0.125);
@@ -698,14 +713,15 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         Some(beyond)
     }
 
-    /// Writes the result of a lane.
+    /// Writes the values and the report of a lane to the caller's slices.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish(&mut self, index: usize) {
         let is_at_limits = self.is_at_limits(index);
         let Some(lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
         let report = lane.report(is_at_limits);
-        // The caller's values are written only now: until a search ends, they are its start.
+        // The caller's values are written only here, because they are the start of the search until
+        // it ends.
         if report.outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;
             let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();

@@ -3,8 +3,8 @@
 //! Damped least squares give the change of all freedoms at once. A freedom that would pass its
 //! limit goes to the limit and is *held* there: its contribution is subtracted from the errors, its
 //! column leaves the system, and the others are solved again for the rest (Baerlocher & Boulic
-//! 2004). So the others make up for it, whereas clipping the result would point the link elsewhere.
-//! Each round holds at least one freedom more, in some lane:
+//! 2004). So the other freedoms make up for the limit, whereas clipping the result would point the
+//! link elsewhere. Each round holds at least one freedom more, in some lane:
 //!
 //! ```text
 //! residual = e
@@ -15,8 +15,8 @@
 //! until no freedom passed its limit
 //! ```
 //!
-//! Slides and hinges share the system, because everything in it is in radians: the rows of lengths,
-//! and the columns of slides, by the length that weighs as much as a radian.
+//! Slides and hinges share the system, because everything in it is in radians: rows that are
+//! lengths, and columns of slides, are divided by the length that weighs as much as a radian.
 //!
 //! A posture uses the freedom that the goals leave: with z the step to the posture, the change is z
 //! + J⁺(e − Jz).
@@ -33,17 +33,18 @@ use dq8::batch::{Quat, vector};
 use dq8_simd::{Lanes, Mask};
 
 /// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|² (Sugihara,
-/// *Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011). It
-/// damps far from the target, where the columns promise too much, and in front of a target out of
-/// reach, where nothing limits what they promise, but not at the end. Sugihara's μ is ½; with
-/// steps of second order anything from 0.01 to 0.05 is as good, and better than ½.
+/// *Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011). This
+/// damps far from the target, where the linear model promises too large a gain, and in front of a
+/// target out of reach, but not near the solution. Sugihara's μ is ½; with steps of second order
+/// anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
-/// The same in searches that track without weights, as a part of the mean over the goals:
-/// Sugihara's ½. Their few steps must also be good in front of a target out of reach.
+/// λ² in searches that track without weights, as a part of the mean squared error over the goals:
+/// Sugihara's ½. The few steps of such a search must also be good in front of a target out of
+/// reach.
 const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Moves the lanes that step; those at their targets, toward the posture too.
+    /// Moves the lanes that step. Lanes at their targets also move toward the posture.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn step(&mut self, errors: PoseErrors<L>, decisions: Decisions<L>) -> StepResult<L> {
         let Decisions { damping_factor, running, arrived, may_restart } = decisions;
@@ -51,8 +52,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let mut square = errors.square;
         let mut part = damping_factor.constant(DAMPING);
         if TRACK && !has_weights {
-            // The error counts to the target itself, not to the point to which it was drawn; of
-            // many goals the mean counts.
+            // The damping uses the error to the target itself, also where a nearer point replaces a
+            // target out of reach. For several goals it uses the mean.
             let way = errors.linear * self.scales.radians_per_length;
             let whole = way * way;
             square = L::select(square.lt(whole), whole, square);
@@ -70,7 +71,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         // columns that take half of that solution into account: a step of second order (Halley).
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
-        // A loop instead of two calls, so that machine code holds the body once.
+        // This is a loop and not two calls, so that the compiler inlines the body only once.
         let needs_second_order = !TRACK && self.reach.needs_second_order();
         for order in 0..=usize::from(needs_second_order) {
             if self.uses_tree() {
@@ -80,7 +81,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             limited = self.limited_step(damping, running);
         }
-        // Only a search that may restart asks for it.
+        // Only a search that may restart uses the residual.
         let residual = if may_restart && limited.any() {
             L::select(limited, self.squared_residual(), zero)
         } else {
@@ -91,7 +92,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         StepResult { residual, change }
     }
 
-    /// The number of rows of the system of rows.
+    /// Returns the number of rows of the Jacobian, which is the size of the normal equations.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> usize {
         if self.uses_tree() { 0 } else { self.reach.facts.rows }
@@ -102,10 +103,10 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
         let zero = damping.constant(0.0);
         self.release_all();
-        // No lane so far.
+        // This mask starts with no lane set.
         let mut limited = zero.lt(zero);
-        // Each round but the last holds one freedom more, in some lane, so there are at most as
-        // many rounds as freedoms, and one. Lanes that no limit stops find the same changes again.
+        // Each round but the last holds one freedom more in some lane, so there are at most one
+        // more rounds than freedoms. Lanes that no limit stops compute the same changes again.
         for _ in 0..=self.reach.freedoms.len() {
             let shrink = self.solve(damping);
             let stopped = self.apply_limits(shrink) & running;
@@ -130,8 +131,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Solves for the changes of the freedoms that are not held, in radians, and returns the factor
-    /// that scales the longest to the longest allowed.
+    /// Solves for the changes of the freedoms that are not held, in radians. Returns the factor
+    /// that scales the longest change to the longest allowed change.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.facts.rows, damping.constant(0.0));
@@ -162,7 +163,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.shrink()
     }
 
-    /// The factor that scales the longest turn to the longest allowed.
+    /// Returns the factor that scales the longest turn to the longest allowed turn.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shrink(&self) -> L {
         let (zero, mut most) = (self.scales.longest.constant(0.0), self.scales.longest);
@@ -197,8 +198,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Changes the freedoms that are not held. Those that a limit stops go as far as it and are
-    /// held from now on; returns the lanes in which there was one.
+    /// Changes the freedoms that are not held. A freedom that a limit stops goes to the limit and
+    /// is held there. Returns the lanes in which a freedom was stopped.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn apply_limits(&mut self, shrink: L) -> L::Mask {
         let (level, rows, zero) = (self.level, self.rows(), shrink.constant(0.0));
@@ -224,8 +225,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if !stops.any() {
                 continue;
             }
-            // It goes to the limit and no farther; its contribution leaves the residual, and its
-            // column becomes zero.
+            // The freedom goes to its limit and no farther. Its contribution is subtracted from the
+            // residual, and its column becomes zero.
             stopped = stopped | stops;
             scratch.changes.set(index, L::select(stops, inside - value, change));
             let taken = L::select(stops, (inside - value) / unit, zero);
@@ -241,8 +242,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         stopped
     }
 
-    /// The squared error that the changes would leave if links moved along the columns of this
-    /// step.
+    /// Returns the squared error that the changes would leave if the links moved exactly as the
+    /// linear model of this step says.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn squared_residual(&mut self) -> L {
         let (level, rows) = (self.level, self.reach.facts.rows);
@@ -250,7 +251,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         for row in 0..rows {
             let mut residual = self.scratch.residual.get(level, row);
             for (index, freedom) in self.reach.freedoms.iter().enumerate() {
-                // Held columns are zero; their contribution is in the residual.
+                // Columns of held freedoms are zero. Their contribution has already been subtracted
+                // from the residual.
                 let component = self.scratch.columns.get(level, index * rows + row);
                 residual = component.neg_mul_add(self.radians(index, freedom), residual);
             }
@@ -259,7 +261,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// The square of all changes, in radians.
+    /// Returns the sum of the squares of all changes, in radians².
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn squared_change(&self) -> L {
         let mut square = self.scales.length.constant(0.0);
@@ -270,7 +272,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// The change of a freedom, in radians.
+    /// Returns the change of a freedom, in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn radians(&self, index: usize, freedom: &Freedom<L::Real>) -> L {
         let change = self.scratch.changes.get(self.level, index);
@@ -291,8 +293,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     values.set(first, L::select(runs, value + change, value));
                 }
                 Kind::FloatingTurn(axis) => {
-                    // A product from the right turns about an axis of the link. Products drift from
-                    // unit, so each is normalized.
+                    // Multiplying from the right turns about an axis of the link. Each product is
+                    // normalized, because repeated products drift away from unit length.
                     let old: [L; 4] = values.record(level, first);
                     let half = change * change.constant(0.5);
                     let [cos, sin] = checked_cos_sin(half);
@@ -319,7 +321,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// The smallest λ², which keeps a division by zero out of systems of zeros.
+/// The smallest λ². It prevents a division by zero where the Jacobian is zero.
 pub(super) const FLOOR: f64 = 1e-30;
 
 /// The number of rows of a pose, for which the compiler unrolls the loops.
@@ -327,15 +329,15 @@ const POSE: usize = 6;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// Solves (JJᵀ + λ²1) y = e. Then Jᵀy is the x that makes |Jx − e|² + λ²|x|² least
-    /// (Nakamura & Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11). Held columns are zero. y takes
-    /// the place of e in `solution`.
+    /// (Nakamura & Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11). Columns of held freedoms are
+    /// zero. `solution` holds e before the call and y after it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_normal(&mut self, damping: L) {
         let (level, rows, scratch) = (self.level, self.reach.facts.rows, &mut self.scratch);
         let none = damping.constant(0.0).to_array();
-        // Most problems are one pose: its triangle has 21 numbers, which stay on the stack, in
-        // loops of known length. For one lane the gain is small, so builds without std, which are
-        // short of memory, leave this branch out.
+        // Most problems have one pose as their goal. Its triangle has 21 entries, which stay on the
+        // stack, in loops of known length. For one lane the gain is small, so builds without std
+        // leave this branch out to save code.
         if (L::LANES > 1 || cfg!(feature = "std")) && rows == POSE {
             let (mut a, mut b, mut c) = ([none; POSE * (POSE + 1) / 2], [none; POSE], [none; POSE]);
             let (mut triangle, mut reciprocals, mut y) =
@@ -356,7 +358,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// The lower triangle of JJᵀ, row by row.
+/// Computes the lower triangle of JJᵀ, row by row.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn multiply<L: Lanes<Real: Scalar>>(
     columns: &Registers<'_, L>,
@@ -395,11 +397,12 @@ fn solve<L: Lanes<Real: Scalar>>(
     for i in 0..rows {
         trace = trace + a.get(level, i * (i + 1) / 2 + i);
     }
-    // In a system of zeros the right-hand side is zero too.
+    // If the matrix is zero, the right-hand side is zero too, so any divisor greater than zero
+    // gives zero.
     let floor = damping + damping.constant(FLOOR);
     let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
-    // Row by row: A = LLᵀ and Lz = e at once, z in the place of e. Of the pivots, the reciprocals
-    // of their square roots are kept.
+    // Row by row, this loop factorises A = LLᵀ and solves Lz = e at once; z overwrites e in `y`.
+    // It keeps the reciprocals of the diagonal of L.
     for i in 0..rows {
         let of_i = i * (i + 1) / 2;
         let mut pivot = a.get(level, of_i + i) + least;
@@ -420,7 +423,7 @@ fn solve<L: Lanes<Real: Scalar>>(
         reciprocals.set(i, reciprocal);
         y.set(i, solved * reciprocal);
     }
-    // Lᵀy = z, from the last row up.
+    // This loop solves Lᵀy = z from the last row up.
     for i in (0..rows).rev() {
         let mut solved = y.get(level, i);
         for k in i + 1..rows {
