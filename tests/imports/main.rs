@@ -82,7 +82,8 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     // The macro `pod!` is exported from the root, where it also calls itself.
     ("internal", &["index", "lanes", "pod", "shorts"]),
     ("records", &["internal", "lanes"]),
-    ("portable", &["internal", "lanes", "sealed", "shorts"]),
+    ("aarch64", &["lanes"]),
+    ("portable", &["aarch64", "internal", "lanes", "sealed", "shorts"]),
     ("one", &["internal", "lanes", "portable", "shorts"]),
     ("unfused", &["lanes", "sealed", "shorts"]),
     ("pair", &["lanes", "sealed", "shorts"]),

@@ -1,7 +1,6 @@
 //! One dual quaternion in registers of 128 bits: two of `f32`, or four of `f64`.
 
 use crate::lanes::PackedDualQuat;
-use crate::portable::Portable;
 use core::arch::aarch64::*;
 use core::arch::asm;
 use core::mem::transmute;
@@ -36,7 +35,7 @@ fn signs() -> [uint32x4_t; 3] {
 
 impl PackedDualQuat for f32x8 {
     #[inline(always)]
-    fn splat_each(_: Portable, from: &[f32; 8]) -> [Self; 8] {
+    fn splat_each(_: Self::Level, from: &[f32; 8]) -> [Self; 8] {
         // SAFETY: the pointers are to a whole array, and NEON is compiled in wherever this module
         // is. A vector is two registers.
         unsafe {
