@@ -1,4 +1,5 @@
-//! Freedoms: the rates that a search may change, and the values within the limits of each.
+//! [`Freedom`], a rate of a mechanism that a search may change, and [`Range`], the values within
+//! its limits.
 
 use super::goal::{Goal, ReachError};
 use crate::mechanism::joint::JointKind;
@@ -12,22 +13,25 @@ use dq8_simd::Lanes;
 pub struct Freedom<R> {
     pub(super) kind: Kind,
     pub(super) range: Range<R>,
-    /// The index of its value; of a floating joint, that of the first of its seven values.
+    /// The index of the value that it changes; of a floating joint, the index of the first of its
+    /// seven values.
     pub(super) value: u32,
-    /// The distance in its range from one sample to the next, in 2⁻⁶⁴ of the range; zero if
-    /// the range has no end.
+    /// The distance from one sample of a restart to the next, in units of 2⁻⁶⁴ of the range;
+    /// zero if the range has no limits.
     pub(super) stride: u64,
-    /// For the rate with this index, the index of its freedom among those that move a goal.
+    /// The index of a rate's freedom among the freedoms that move a goal. The entry with the index
+    /// of a rate holds it, whichever freedom this entry is.
     pub(super) column: u32,
-    /// The next freedom on the way to the base, the number of freedoms on that way, the first of
-    /// its entries in the system of the tree, and the first register of its twist.
+    /// The place of the freedom in the tree: `parent`, the next freedom on the way to the base;
+    /// `depth`, the number of freedoms on that way; the index of its first entry in the normal
+    /// equations of the tree; and the first register of its twist.
     pub(super) parent: u32,
     pub(super) depth: u32,
     pub(super) first_entry: u32,
     pub(super) twist_row: u32,
 }
 
-/// The quantity that changes.
+/// The quantity that a freedom changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// An angle.
@@ -41,7 +45,7 @@ pub(super) enum Kind {
 }
 
 impl<R: Real> Default for Freedom<R> {
-    /// A placeholder, to be overwritten.
+    /// Makes a placeholder, which [`Reach::new`](super::Reach::new) overwrites.
     fn default() -> Self {
         Self {
             kind: Kind::Turn,
@@ -58,28 +62,29 @@ impl<R: Real> Default for Freedom<R> {
 }
 
 impl<R: Real> Freedom<R> {
-    /// `true` if its value is one number.
+    /// Returns `true` if the freedom is a joint's only value, and not a part of a floating joint.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_single(&self) -> bool {
         matches!(self.kind, Kind::Turn | Kind::Slide)
     }
 
-    /// `true` if a change is a length.
+    /// Returns `true` if the freedom is a length and not an angle.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_slide(&self) -> bool {
         matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
     }
 
-    /// `true` if its range has two ends, and floats tell the values between them apart.
+    /// Returns `true` if its range has two finite ends, between which a restart can sample.
     pub(super) fn has_ends(&self) -> bool {
         let Range { low, high, .. } = self.range;
         (high - low).is_finite()
     }
 
-    /// Its value in sample number `number` of those that are spread evenly over its range.
+    /// Returns its value in the sample with the index `number` of a sequence that covers its range
+    /// evenly.
     pub(super) fn sample(&self, number: u64) -> R {
-        // The product overflows, which leaves its fraction. Each part of 16 bits is exact in any
-        // float.
+        // The product wraps around, which leaves its fraction. The fraction is converted in parts
+        // of 16 bits, each of which is exact in any float.
         let stride = HALF.wrapping_add(number.wrapping_mul(self.stride));
         let (unit, mut sum) = (R::from(1.0 / 65_536.0), R::ZERO);
         for shift in [16, 32, 48] {
@@ -89,7 +94,7 @@ impl<R: Real> Freedom<R> {
         low + (high - low) * sum
     }
 
-    /// Rate number `index` of a joint, with the limits of the joint.
+    /// Makes the freedom of the rate at `index` within a joint, with the limits of the joint.
     #[inline(never)]
     fn of(step: &Step<R>, index: usize) -> Self {
         let (kind, is_hinge, value) = match step.kind {
@@ -108,8 +113,8 @@ impl<R: Real> Freedom<R> {
     }
 }
 
-/// Writes a freedom for each rate, the ones that move a goal first, and returns the number of
-/// those.
+/// Writes a freedom for each rate, first the freedoms that move a goal. Returns the number of
+/// freedoms that move a goal.
 pub(super) fn freedoms<R: Real>(
     steps: &[Step<R>],
     freedoms: &mut [Freedom<R>],
@@ -123,7 +128,7 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // Only rates that move a goal are columns of the system.
+    // Only rates that move a goal have a column in the Jacobian.
     for (position, step) in steps.iter().enumerate() {
         if carries(position) {
             let rates = step.rate as usize..step.rate as usize + step.kind.rates();
@@ -132,8 +137,8 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // Limits are checked only for joints that move a goal, and for those that mimic them: in many
-    // files the others are wrong.
+    // Limits are checked only for joints that move a goal and for joints that mimic these. In many
+    // URDF files the limits of other joints are wrong.
     for (_, step) in steps.iter().enumerate().filter(|(at, step)| step.mimics && carries(*at)) {
         if let Some(slot) = moving(freedoms, step.rate as usize) {
             slot.range = narrowed(slot.range, step);
@@ -170,10 +175,11 @@ pub(super) fn freedoms<R: Real>(
     Ok(count)
 }
 
-/// Strides of a sequence of low discrepancy over the ranges that have two ends: the additive
-/// recurrence ½ + kα modulo 1 with αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N
-/// of them, which generalises the golden ratio (Roberts 2018). It is in integers, because a
-/// controller has no `f64`, and `f32` would lose the digits in which later samples differ.
+/// Sets the strides of a sequence of low discrepancy over the N ranges that have two ends. It is
+/// the additive recurrence ½ + kα modulo 1 with αⱼ = g⁻ʲ, where g is the positive root of
+/// gᴺ⁺¹ = g + 1, which generalises the golden ratio (Roberts 2018). The arithmetic uses
+/// integers, because a microcontroller has no `f64`, and `f32` would lose the digits in which later
+/// samples differ.
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     let count = freedoms.iter().filter(|freedom| freedom.has_ends()).count();
     let factor = spacing(count);
@@ -184,10 +190,11 @@ fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     }
 }
 
-/// ½, in 2⁻⁶⁴.
+/// ½ in units of 2⁻⁶⁴.
 const HALF: u64 = 1 << 63;
 
-/// 1/g in units of 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1, bit by bit.
+/// Returns 1/g in units of 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1. The
+/// loop finds one bit of x after the other.
 fn spacing(count: usize) -> u64 {
     let mut x = 0;
     for bit in (0..64).rev() {
@@ -203,8 +210,9 @@ fn spacing(count: usize) -> u64 {
     x
 }
 
-/// The product of two fractions in units of 2⁻⁶⁴, to three units, from products of 32 bits,
-/// as controllers multiply. It is not inlined, so that machine code holds it once.
+/// Returns the product of two fractions in units of 2⁻⁶⁴, with an error of at most three
+/// units. It is built from products of 32 bits, which microcontrollers have. It is not inlined, so
+/// that the code holds it only once.
 #[inline(never)]
 fn times(a: u64, b: u64) -> u64 {
     let low = |number: u64| number & u64::from(u32::MAX);
@@ -212,14 +220,14 @@ fn times(a: u64, b: u64) -> u64 {
     high + (cross[0] >> 32) + (cross[1] >> 32)
 }
 
-/// The freedom of a rate, if it moves a goal.
+/// Returns the freedom of a rate if it moves a goal.
 fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>> {
     freedoms.get_mut(rate).filter(|freedom| freedom.column != NONE)
 }
 
-/// The range of a joint that another one mimics, narrowed by the limits of that other. A turn less
-/// of the first must be the same pose of the second too, which is so for a hinge that turns a whole
-/// number of times as much.
+/// Narrows the range of a joint by the limits of a joint that mimics it, the follower. The range
+/// still allows whole turns only if the follower has the same pose after a whole turn of its
+/// leader: if it is a hinge with a whole multiplier.
 fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     let is_hinge = match step.kind {
         JointKind::Screw { pitch, .. } => pitch == R::ZERO,
@@ -230,12 +238,12 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
         Range { whole_turn: if keeps { range.whole_turn } else { WholeTurn::Differs }, ..range };
     match step.narrowed([range.low, range.high]) {
         Some([low, high]) => Range { low, high, ..range },
-        // Without a common value, the limits of the follower are ignored.
+        // If the limits have no value in common, the limits of the follower are ignored.
         None => range,
     }
 }
 
-/// `true` if a number has no fraction. From 1/ε on no float has one.
+/// Returns `true` if a float has no fraction. Floats of 1/ε and more never have one.
 fn is_whole<R: Real>(number: R) -> bool {
     let shift = R::ONE / R::EPSILON;
     let size = number.abs();
@@ -246,10 +254,11 @@ fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {
     ReachError::Limits { joint: step.link as usize, low: low.into(), high: high.into() }
 }
 
-/// Finds the place of each freedom in the tree, and returns the number of entries of the system. It
-/// is zero if the system does not have the shape of the tree: a joint that mimics shares a column,
-/// or weights differ from axis to axis. It is also zero if the goals are no more than a pose, for
-/// which rows are quicker.
+/// Finds the place of each freedom in the tree, and returns the number of entries of the normal
+/// equations that are sparse like the tree. It is zero if the equations are not sparse in this way,
+/// because a joint that mimics shares a column or weights differ from axis to axis. It is also zero
+/// if the goals have at most six weighted components, for which the dense equations JJᵀ are
+/// quicker.
 pub(super) fn tree_shape<R: Real>(
     steps: &[Step<R>],
     goals: &[Goal<R>],
@@ -292,12 +301,13 @@ pub(super) fn tree_shape<R: Real>(
     entries as usize
 }
 
-/// A hinge with a wider range than this, in turns, is endless.
+/// A hinge whose range is wider than this number of turns counts as endless.
 const ENDLESS_TURNS: f32 = 16.0;
 /// The largest distance of an endless hinge from zero in `f32`, radians: ten turns, where floats
 /// are 4e-6 apart, less than the default tolerance of 10⁻⁵.
 const FAR_SINGLE: f32 = 64.0;
-/// The same in `f64`, 2²⁰: 167,000 turns, where floats are 10⁻¹⁰ apart.
+/// The largest distance of an endless hinge from zero in `f64`, 2²⁰ radians: 167,000 turns,
+/// where floats are 10⁻¹⁰ apart.
 const FAR_DOUBLE: f32 = 1_048_576.0;
 
 /// The values that a search may give a joint.
@@ -311,24 +321,26 @@ pub(crate) struct Range<R> {
 /// The effect of a change by a whole turn on a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WholeTurn {
-    /// Another pose.
+    /// A whole turn gives another pose.
     Differs,
-    /// The same pose, but the limits are less than a turn apart.
+    /// A whole turn gives the same pose, but the limits are less than a turn apart.
     Blocked,
-    /// The same pose, and the limits are a turn apart or more, so they stop nothing.
+    /// A whole turn gives the same pose, and the limits are a turn apart or more, so they stop no
+    /// motion.
     Allowed,
-    /// The same as `Allowed`, and the limits span so many turns that restarts only sample the turn
-    /// nearest to zero.
+    /// A whole turn gives the same pose, and the limits span so many turns that restarts sample
+    /// only the turn nearest to zero.
     Endless,
 }
 
 impl<R: Real> Range<R> {
-    /// Zero alone.
+    /// The range that contains zero alone.
     pub(crate) const NONE: Self =
         Self { low: R::ZERO, high: R::ZERO, whole_turn: WholeTurn::Differs };
 
-    /// The range between limits; of an endless hinge, as far from zero as floats are fine enough.
-    /// `None` if the limits are not in order, or are angles that a float does not tell apart.
+    /// Returns the range between two limits. For an endless hinge it ends where floats become too
+    /// coarse. Returns `None` if the limits are not in order, or are so large that floats do not
+    /// distinguish the angles between them.
     pub(crate) fn within([low, high]: [R; 2], is_hinge: bool, is_angle: bool) -> Option<Self> {
         let turn = R::TWO * R::PI;
         let whole_turn = match high - low {
@@ -344,7 +356,7 @@ impl<R: Real> Range<R> {
         } else {
             [low, high]
         };
-        // Beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶) the sine of lanes is NaN.
+        // Beyond 2¹⁷ radians in `f32`, and 2⁴⁶ radians in `f64`, the sine on lanes is NaN.
         let is_near = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
         let fits = |value: R| !is_angle || !value.is_finite() || is_near(value);
         // Limits that are NaN fail both comparisons.
@@ -357,13 +369,14 @@ impl<R: Real> Range<R> {
         Some(Self { low, high, whole_turn })
     }
 
-    /// `true` if the ends stop nothing, because a turn less is the same pose and within them.
+    /// Returns `true` if the limits stop no motion, because a value beyond them has the same pose a
+    /// whole turn away, within the limits.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn wraps(&self) -> bool {
         matches!(self.whole_turn, WholeTurn::Allowed | WholeTurn::Endless)
     }
 
-    /// The range in which restarts sample.
+    /// Returns the range in which restarts sample.
     pub(super) fn sample_range(&self) -> [R; 2] {
         match self.whole_turn {
             WholeTurn::Endless => around_zero(self.low, self.high, R::PI),
@@ -372,8 +385,8 @@ impl<R: Real> Range<R> {
     }
 }
 
-/// The part of a range that is not farther than `far` from zero; if there is none, the turn within
-/// the limits that is nearest to zero.
+/// Returns the part of a range that is at most `far` from zero. If there is no such part, it
+/// returns the turn within the limits that is nearest to zero.
 fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
     let turn = R::TWO * R::PI;
     let least = |a: R, b: R| if b < a { b } else { a };
@@ -382,13 +395,14 @@ fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
 }
 
 impl<R: Scalar> Range<R> {
-    /// [`nearest`](Self::nearest) of a value that has been rounded once.
+    /// Calls [`wrap_within`](Self::wrap_within) with the rounding error of a value that was rounded
+    /// once as its slack.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn wrap<L: Lanes<Real = R>>(&self, value: L, to: L) -> L {
         self.wrap_within(value, to, Self::rounding(value))
     }
 
-    /// The bound of the rounding error of an angle.
+    /// Returns a bound on the rounding error of an angle.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rounding<L: Lanes<Real = R>>(value: L) -> L {
         (value.abs() + value.constant(4.0)) * value.constant(4.0 * vector::epsilon::<L>())
@@ -399,10 +413,10 @@ impl<R: Scalar> Range<R> {
         vector::splat(level, [self.low, self.high])
     }
 
-    /// The value within the range at which the joint has the same pose as at `value`; of several,
-    /// the one nearest to `to`, which is within the range. If there is none, the nearest value of
-    /// the range. A value beyond an end by no more than `slack` goes to that end instead of a turn
-    /// away.
+    /// Returns the value within the range that gives the same pose as `value` and is nearest to
+    /// `to`, which must be within the range. If no value in the range gives this pose, it returns
+    /// the value of the range that is nearest to `value`. A value that is beyond an end by at most
+    /// `slack` becomes that end, and is not moved by a turn.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn wrap_within<L: Lanes<Real = R>>(&self, value: L, to: L, slack: L) -> L {
         let clamped = self.clamp(value);
@@ -411,21 +425,22 @@ impl<R: Scalar> Range<R> {
         }
         let [low, high] = self.ends(value.level());
         let (turn, half) = (value.constant(core::f64::consts::TAU), value.constant(0.5));
-        // A value within half a turn keeps every bit.
+        // A value that is less than half a turn from `to` keeps every bit.
         let way = value - to;
         let (_, rest) = half_turns(way * half);
         let is_far = (turn * half).lt(way.abs());
         let near = L::select(is_far, (rest + rest) + to, value);
         let near = L::select(near.lt(low) & low.le(near + slack), low, near);
         let near = L::select(high.lt(near) & (near - slack).le(high), high, near);
-        // Half a turn from `to` is less than a turn beyond an end.
+        // `near` is at most half a turn from `to`, so it is less than a turn beyond an end, and one
+        // turn is enough.
         let near = L::select(near.lt(low), near + turn, near);
         let near = L::select(high.lt(near), near - turn, near);
         L::select(low.le(near) & near.le(high), near, clamped)
     }
 
-    /// Lanes in which a step to `value` stops at a limit: no turn less or more brings the value
-    /// back within the range.
+    /// Returns the lanes in which a step to `value` stops at a limit, because no whole turn brings
+    /// the value back within the range.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn stops<L: Lanes<Real = R>>(&self, value: L) -> L::Mask {
         let [low, high] = self.ends(value.level());
@@ -438,7 +453,7 @@ impl<R: Scalar> Range<R> {
         outside & (less.lt(low) | high.lt(less)) & (more.lt(low) | high.lt(more))
     }
 
-    /// The nearest value within the range.
+    /// Returns the nearest value within the range.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn clamp<L: Lanes<Real = R>>(&self, value: L) -> L {
         let [low, high] = self.ends(value.level());

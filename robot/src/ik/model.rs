@@ -1,12 +1,14 @@
-//! The model: the poses, errors and derivatives of the configurations of all lanes.
+//! [`Model`], the arithmetic of a search: the poses, errors and derivatives of the configurations
+//! of all lanes.
 //!
-//! In the order of a round: poses and screws ([`Model::place`]), errors ([`Model::compare`]), the
-//! step to the posture ([`Model::posture_step`]), and the Jacobian ([`Model::linearize`]).
+//! A round computes in this order: poses and screws ([`Model::place`]), errors
+//! ([`Model::compare`]), the step toward the posture ([`Model::posture_step`]), and the Jacobian
+//! ([`Model::linearize`]).
 //!
 //! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
-//! limits, all different from those before, and takes the one whose links are nearest to the
-//! targets. All lanes help to compute them. A value whose range has no end stays as it was at the
-//! start.
+//! limits, which no earlier restart drew, and takes the configuration whose links are nearest to
+//! the targets. All lanes help to compute the candidates. A value without limits keeps its value of
+//! the start.
 
 use super::freedom::Freedom;
 use super::goal::Goal;
@@ -21,9 +23,9 @@ use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Level, MAX_LANES};
 
-/// A configuration and its targets in each lane. With `TRACK`, steps are of first order, and those
-/// of many goals solve a system in the shape of the tree. It is a constant of the type so that
-/// firmware that does not track does not contain it.
+/// A configuration and its targets in each lane. With `TRACK`, steps are of first order, and steps
+/// for several goals solve normal equations that are sparse like the tree. `TRACK` is a constant of
+/// the type so that firmware that does not track does not contain this code.
 pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) level: L::Level,
     pub(super) reach: &'s Reach<'s, L::Real>,
@@ -35,23 +37,24 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
 /// The weights of posture and start while tracking.
 #[derive(Clone, Copy)]
 pub(super) struct PostureWeights<L> {
-    /// `true` if the system has the shape of the tree.
+    /// Returns `true` if steps solve the normal equations that are sparse like the tree.
     uses_tree: bool,
-    /// `true` if one of the two weights is not zero; and the squares of both.
+    /// `has_weights` is `true` if one of the two weights is not zero. The other fields are the
+    /// squares of the weights.
     has_weights: bool,
     pub(super) posture: L,
     pub(super) start: L,
 }
 
-/// The factors that make lengths and radians comparable, and those that keep a step short.
+/// The factors that make lengths and radians comparable, and the factors that keep a step short.
 #[derive(Clone, Copy)]
 pub(super) struct Scales<L> {
-    /// The length that weighs as much as a radian.
+    /// The length that weighs as much as a radian, and its reciprocal.
     pub(super) length: L,
     pub(super) radians_per_length: L,
     /// The largest change of a hinge in a step.
     pub(super) longest: L,
-    /// λ² at the target.
+    /// λ² of the damped least squares at the target itself.
     pub(super) least_damping: L,
 }
 
@@ -60,7 +63,8 @@ pub(super) struct Scales<L> {
 pub(super) struct PoseErrors<L> {
     /// The weighted sum of squares of all errors, in radians².
     pub(super) square: L,
-    /// The largest angle and the largest distance among the goals, of components with a weight.
+    /// The largest angle and the largest distance between a link and its target, over the
+    /// components with a weight.
     pub(super) angular: L,
     pub(super) linear: L,
 }
@@ -68,7 +72,7 @@ pub(super) struct PoseErrors<L> {
 /// The decisions of all lanes for a step.
 #[derive(Clone, Copy)]
 pub(super) struct Decisions<L: Lanes> {
-    /// The factor by which the step is damped more than usual.
+    /// The factor by which the damping of the step is greater than usual.
     pub(super) damping_factor: L,
     /// The lanes that step.
     pub(super) running: L::Mask,
@@ -81,8 +85,8 @@ pub(super) struct Decisions<L: Lanes> {
 /// The effect of a step.
 #[derive(Clone, Copy)]
 pub(super) struct StepResult<L> {
-    /// The squared error that the step would leave by its own linear model, in lanes that a limit
-    /// cut short; elsewhere zero.
+    /// The squared error that the step would leave by its own linear model, in lanes whose step a
+    /// limit cut short. In other lanes it is zero.
     pub(super) residual: L,
     /// The sum of squares of all changes, radians².
     pub(super) change: L,
@@ -97,7 +101,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
         memory: &'s mut [L::Real],
     ) -> Option<Self> {
         let (scratch, options) = (Scratch::new(reach, memory)?, settings.options);
-        // Set for each lane with its configuration.
+        // Each lane gets its own scales when it takes a configuration.
         let one = L::splat(level, dq8::Real::ONE);
         let damping = L::splat(level, options.damping);
         let scales = Scales {
@@ -117,29 +121,29 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
         Some(Self { level, reach, scales, scratch, weights })
     }
 
-    /// `true` if the posture or the start has a weight in every step.
+    /// Returns `true` if the posture or the start has a weight in every step.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn has_weights(&self) -> bool {
         TRACK && self.weights.has_weights
     }
 
-    /// `true` if the system has the shape of the tree.
+    /// Returns `true` if steps solve the normal equations that are sparse like the tree.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn uses_tree(&self) -> bool {
         TRACK && self.weights.uses_tree
     }
 }
 
-/// The values to be placed.
+/// The configurations whose poses are computed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Configurations {
-    /// The values of the lanes; their screws are computed too.
+    /// The present values of the lanes. The screws of the joints are computed too.
     Current,
     /// The candidates of a restart.
     Candidates,
 }
 
-/// The values of all lanes, as the walk reads them.
+/// The values of all lanes, in the form in which the walk over the joints reads them.
 struct ValueRegisters<'r, 's, L: Lanes>(&'r Registers<'s, L>);
 
 impl<L: Lanes> LaneValues<L> for ValueRegisters<'_, '_, L> {
@@ -196,8 +200,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// The same for a search that needs it for both kinds of values. In line, machine code holds it
-    /// twice and takes a tenth less time for one configuration; firmware calls it.
+    /// Calls [`place`](Self::place) in searches that restart, which need it for present values and
+    /// for candidates. Inlined twice, one configuration takes a tenth less time; firmware makes a
+    /// call, which keeps the code small.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place_or_call(&mut self, of: Configurations) {
         if cfg!(target_os = "none") { self.call_place(of) } else { self.place(of) }
@@ -232,8 +237,8 @@ pub(super) fn get<L: Lanes<Real: Scalar>>(
 }
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// The errors of the poses that were computed last: from the targets of their lanes, or all of
-    /// them from those of one lane.
+    /// Computes the errors of the latest poses: each from the targets of its own lane, or all from
+    /// the targets of the one given lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn compare(&mut self, lane: Option<usize>) -> PoseErrors<L> {
         let level = self.level;
@@ -248,8 +253,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
-            // A position is reached along a straight line, and a whole pose along a screw, whose
-            // twist is given the velocity of the link instead of that of the origin.
+            // A position is reached along a straight line. A whole pose is reached along a screw,
+            // whose twist here has the velocity of the link as its linear part instead of the
+            // velocity at the origin.
             let (mut angular, mut linear) = ([zero; 3], way);
             way = vector::add(way, self.excess(index, lane));
             if goal.asks_rotation() {
@@ -270,9 +276,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 linear = to_target.rotate(linear);
                 way = to_target.rotate(way);
             }
-            // Tolerances are for angles and distances without weights, from the target before it
-            // was drawn nearer; the squared error that a step reduces is weighted, and all in
-            // radians.
+            // Tolerances apply to angles and distances without weights, measured to the target
+            // itself, also if it is out of reach. The squared error that a step reduces is
+            // weighted, and everything in it is in radians.
             let turn = length_of_asked(angular, goal.angular);
             let distance = length_of_asked(way, goal.linear);
             errors.angular = max_or_nan(errors.angular, turn);
@@ -306,13 +312,15 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         DualQuat::from_array(self.of_goal::<EXCESS>(goal * GOAL, lane))
     }
 
-    /// The vector by which the target of a goal was drawn nearer.
+    /// Returns the vector from the point that replaces a target out of reach to the target itself;
+    /// zero for a target within reach.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn excess(&self, goal: usize, lane: Option<usize>) -> [L; 3] {
         self.of_goal(goal * GOAL + EXCESS, lane)
     }
 
-    /// Numbers of a goal: those of each lane, or those of one lane for all.
+    /// Reads `C` registers of a goal: each lane gets its own components, or all lanes get the
+    /// components of the one given lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn of_goal<const C: usize>(&self, first: usize, lane: Option<usize>) -> [L; C] {
         let Some(lane) = lane else { return self.scratch.goals.record(self.level, first) };
@@ -351,7 +359,7 @@ pub(super) fn for_each_row<L: Lanes<Real: Scalar>>(
     row
 }
 
-/// The length of the components that have a weight.
+/// Returns the length of a vector, counting only the components that have a weight.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn length_of_asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L {
     let mut square = components[0].constant(0.0);
@@ -363,7 +371,7 @@ fn length_of_asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real
     square.sqrt()
 }
 
-/// The larger of the two; NaN if `b` is NaN.
+/// Returns the larger of `a` and `b`, or NaN if `b` is NaN.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn max_or_nan<L: Lanes>(a: L, b: L) -> L {
     L::select(b.le(a), a, b)
@@ -373,16 +381,16 @@ fn max_or_nan<L: Lanes>(a: L, b: L) -> L {
 const MOVED: usize = TARGET + POSE + TURN;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Computes the columns of the Jacobian of all goals. With `second_order`, half of the last
-    /// changes is taken into account: the motion of a link is a product of exponentials, whose
-    /// logarithm is (Baker, Campbell, Hausdorff)
+    /// Computes the columns of the Jacobian of all goals. With `second_order` the columns include
+    /// the effect of half of the last changes: the motion of a link is a product of exponentials,
+    /// whose logarithm is (Baker, Campbell, Hausdorff)
     ///
     /// ```text
     /// Σ δⱼ (cⱼ + ½ [Σₖ₍ₖ₍ⱼ₎ δₖcₖ, cⱼ]) + third order
     /// ```
     ///
-    /// over the joints that carry it (Halley's method: Lloyd, Irani & Ahmadi 2022). The second
-    /// order takes an arm out of singular poses, and to targets near them.
+    /// where the sums run over the joints that carry the link (Halley's method: Lloyd, Irani &
+    /// Ahmadi 2022). The second order takes an arm out of singular poses, and to targets near them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn linearize(&mut self, second_order: bool) {
         let (level, reach) = (self.level, self.reach);
@@ -393,7 +401,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let (mut position, mut screw) = (0, 0);
         while let Some(step) = reach.mechanism.steps.get(position) {
-            // A branch without a goal is skipped whole, so its screws have no memory.
+            // A branch of the tree without a goal is skipped whole. Its screws have no memory.
             if !reach.moves_goal(position) {
                 position += step.size as usize;
                 continue;
@@ -422,7 +430,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         moved
     }
 
-    /// Adds a screw to the columns of all goals that its step carries.
+    /// Adds the screw of a step to the Jacobian's column, in the rows of all goals that the step
+    /// carries.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn add_columns(&mut self, position: usize, column: usize, twist: Twist<L>, second_order: bool) {
         let (level, reach) = (self.level, self.reach);
@@ -435,8 +444,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 continue;
             }
             let mut twist = twist;
-            // Joints are visited from the base up, so the sum so far is the one in the brackets
-            // above. Each goal has a sum of its own, because it has joints of its own.
+            // Joints are visited from the base up, so the sum so far is the sum in the brackets of
+            // the formula above. Each goal has its own sum, because other joints carry it.
             if second_order && goal.is_pose() {
                 let moved = self.add_to_sum(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
@@ -454,22 +463,23 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 row,
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
-                    // Summed, because a joint that mimics another shares its column.
+                    // The components are added, because a joint that mimics another shares its
+                    // column.
                     columns.set(row, columns.get(level, row) + component);
                 },
             );
         }
     }
 
-    /// The rate at which a twist changes the error of a goal: its angular part, and its linear part
-    /// at the link, in radians.
+    /// Returns the rate at which a twist changes the error of a goal: the angular part, and the
+    /// linear part at the link, both in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn error_rate(&self, index: usize, goal: &Goal<L::Real>, twist: Twist<L>) -> [[L; 3]; 2] {
         let (level, first) = (self.level, index * GOAL + TARGET);
         let half: [L; 3] = self.scratch.goals.record(level, first + 4);
         let end = vector::add(half, half);
-        // The linear part of a spatial twist is the velocity at the origin; ω × end makes it that
-        // of the link.
+        // The linear part of a spatial twist is the velocity at the origin. Adding ω × end gives
+        // the velocity of the link.
         let mut angular = twist.angular;
         let mut linear = vector::cross_onto(angular, end, twist.linear);
         if goal.asks_part_of_rotation() {
@@ -489,16 +499,16 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// The largest component of the step to the posture, as a part of the longest step: the null space
-/// is that of the Jacobian here, and only valid nearby. A planar arm of five hinges reaches the
-/// nearest posture from 49 of 50 starts in 25 iterations; with a quarter from 48 in 45, with the
-/// whole from 45 in 17.
+/// The largest component of the step toward the posture, as a part of the longest step. The step is
+/// short because it follows the null space of the present Jacobian, which is valid only nearby. A
+/// planar arm of five hinges reaches the nearest posture from 49 of 50 starts in 25 iterations;
+/// with a quarter from 48 in 45, with the whole from 45 in 17.
 const POSTURE_PART: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Computes the step of each freedom to the posture, or to the limit before it, in radians: by
-    /// the shorter way for endless hinges, and scaled to a part of the longest step. Returns the
-    /// squared distance.
+    /// Computes the step of each freedom toward the posture, or toward the limit that lies before
+    /// it, in radians. Endless hinges take the shorter way, and the step is scaled to a part of the
+    /// longest step. Returns the squared distance from the posture.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn posture_step(&mut self) -> L {
         let (level, reach, scales) = (self.level, self.reach, self.scales);
@@ -526,7 +536,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// The difference from a freedom's value to another one, in radians; zero for floating joints.
+    /// Returns the difference between `value` and the present value of a freedom, in radians; zero
+    /// for floating joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn difference_to(&self, freedom: &Freedom<L::Real>, value: L) -> L {
         let zero = value.constant(0.0);
@@ -547,8 +558,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         L::select(vector::is_finite(way), way, zero)
     }
 
-    /// Computes the sum of the differences to posture and start, each times its squared weight, and
-    /// returns the weighted squared distance.
+    /// Computes the sum of the differences to the posture and to the start, each multiplied by its
+    /// squared weight. Returns the weighted squared distance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn weighted_posture_step(&mut self) -> L {
         let (level, reach) = (self.level, self.reach);
@@ -569,8 +580,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         square
     }
 
-    /// Drops the step to the posture in lanes that are not at their targets, which it would draw
-    /// away from them. With a weight it acts everywhere, as a part of the damping.
+    /// Drops the step toward the posture in lanes that are not at their targets yet, because it
+    /// would disturb the search. If the posture or the start has a weight, the step acts in every
+    /// lane and is divided by the damping λ², because its weight is a part of the damping.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish_posture_step(&mut self, arrived: L::Mask, damping: L) {
         if self.has_weights() {
@@ -590,20 +602,21 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// The number of configurations that a restart compares. It does not depend on the number of lanes,
-/// so that results do not either. With half as many, fewer than 998 of 1,000 random targets of an
-/// arm of seven axes are reached.
+/// The number of configurations that a restart compares. It is the same for any number of lanes, so
+/// results do not depend on the instructions of the CPU. With half as many, fewer than 998 of 1,000
+/// random targets of an arm of seven axes are reached.
 const CANDIDATES: usize = 4 * MAX_LANES;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Puts a lane at the nearest of the candidates of restart number `restart`. The poses of the
-    /// other lanes are overwritten.
+    /// Puts a lane at the nearest of the candidates of a restart, of which `restart` is the index.
+    /// The poses of the other lanes are overwritten.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn restart(&mut self, lane: usize, restart: u32) {
         let mut nearest = None;
         for first in (0..CANDIDATES).step_by(L::LANES) {
-            // Sample numbers that no other restart has. They depend on the restart alone, not on
-            // the lane or the number of lanes, so that results do not either.
+            // No other restart uses these indices of samples. They depend on the restart alone and
+            // not on the lane or the number of lanes, so results do not depend on the instructions
+            // of the CPU.
             self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
             self.place_or_call(Configurations::Candidates);
             let squares = self.compare(Some(lane)).square.to_array();
@@ -613,7 +626,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     (nearest, picked) = (Some(square), Some(index));
                 }
             }
-            // Copied at once, because the next candidates overwrite these.
+            // The candidate is copied at once, because the next candidates overwrite the values.
             if let Some(picked) = picked {
                 let scratch = &mut self.scratch;
                 for value in 0..self.reach.mechanism.values {
@@ -632,8 +645,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Draws candidates for a lane, one into each lane, with sample number `first` and the next
-    /// ones. Values whose range has no end are those of the start of the lane.
+    /// Draws one candidate into each lane: the samples from index `first` on. Values without limits
+    /// are copied from the start of `lane`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn draw(&mut self, lane: usize, first: u64) {
         let scratch = &mut self.scratch;
@@ -642,7 +655,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             scratch.candidate.set(value, start);
         }
         for freedom in self.reach.freedoms {
-            // A range without ends has no stride, and keeps the start.
+            // A freedom without limits has the stride zero and keeps its value of the start.
             if freedom.stride > 0 {
                 for index in 0..L::LANES {
                     let value = freedom.sample(first + index as u64 + 1);

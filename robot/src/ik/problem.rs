@@ -1,5 +1,5 @@
-//! The problem: a mechanism and goals for its links, facts that are found of both once, and bounds
-//! on the reach of a link.
+//! [`Reach`], an inverse kinematics problem: a mechanism and goals for its links, facts about both
+//! that are computed once, and bounds on the reach of a link.
 
 use super::freedom::{Freedom, Range, freedoms, tree_shape};
 use super::goal::{Goal, ReachError};
@@ -21,13 +21,13 @@ use dq8::scalar::{DualQuat, vector};
 /// Joints of every kind move, and stop at their limits; joints that carry no link with a goal keep
 /// their values.
 ///
-/// A hinge that turns by 2π is in the same pose. Of the values of that pose within its limits, the
-/// result is the one nearest to the start; a start beyond the limits is first brought within them
-/// by whole turns, if that is possible. This does not hold for threads, and for hinges that another
-/// joint mimics by a part of their turn, because their whole turn is another pose. Far from zero
-/// floats are coarse angles, so hinges whose limits span more than 16 turns stay within 64 radians
-/// of zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits that is nearest to
-/// zero.
+/// A hinge has the same pose after a turn by 2π. Among the values within its limits that give this
+/// pose, the result is the value nearest to the start. A start beyond the limits is first brought
+/// within them by whole turns, if that is possible. Screw joints, and hinges that another joint
+/// mimics by a part of their turn, are excepted, because a whole turn gives another pose there. Far
+/// from zero floats are coarse angles, so hinges whose limits span more than 16 turns stay within
+/// 64 radians of zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits that is
+/// nearest to zero.
 ///
 /// Joints that mimic others follow them, within the limits of both,
 /// [as far](Mechanism::value_limits) as the limits of the follower leave a range. A floating joint
@@ -62,9 +62,9 @@ use dq8::scalar::{DualQuat, vector};
 pub struct Reach<'a, R> {
     pub(super) mechanism: Mechanism<'a, R>,
     pub(super) goals: &'a [Goal<R>],
-    /// The freedoms that move a goal.
+    /// The freedoms that move the link of a goal.
     pub(super) freedoms: &'a [Freedom<R>],
-    /// For each rate, the index of its freedom among them.
+    /// For each rate of the mechanism, the index of its freedom in `freedoms`.
     pub(super) by_rate: &'a [Freedom<R>],
     pub(super) posture: Option<&'a [R]>,
     pub(super) facts: Facts<R>,
@@ -72,26 +72,26 @@ pub struct Reach<'a, R> {
 
 brief!([R] Reach<'_, R>: Reach |it| { mechanism: it.mechanism, goals: it.goals.len() });
 
-/// Facts that are found of a problem once.
+/// Facts about a problem that are computed once.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facts<R> {
-    /// The number of weighted components of all goals, and of the screws of joints that move a
-    /// goal.
+    /// The number of weighted components of all goals (`rows`), and the number of the screws of
+    /// joints that move a goal (`twists`).
     pub(super) rows: usize,
     pub(super) twists: usize,
-    /// The number of entries of the system in the shape of the tree, or zero if the system does not
-    /// have that shape.
+    /// The number of entries of the normal equations that are sparse like the tree, or zero if the
+    /// problem does not use them.
     pub(super) tree: usize,
-    /// A length that is typical for the mechanism.
+    /// A length that is typical of the mechanism.
     pub(super) size: R,
-    /// `true` if a joint that moves a goal floats, or slides or screws without end.
+    /// `true` if a joint that moves a goal floats, or slides or screws without limits.
     pub(super) is_endless: bool,
     /// A point, and the largest distance from it that the link of the first goal can reach.
     pub(super) bound: Option<([R; 3], R)>,
 }
 
 impl<'a, R: Real> Reach<'a, R> {
-    /// A problem from a mechanism and goals, once they are checked.
+    /// Makes a problem from a mechanism and goals, and checks both.
     ///
     /// # Errors
     /// If there is no goal; if a goal is for a link that does not exist or that no joint moves, has
@@ -137,14 +137,14 @@ impl<'a, R: Real> Reach<'a, R> {
         Ok(reach)
     }
 
-    /// The same problem with a preferred configuration, which has no weight against the goals (it
-    /// acts in the null space of their Jacobian; Liégeois 1977). A search that has reached its
-    /// targets goes on toward these values as far as the goals leave freedom. It ends when it is
-    /// there to within the angular tolerance, has come no nearer in 60 iterations, hardly moves any
-    /// more (10⁻⁴ rad, so `max_step` should be larger), or has used up its iterations. With a
-    /// [`Tracking::posture_weight`](super::Tracking::posture_weight) the posture acts in every step
-    /// instead. If a value lies beyond a limit, the limit is preferred. Floating joints have no
-    /// preference.
+    /// Returns this problem with a preferred configuration, the posture. The posture has no weight
+    /// against the goals: it acts in the null space of their Jacobian (Liégeois 1977). A search
+    /// that has reached its targets goes on toward these values as far as the goals leave freedom.
+    /// The search ends when it is within the angular tolerance of the posture, has come no nearer
+    /// in 60 iterations, moves by less than 10⁻⁴ rad (so `max_step` should be larger), or has
+    /// used up its iterations. With a [`Tracking::posture_weight`](super::Tracking::posture_weight)
+    /// the posture acts in every step instead. If a value lies beyond a limit, the limit is
+    /// preferred. Floating joints have no preference.
     ///
     /// # Errors
     /// If there are not as many values as a configuration has, or one is not finite.
@@ -163,7 +163,7 @@ impl<'a, R: Real> Reach<'a, R> {
 }
 
 impl<'a, R: Copy> Reach<'a, R> {
-    /// The mechanism.
+    /// Returns the mechanism.
     #[must_use]
     pub fn mechanism(&self) -> Mechanism<'a, R> {
         self.mechanism
@@ -175,14 +175,15 @@ impl<'a, R: Copy> Reach<'a, R> {
         self.goals
     }
 
-    /// The index of a rate's freedom among those that move a goal, which is its column of the
-    /// Jacobian.
+    /// Returns the index of a rate's freedom among the freedoms that move a goal. It is the index
+    /// of the Jacobian's column too.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn column(&self, rate: usize) -> usize {
         self.by_rate.get(rate).map_or(usize::MAX, |freedom| freedom.column as usize)
     }
 
-    /// `true` if a step of second order is worth its cost: a goal asks for a whole pose.
+    /// Returns `true` if a step of second order is worth its cost, which is so if a goal asks for a
+    /// whole pose.
     pub(super) fn needs_second_order(&self) -> bool
     where
         R: Real,
@@ -194,13 +195,14 @@ impl<'a, R: Copy> Reach<'a, R> {
         needs_second_order
     }
 
-    /// `true` if the link of the step at a position, or one that it carries, has a goal.
+    /// Returns `true` if the link of the step at `position`, or a link that this link carries, has
+    /// a goal.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves_goal(&self, position: usize) -> bool {
         moves_any(self.mechanism.steps, position, self.goals)
     }
 
-    /// `true` if the step at a position carries the link of one goal.
+    /// Returns `true` if the step at `position` carries the link of `goal`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves(&self, position: usize, goal: &Goal<R>) -> bool {
         carries(self.mechanism.steps, position, &[goal.link])
@@ -217,7 +219,7 @@ fn moves_any<R>(steps: &[Step<R>], position: usize, goals: &[Goal<R>]) -> bool {
     false
 }
 
-/// `true` if some value moves a link.
+/// Returns `true` if a joint with a value carries the link.
 fn is_moved<R: Real>(steps: &[Step<R>], link: usize) -> bool {
     let moves = |step: &Step<R>| step.kind.rates() > 0 && step.multiplier != R::ZERO;
     let mut positions = steps.iter().enumerate();
@@ -229,7 +231,7 @@ fn check<R: Real>(goal: &Goal<R>, index: usize, links: usize) -> Result<(), Reac
         return Err(ReachError::Link { goal: index, link: goal.link, links });
     }
     for (component, weight) in goal.angular.into_iter().chain(goal.linear).enumerate() {
-        // Within these bounds the square of a weight neither overflows nor vanishes.
+        // Between these bounds the square of a weight neither overflows nor becomes zero in `f32`.
         let is_moderate = weight >= R::from(1e-6) && weight <= R::from(1e6);
         if !(weight == R::ZERO || is_moderate) {
             return Err(ReachError::Weight { goal: index, component, value: weight.into() });
@@ -247,18 +249,18 @@ fn check<R: Real>(goal: &Goal<R>, index: usize, links: usize) -> Result<(), Reac
 }
 
 impl<R: Real> Reach<'_, R> {
-    /// A point that no joint moves, and a distance from it that the link of goal number `goal`
-    /// never exceeds: the sum of the offsets between joints and of the lengths by which they slide.
-    /// Farther targets are out of reach; nearer ones may be. `None` if there is no such distance,
-    /// because something floats or slides without end; if no joint carries the link; or if there is
-    /// no such goal.
+    /// Returns a point that no joint moves, and a distance from this point that the link of the
+    /// goal at index `goal` never exceeds: the sum of the offsets between joints and of the lengths
+    /// by which joints slide. Farther targets are out of reach; nearer targets may be out of reach
+    /// too. Returns `None` if a joint floats or slides without limits, if no joint carries the
+    /// link, or if there is no such goal.
     #[must_use]
     pub fn reach_bound(&self, goal: usize) -> Option<([R; 3], R)> {
         let goal = self.goals.get(goal)?;
         let mut link = goal.link;
-        // From the link to the base. The lowest joint with a value turns about a point that nothing
-        // moves, which is the centre; offsets below it are rigid, and add nothing to the distance.
-        // So the length is that at the last joint with a value.
+        // This loop walks from the link to the base. The joint with a value that is nearest to the
+        // base turns about a point that no joint moves: the centre. Offsets between that joint and
+        // the base are rigid and add nothing, so the distance is the sum at that joint.
         let (mut length, mut base) = (norm(goal.point), None);
         while let Some(step) = self.mechanism.step(link) {
             if step.kind.values() > 0 {
@@ -277,14 +279,15 @@ impl<R: Real> Reach<'_, R> {
         Some((centre, length))
     }
 
-    /// The largest length by which a joint slides; infinite if there is no end.
+    /// Returns the largest length by which a joint slides; infinite if the joint has no limits.
     #[inline(never)]
     fn slide_length(&self, step: &Step<R>) -> R {
         let infinite = R::ONE / R::ZERO;
         let freedom = self.freedoms.get(self.column(step.rate as usize)).copied();
         let freedom = freedom.unwrap_or_default();
         let Range { low, high, .. } = freedom.range;
-        // The limits of a joint that mimics another are those of the other.
+        // The limits of a joint that mimics another come from the limits of the joint that it
+        // follows.
         let [low, high] = [low, high].map(|end| {
             let value = end * step.multiplier + step.offset;
             value.abs()
@@ -298,8 +301,8 @@ impl<R: Real> Reach<'_, R> {
         }
     }
 
-    /// The longest way along the links to a goal, without joints that slide without end; 1 if it is
-    /// zero.
+    /// Returns the longest distance along the links from the base to a goal. Joints that slide
+    /// without limits do not count. Returns 1 if the distance is zero.
     pub(super) fn typical_length(&self) -> R {
         let mut longest = R::ZERO;
         for goal in self.goals {
@@ -315,8 +318,9 @@ impl<R: Real> Reach<'_, R> {
         if longest > R::ZERO && longest.is_finite() { longest } else { R::ONE }
     }
 
-    /// The typical length; or, if something floats or slides without end, the distance of a target
-    /// or of such a joint if that is longer.
+    /// Returns the typical length of the mechanism. If a joint floats or slides without limits, the
+    /// distance to the farthest target, or the length of its present slide, counts where it is
+    /// longer.
     pub(super) fn typical_length_to(&self, targets: &[DualQuat<R>], values: &[R]) -> R {
         let mut longest = self.facts.size;
         if self.facts.is_endless {
@@ -332,7 +336,7 @@ impl<R: Real> Reach<'_, R> {
         longest
     }
 
-    /// `true` if a joint that moves a goal floats, or slides or screws without end.
+    /// Returns `true` if a joint that moves a goal floats, or slides or screws without limits.
     pub(super) fn has_endless_slides(&self) -> bool {
         let mut has = false;
         for (position, step) in self.mechanism.steps.iter().enumerate() {
@@ -341,9 +345,10 @@ impl<R: Real> Reach<'_, R> {
         has
     }
 
-    /// The target of a goal, normalized, and drawn to the edge of the reach if it lies beyond: an
-    /// error that grew with the distance would dominate all others. The second part is the vector
-    /// by which it was drawn. `None` if the target is invalid.
+    /// Returns the normalized target of a goal. A target out of reach is replaced by the nearest
+    /// point within the bound on the reach, because an error that grew with the distance would
+    /// dominate all other errors. The second result is the vector from that point to the target.
+    /// Returns `None` if the target is invalid.
     pub(super) fn clamped(
         &self,
         goal: usize,
@@ -354,7 +359,8 @@ impl<R: Real> Reach<'_, R> {
             return None;
         }
         let target = target.normalize();
-        // If an axis is free, the point to aim at may lie anywhere along it, so nothing is drawn.
+        // If an axis has no weight, the link may be anywhere along it, so the target is never out
+        // of reach and stays as it is.
         let asked = self.goals.get(goal)?.linear.into_iter().all(|weight| weight > R::ZERO);
         let bound = if goal == 0 { self.facts.bound } else { self.reach_bound(goal) };
         let Some((centre, length)) = bound.filter(|_| asked) else {
@@ -365,7 +371,7 @@ impl<R: Real> Reach<'_, R> {
         if !far.is_finite() {
             return None;
         }
-        // All three lengths have been rounded: positions by a part of their distance from the base.
+        // All three lengths are rounded, each by a part of its distance from the base.
         let sizes = length + norm(centre) + norm(target.translation());
         if far <= length + R::from(64.0) * R::EPSILON * sizes + tolerance {
             return Some((target, None));
@@ -376,13 +382,14 @@ impl<R: Real> Reach<'_, R> {
     }
 }
 
-/// The length of a vector. In firmware it is not inlined, so that machine code holds it once.
+/// Returns the length of a vector. In firmware this is not inlined, so that the code holds it only
+/// once.
 #[cfg_attr(target_os = "none", inline(never))]
 fn norm<R: Real>(vector: [R; 3]) -> R {
     vector::norm(vector)
 }
 
-/// The largest length along one axis that a joint has slid.
+/// Returns the largest length by which a joint has slid along one axis.
 fn longest_slide<R: Real>(step: &Step<R>, values: &[R]) -> R {
     let (lengths, factor) = match step.kind {
         JointKind::Prismatic { .. } => (0..1, R::ONE),
