@@ -60,7 +60,7 @@ without_padding! {
 unsafe impl<A: Row> Pod for Block<A, 8> {}
 
 impl<A: Row, const C: usize> Block<A, C> {
-    /// A block with the same record in every lane.
+    /// Makes a block with the same record in every lane.
     #[inline]
     #[must_use]
     pub fn splat(record: [A::Real; C]) -> Self {
@@ -71,7 +71,7 @@ impl<A: Row, const C: usize> Block<A, C> {
         }))
     }
 
-    /// The record in `lane`, or `None` if the block has no such lane.
+    /// Returns the record in `lane`, or `None` if the block has no such lane.
     #[inline]
     #[must_use]
     pub fn get(&self, lane: usize) -> Option<[A::Real; C]> {
@@ -96,7 +96,8 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// Loads all lanes of every component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load<V: Level>(&self, level: V) -> [A::Lanes<V>; C] {
-        // A loop and no `map`: its closure would be compiled without the kernel's instructions.
+        // This is a loop, because the closure of `map` might not be inlined and would then be
+        // compiled without the kernel's instructions.
         let mut components = [A::Lanes::<V>::splat(level, A::Real::default()); C];
         for (component, row) in components.iter_mut().zip(&self.0) {
             *component = A::Lanes::<V>::load(level, row);
@@ -128,8 +129,9 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// Stores one part of every component, and nothing if the block has no such part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        // The same loop twice. Over registers of 16 bytes by value, the compiler keeps them in
-        // memory; over larger ones by reference, it schedules the code before the loop worse.
+        // The same loop stands here twice. By value, the compiler would keep registers of 16 bytes
+        // in memory; by reference, it would schedule the code before a loop over larger registers
+        // worse.
         if size_of::<Native<A, V>>() > 16 {
             for (row, component) in self.0.iter_mut().zip(components) {
                 if let Some(array) = part_of::<A, V>(row, part) {
@@ -178,7 +180,8 @@ impl<A: Row, const C: usize> Block<A, C> {
                 let Some(components) = each(index, part) else { return };
                 for (row, component) in block.0.iter_mut().zip(components) {
                     if let Some(array) = part_of::<A, V>(row, part) {
-                        // SAFETY: nothing else sees `to`, which is borrowed, before the fence.
+                        // SAFETY: `to` is mutably borrowed until the fence has run, so no other
+                        // code reads or writes it before.
                         unsafe { component.stream(array) };
                     }
                 }
@@ -195,7 +198,8 @@ impl<A: Row, const C: usize> Block<A, C> {
     }
 }
 
-/// One part of a row, which is the memory of one register. `None` if the row has no such part.
+/// Returns one part of a row, which is the memory of one register; `None` if the row has no such
+/// part.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn part_of<A: Row, V: Level>(
     row: &mut A,

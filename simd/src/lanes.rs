@@ -64,9 +64,10 @@ pub trait Lanes:
     /// The number of lanes.
     const LANES: usize;
 
-    /// The level of these lanes, which they prove.
+    /// Returns the level of these lanes: whoever holds lanes holds the proof that the CPU has the
+    /// instructions.
     fn level(self) -> Self::Level;
-    /// A vector with `value` in every lane.
+    /// Returns a vector with `value` in every lane.
     fn splat(level: Self::Level, value: Self::Real) -> Self;
     /// The number nearest to `value` in every lane, for code that holds lanes and no level.
     #[inline(always)]
@@ -109,7 +110,7 @@ pub trait Lanes:
             *slot = value;
         }
     }
-    /// The lanes as an array.
+    /// Returns the lanes as an array.
     #[inline(always)]
     fn to_array(self) -> Self::Array {
         let mut array = Self::Array::zeroed();
@@ -132,7 +133,8 @@ pub trait Lanes:
         let mut rows = [Self::Array::zeroed(); 4];
         for lane in 0..Self::LANES {
             for (c, row) in rows.iter_mut().enumerate() {
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions of this function under `# Safety`, which
+                // are those of the code here.
                 row.as_mut()[lane] = unsafe { *from.add(offset(lane) + c) };
             }
         }
@@ -148,7 +150,8 @@ pub trait Lanes:
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_quads(components: [Self; 4], to: *mut Self::Real, stride: usize) {
-        // SAFETY: the caller promises this.
+        // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are
+        // those of the code here.
         unsafe { store_rows(components, to, stride) };
     }
     /// Transposes three vectors and stores three numbers per lane: lane `i` of vector `c` becomes
@@ -159,7 +162,8 @@ pub trait Lanes:
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_triples(components: [Self; 3], to: *mut Self::Real) {
-        // SAFETY: the caller promises this.
+        // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are
+        // those of the code here.
         unsafe { store_rows(components, to, 3) };
     }
 
@@ -229,10 +233,10 @@ pub trait Lanes:
         Self::load(vectors[0].level(), &sums)
     }
 
-    /// `self · factor + addend`, rounded once if the hardware fuses.
+    /// Returns `self · factor + addend`, rounded once if the hardware fuses.
     #[must_use]
     fn mul_add(self, factor: Self, addend: Self) -> Self;
-    /// `addend − self · factor`, rounded once if the hardware fuses.
+    /// Returns `addend − self · factor`, rounded once if the hardware fuses.
     #[must_use]
     fn neg_mul_add(self, factor: Self, addend: Self) -> Self;
     /// The correctly rounded square root. Below zero it is NaN.
@@ -268,7 +272,8 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
 ) {
     for (c, component) in components.into_iter().enumerate() {
         for (lane, &number) in component.to_array().as_ref().iter().enumerate() {
-            // SAFETY: the caller promises this.
+            // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are
+            // those of the code here.
             unsafe { *to.add(lane * stride + c) = number };
         }
     }
@@ -413,7 +418,7 @@ impl Float for f64 {
 /// waits for its parent. A product of two of them needs only two rearrangements that [`Lanes`] does
 /// not have: [`columns`](Self::columns) and [`times_epsilon`](Self::times_epsilon).
 pub trait PackedDualQuat: Lanes {
-    /// Reads the same four numbers into both halves.
+    /// Reads the same four components into both halves.
     #[inline(always)]
     fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
         let mut twice = Self::Array::zeroed();
@@ -423,7 +428,7 @@ pub trait PackedDualQuat: Lanes {
         Self::load(level, &twice)
     }
 
-    /// Each of eight numbers in all lanes.
+    /// Returns eight vectors, each with one of the eight components in all lanes.
     #[inline(always)]
     fn splat_each(level: Self::Level, from: &[Self::Real; 8]) -> [Self; 8] {
         let &[a, b, c, d, e, f, g, h] = level.locate(from);
@@ -439,8 +444,8 @@ pub trait PackedDualQuat: Lanes {
         ]
     }
 
-    /// The columns of the matrix of a product from the left, in both halves: for a quaternion b,
-    /// p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
+    /// Returns the columns of the matrix that multiplies from the left, in both halves: for a
+    /// quaternion b, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
     ///
     /// ```text
     /// c₀ = (pw, pz, −py, −px)   c₁ = (−pz, pw, px, −py)
@@ -465,7 +470,8 @@ pub trait PackedDualQuat: Lanes {
         [Self::load(level, x), Self::load(level, y), Self::load(level, z), self]
     }
 
-    /// ε·(p + εq) = εp: the lower half moved to the upper one, with −0 in the lower half.
+    /// Returns ε·(p + εq) = εp: the lower half moves to the upper half, and the lower half
+    /// becomes −0.
     ///
     /// It is −0 and not +0, because the result is added to another dual quaternion: x + (−0) is
     /// x for every x, but −0 + (+0) is +0.

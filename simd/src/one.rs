@@ -57,7 +57,8 @@ macro_rules! one_lane {
                 records: impl Fn(usize) -> [usize; 2],
                 t: Self,
             ) -> [Self; 4] {
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions of this function under `# Safety`, which
+                // are those of the code here.
                 unsafe { shorts::one_by_one(Portable, from, records, t) }
             }
             #[inline(always)]

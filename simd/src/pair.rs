@@ -11,12 +11,12 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
-/// The memory `[R; N]` of half a [`Pair`], with that of the whole, `[R; 2N]`, which generic code
-/// cannot name. The trait is sealed.
+/// The array `[R; N]` of half a [`Pair`]. The trait names the array of the whole pair, `[R; 2N]`,
+/// which generic code cannot write. The trait is sealed.
 pub trait Doubled: Pod + crate::sealed::Sealed {
     /// The array `[R; 2N]`.
     type Twice: Pod + core::fmt::Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
-    /// The number R.
+    /// The element type R.
     type Real: Float;
 }
 
@@ -69,7 +69,8 @@ where
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: the caller promises this for the lanes of both halves.
+        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
+        // each half's lanes is valid too.
         let [a, b] = unsafe {
             [
                 L::load_quads(level, from, &offset),
@@ -91,7 +92,8 @@ where
         records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: the caller promises this for the lanes of both halves.
+        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
+        // each half's lanes is valid too.
         let [a, b] = unsafe {
             [
                 L::between_shorts(level, from, &records, t.0),
@@ -109,7 +111,8 @@ where
     }
     #[inline(always)]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the caller promises this for the lanes of both halves.
+        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
+        // each half's lanes is valid too.
         unsafe {
             L::store_quads([x.0, y.0, z.0, w.0], to, stride);
             L::store_quads([x.1, y.1, z.1, w.1], to.add(L::LANES * stride), stride);
@@ -117,7 +120,8 @@ where
     }
     #[inline(always)]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: the caller promises this for the lanes of both halves.
+        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
+        // each half's lanes is valid too.
         unsafe {
             L::store_triples([x.0, y.0, z.0], to);
             L::store_triples([x.1, y.1, z.1], to.add(3 * L::LANES));

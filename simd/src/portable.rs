@@ -114,7 +114,7 @@ mod relaxed {
         for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
             *a = of(*a, b, c);
         }
-        // SAFETY: as above.
+        // SAFETY: V has the size of N registers, as asserted for every V that this is called with.
         unsafe { core::mem::transmute_copy::<[v128; N], V>(&a) }
     }
 }
@@ -157,7 +157,7 @@ macro_rules! wide_lanes {
                 ) -> [Self; 4] {
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
-                        // SAFETY: the caller promises that the numbers are readable, and an array
+                        // SAFETY: the caller guarantees that the numbers are readable, and an array
                         // needs no more alignment than a number.
                         *row = Self::new(unsafe { *from.add(offset(i)).cast::<[$real; $lanes]>() });
                     }
@@ -166,7 +166,7 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     for (i, row) in Self::$transpose(components).iter().enumerate() {
-                        // SAFETY: the caller promises that the numbers are writable, and an array
+                        // SAFETY: the caller guarantees that the numbers are writable, and an array
                         // needs no more alignment than a number.
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
@@ -184,19 +184,22 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller promises this.
+                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
+                    // which are those of the code here.
                     unsafe { aarch64::$quads::load_quads(from, offset) }
                 }
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
-                    // SAFETY: the caller promises this.
+                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
+                    // which are those of the code here.
                     unsafe { aarch64::$quads::store_quads(components, to, stride) }
                 }
             )?
             $(
                 #[inline(always)]
                 unsafe fn store_triples(components: [Self; 3], to: *mut $real) {
-                    // SAFETY: the caller promises this.
+                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
+                    // which are those of the code here.
                     unsafe { aarch64::$neon::store_triples(components, to) }
                 }
                 #[inline(always)]
@@ -204,7 +207,8 @@ macro_rules! wide_lanes {
                     components: [Self; C],
                     to: *mut $real,
                 ) -> bool {
-                    // SAFETY: the caller promises this.
+                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
+                    // which are those of the code here.
                     unsafe { aarch64::$neon::store_adjoining(components, to) }
                 }
                 #[inline(always)]
@@ -212,7 +216,8 @@ macro_rules! wide_lanes {
                     _: Portable,
                     from: *const $real,
                 ) -> Option<[Self; C]> {
-                    // SAFETY: the caller promises this.
+                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
+                    // which are those of the code here.
                     unsafe { aarch64::$neon::load_adjoining::<C>(from) }
                 }
             )?
@@ -223,7 +228,8 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller promises this for the lanes of both halves.
+                    // SAFETY: the caller guarantees that the memory of all lanes is valid, so the
+                    // memory of each half's lanes is valid too.
                     let [[a, b, c, d], [e, f, g, h]] = unsafe {
                         let upper = |lane| offset($lanes / 2 + lane);
                         [$half::load_quads(level, from, &offset), $half::load_quads(level, from, upper)]
@@ -233,7 +239,8 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     let halves = components.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
-                    // SAFETY: the caller promises this for the lanes of both halves.
+                    // SAFETY: the caller guarantees that the memory of all lanes is valid, so the
+                    // memory of each half's lanes is valid too.
                     unsafe {
                         $half::store_quads(halves.map(|half| half[0]), to, stride);
                         let upper = to.add($lanes / 2 * stride);
@@ -256,7 +263,8 @@ macro_rules! wide_lanes {
                 records: impl Fn(usize) -> [usize; 2],
                 t: Self,
             ) -> [Self; 4] {
-                // SAFETY: the caller promises this.
+                // SAFETY: the caller keeps the conditions of this function under `# Safety`, which
+                // are those of the code here.
                 unsafe { $between(Portable, from, records, t) }
             }
             #[inline(always)]

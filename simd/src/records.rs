@@ -97,7 +97,8 @@ pub trait Records: Lanes {
         stride: Option<usize>,
         padding: &[Self::Real; C],
     ) -> [Self; C] {
-        // A `const` block, here and below: the branch that is not taken is never compiled.
+        // The conditions here and below are `const` blocks, so that the branch that is not taken is
+        // never compiled.
         if const { Self::LANES == 1 } {
             let mut components = [Self::splat(level, Self::Real::default()); C];
             for (component, &number) in components.iter_mut().zip(from.first().unwrap_or(padding)) {
@@ -128,7 +129,8 @@ pub trait Records: Lanes {
             _ => flat.len() >= reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } }),
         };
         if const { C < 3 } || !all {
-            // By value: who passes a constant need not keep it in memory for this call.
+            // `padding` is passed by value, so that a caller with a constant need not keep it in
+            // memory for this call.
             let rows = load_each::<Self, C>(from, stride.unwrap_or(1), *padding);
             let mut components = [Self::splat(level, Self::Real::default()); C];
             let mut component = 0;
@@ -229,7 +231,7 @@ pub trait Records: Lanes {
         if const { C == 3 }
             && let (&[x, y, z], true, 3) = (components.as_slice(), fits, spacing)
         {
-            // SAFETY: checked above.
+            // SAFETY: the slice is long enough for a record of every lane, as checked above.
             return unsafe { Self::store_triples([x, y, z], flat.as_mut_ptr()) };
         }
         if const { C < 4 } || !fits {
@@ -241,7 +243,7 @@ pub trait Records: Lanes {
             }
             return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
         }
-        // SAFETY: checked above.
+        // SAFETY: the slice is long enough for a record of every lane, as checked above.
         unsafe { store_all(components, flat.as_mut_ptr(), spacing) };
     }
 }
@@ -291,8 +293,8 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 ) -> [L; C] {
     let mut components = [L::splat(level, L::Real::default()); C];
     fours!(C, |first| {
-        // SAFETY: the caller promises that the numbers are readable. `first` is at most C − 4, or
-        // 0 if C is less than four, so `quad` and `components` both hold what is copied.
+        // SAFETY: the caller guarantees that the numbers are readable. `first` is at most C − 4,
+        // or 0 if C is less than four, so `quad` and `components` both hold what is copied.
         unsafe {
             let quad = L::load_quads(level, from.add(first), offset);
             let to = components.as_mut_ptr().add(first);
@@ -311,7 +313,7 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Real, stride: usize) {
     fours!(C, |first| {
         // SAFETY: `first` is at most C − 4, and C at least four, so there are four components
-        // from `first` on. The caller promises the rest.
+        // from `first` on. The caller guarantees that their memory is valid.
         unsafe {
             let quad = components.as_ptr().add(first).cast::<[L; 4]>().read();
             L::store_quads(quad, to.add(first), stride);
@@ -326,12 +328,12 @@ fn reach(lanes: usize, spacing: usize, count: usize) -> usize {
     spacing.saturating_mul(lanes - 1).saturating_add(count)
 }
 
-/// `true` if every `stride`-th of so many records of `C` numbers in memory is there for each lane:
-/// what [`reach`] answers, in fewer instructions. `C` is at least four.
+/// Returns `true` if a slice of `records` records has every `stride`-th record for each lane. This
+/// is the comparison with [`reach`] in fewer instructions. `C` is at least four.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn has_all<L: Lanes, const C: usize>(records: usize, stride: usize) -> bool {
-    // The bytes of a slice are at most half of all that `usize` counts, and a record has more bytes
-    // than there are lanes to multiply by: the product does not wrap.
+    // A slice has at most `usize::MAX / 2` bytes, and a record has at least as many bytes as there
+    // are lanes. So the product below does not wrap.
     const { assert!(C < 4 || L::LANES <= C * size_of::<L::Real>()) }
     stride <= records && (L::LANES - 1) * stride < records
 }

@@ -22,14 +22,14 @@ use bytemuck::Zeroable;
 /// records are read from files in place.
 pub(crate) type Shorts = [u8; 8];
 
-/// The four numbers of a record.
+/// Returns the four 16-bit components of a record.
 #[inline(always)]
 pub(crate) fn numbers(record: Shorts) -> [i16; 4] {
     let word = u64::from_le_bytes(record);
     [word as i16, (word >> 16) as i16, (word >> 32) as i16, (word >> 48) as i16]
 }
 
-/// Computes one number after the other, for any lanes.
+/// Interpolates one component after the other, for any lanes.
 ///
 /// # Safety
 /// The same as for [`Lanes::between_shorts`].
@@ -48,7 +48,7 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     let weights = t.mul_add(t.constant(16384.0), in_last_bits).to_array();
     let mut rows = [L::Array::zeroed(); 4];
     for lane in 0..L::LANES {
-        // SAFETY: the caller promises that the records are readable.
+        // SAFETY: the caller guarantees that the records are readable.
         let [a, b] = records(lane).map(|record| numbers(unsafe { *from.add(record) }));
         let sum = weights.as_ref()[lane];
         let weight =
@@ -84,7 +84,8 @@ pub(crate) unsafe fn four_at_once(
     let (zero, one) = (f32x4::ZERO, f32x4::ONE);
     let t = t.simd_gt(zero).select(t, zero);
     let t = t.simd_lt(one).select(t, one);
-    // In each lane, the two weights beside each other: 2¹⁴ − w below, w above.
+    // Each lane holds its two weights: 2¹⁴ − w in the lower 16 bits and w in the upper 16
+    // bits.
     let to: u32x4 = bytemuck::cast(t * f32x4::splat(16384.0) + f32x4::splat(12_582_912.0));
     let low = u32x4::splat(0xffff);
     let weights = ((u32x4::splat(16384) - (to & low)) & low) | (to << 16);
@@ -93,7 +94,7 @@ pub(crate) unsafe fn four_at_once(
     // b₀b₁ b₂b₃.
     let mut rows = [f32x4::ZERO; 4];
     for (lane, row) in rows.iter_mut().enumerate() {
-        // SAFETY: the caller promises that the records are readable.
+        // SAFETY: the caller guarantees that the records are readable.
         *row = bytemuck::cast(records(lane).map(|record| unsafe { *from.add(record) }));
     }
     let [a01, a23, b01, b23]: [u32x4; 4] = bytemuck::cast(f32x4::transpose(rows));

@@ -9,7 +9,7 @@ use crate::lanes::{Lanes, Level, PackedDualQuat};
 use crate::shorts::Shorts;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A level that fuses nothing, or a vector of such a level.
+/// A level whose lanes fuse no multiply-add, or a vector of such a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unfused<T>(pub T);
 
@@ -72,7 +72,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn stream(self, to: &mut L::Array) {
-        // SAFETY: the same promise.
+        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
+        // `L`.
         unsafe { self.0.stream(to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -81,18 +82,21 @@ impl<L: Lanes> Lanes for Unfused<L> {
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: the same promise.
+        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
+        // `L`.
         let [x, y, z, w] = unsafe { L::load_quads(level.0, from, offset) };
         [Self(x), Self(y), Self(z), Self(w)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the same promise.
+        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
+        // `L`.
         unsafe { L::store_quads([x.0, y.0, z.0, w.0], to, stride) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: the same promise.
+        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
+        // `L`.
         unsafe { L::store_triples([x.0, y.0, z.0], to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -100,7 +104,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
         level: Self::Level,
         from: *const L::Real,
     ) -> Option<[Self; C]> {
-        // SAFETY: the same promise.
+        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
+        // `L`.
         let components = unsafe { L::load_adjoining::<C>(level.0, from) };
         components.map(
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -113,7 +118,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
             #[cfg_attr(not(opt_level_0), inline(always))]
             |component| component.0,
         );
-        // SAFETY: the same promise.
+        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
+        // `L`.
         unsafe { L::store_adjoining(components, to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -123,7 +129,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
         records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: the same promise. Its products are exact, so it does not matter what it fuses.
+        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
+        // `L`. The products in it are exact, so fusing changes no bit.
         unsafe { L::between_shorts(level.0, from, records, t.0) }.map(Self)
     }
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -4,13 +4,13 @@ use core::arch::aarch64::*;
 use core::mem::transmute;
 use wide::f64x2;
 
-/// [`Lanes::load_quads`](crate::Lanes::load_quads).
+/// Implements [`Lanes::load_quads`](crate::Lanes::load_quads).
 ///
 /// # Safety
-/// The same as there.
+/// The caller must keep the conditions of that method.
 #[inline(always)]
 pub(crate) unsafe fn load_quads(from: *const f64, offset: impl Fn(usize) -> usize) -> [f64x2; 4] {
-    // SAFETY: the caller promises that the numbers are readable; all types are of 128 bits.
+    // SAFETY: the caller guarantees that the numbers are readable; all types are of 128 bits.
     unsafe {
         let (a, b) = (from.add(offset(0)), from.add(offset(1)));
         let (xy_a, zw_a) = (vld1q_f64(a), vld1q_f64(a.add(2)));
@@ -24,13 +24,13 @@ pub(crate) unsafe fn load_quads(from: *const f64, offset: impl Fn(usize) -> usiz
     }
 }
 
-/// [`Lanes::store_quads`](crate::Lanes::store_quads).
+/// Implements [`Lanes::store_quads`](crate::Lanes::store_quads).
 ///
 /// # Safety
-/// The same as there.
+/// The caller must keep the conditions of that method.
 #[inline(always)]
 pub(crate) unsafe fn store_quads(components: [f64x2; 4], to: *mut f64, stride: usize) {
-    // SAFETY: the caller promises that the numbers are writable; all types are of 128 bits.
+    // SAFETY: the caller guarantees that the numbers are writable; all types are of 128 bits.
     unsafe {
         let [x, y, z, w]: [float64x2_t; 4] = transmute(components);
         vst1q_f64(to, vzip1q_f64(x, y));
@@ -40,41 +40,43 @@ pub(crate) unsafe fn store_quads(components: [f64x2; 4], to: *mut f64, stride: u
     }
 }
 
-/// [`Lanes::store_triples`](crate::Lanes::store_triples).
+/// Implements [`Lanes::store_triples`](crate::Lanes::store_triples).
 ///
 /// # Safety
-/// The same as there.
+/// The caller must keep the conditions of that method.
 #[inline(always)]
 pub(crate) unsafe fn store_triples(components: [f64x2; 3], to: *mut f64) {
-    // SAFETY: the caller promises that the numbers are writable; the types have the same registers.
+    // SAFETY: the caller guarantees that the numbers are writable; the types have the same
+    // registers.
     unsafe { vst3q_f64(to, transmute::<[f64x2; 3], float64x2x3_t>(components)) };
 }
 
-/// [`Lanes::store_adjoining`](crate::Lanes::store_adjoining). Three numbers have a function of
-/// their own.
+/// Implements [`Lanes::store_adjoining`](crate::Lanes::store_adjoining) for two components.
+/// `store_triples` stores three.
 ///
 /// # Safety
-/// The same as there.
+/// The caller must keep the conditions of that method.
 #[inline(always)]
 pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f64x2; C], to: *mut f64) -> bool {
     if C != 2 {
         return false;
     }
-    // SAFETY: the caller promises that the numbers are writable. There are two components, which
+    // SAFETY: the caller guarantees that the numbers are writable. There are two components, which
     // are two registers.
     unsafe { vst2q_f64(to, components.as_ptr().cast::<float64x2x2_t>().read()) };
     true
 }
 
-/// [`Lanes::load_adjoining`](crate::Lanes::load_adjoining). Four numbers are as quick by shuffles.
+/// Implements [`Lanes::load_adjoining`](crate::Lanes::load_adjoining). Four numbers are as quick by
+/// shuffles.
 ///
 /// # Safety
-/// The same as there.
+/// The caller must keep the conditions of that method.
 #[inline(always)]
 pub(crate) unsafe fn load_adjoining<const C: usize>(from: *const f64) -> Option<[f64x2; C]> {
     let mut to = [f64x2::ZERO; C];
     let at = to.as_mut_ptr();
-    // SAFETY: the caller promises that two records of C numbers are readable, and `to` has C
+    // SAFETY: the caller guarantees that two records of C numbers are readable, and `to` has C
     // vectors, which are registers.
     unsafe {
         match C {

@@ -1,10 +1,10 @@
 //! Records and single dual quaternions by instructions of NEON, for the lanes of
 //! [`Portable`](crate::Portable). Their arithmetic is that of `wide`.
 //!
-//! NEON reads and writes *structures*: `ld3` brings three numbers of each of four records into
-//! three registers. It is used where it is quicker than single loads with shuffles in the models
-//! of LLVM for Neoverse N1 and V2 and for Apple's cores, which `scripts/count_arm.py` asks
-//! (docs/measured.md, *NEON*):
+//! NEON has instructions for *structures*: `ld3` reads three components of each of four records
+//! into three registers. This module uses them where LLVM's models of Neoverse N1, Neoverse V2 and
+//! Apple's cores say that they are quicker than single loads with shuffles; `scripts/count_arm.py`
+//! asks these models (docs/measured.md, *NEON*):
 //!
 //! | records that adjoin | loads | stores |
 //! |---|---|---|

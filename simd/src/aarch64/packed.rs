@@ -6,26 +6,28 @@ use core::arch::asm;
 use core::mem::transmute;
 use wide::{f32x8, f64x8};
 
-/// The signs of (w, z, −y, −x), (−z, w, x, −y) and (y, −x, w, −z).
+/// The sign bits of (w, z, −y, −x), (−z, w, x, −y) and (y, −x, w, −z), the first three
+/// columns, for `f32`.
 const SINGLE: [[u32; 4]; 3] = {
     const MINUS: u32 = 1 << 31;
     [[0, 0, MINUS, MINUS], [MINUS, 0, 0, MINUS], [0, MINUS, 0, MINUS]]
 };
-/// The same.
+/// The sign bits of the first three columns, for `f64`.
 const DOUBLE: [[u64; 4]; 3] = {
     const MINUS: u64 = 1 << 63;
     [[0, 0, MINUS, MINUS], [MINUS, 0, 0, MINUS], [0, MINUS, 0, MINUS]]
 };
 
-/// The signs of the columns, for `f32`.
+/// Returns [`SINGLE`] in registers.
 #[inline(always)]
 fn signs() -> [uint32x4_t; 3] {
-    // SAFETY: the types are of one size.
+    // SAFETY: both types have the same size, and any bits are valid for integers.
     let mut signs = unsafe { transmute::<[[u32; 4]; 3], [uint32x4_t; 3]>(SINGLE) };
     // The assembly hides the constants from the compiler, which would move the changes of signs to
     // other places and load two of the constants for every product.
     for row in &mut signs {
-        // SAFETY: the assembly has no instruction.
+        // SAFETY: the assembly is a comment without an instruction, so it changes no register or
+        // memory.
         unsafe {
             asm!("/* {0:v} */", inout(vreg) * row, options(pure, nomem, nostack, preserves_flags));
         }

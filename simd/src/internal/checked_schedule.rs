@@ -19,7 +19,7 @@ use alloc::boxed::Box;
 /// add half a cycle. `S` holds the pairs, and is a slice or a box. A box is borrowed to run.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedSchedule<S> {
-    /// Invariant: all numbers in it are less than `bound`.
+    /// Invariant: all indices in `pairs` are less than `bound`.
     pairs: S,
     bound: usize,
 }
@@ -38,7 +38,7 @@ impl<S: AsRef<[[u32; 2]]>> CheckedSchedule<S> {
 
 #[cfg(feature = "alloc")]
 impl CheckedSchedule<Box<[[u32; 2]]>> {
-    /// The same schedule, not checked again.
+    /// Returns this schedule over borrowed pairs, without checking them again.
     #[inline(always)]
     #[must_use]
     pub fn borrowed(&self) -> CheckedSchedule<&[[u32; 2]]> {
@@ -68,7 +68,8 @@ impl CheckedSchedule<&[[u32; 2]]> {
             return None;
         }
         for &[to, from] in self.pairs {
-            // SAFETY: both lengths are the bound, and all indices are below it.
+            // SAFETY: both slices have `bound` elements, as checked above, and all indices are
+            // below `bound`, by the invariant.
             unsafe {
                 let output =
                     step(outputs.get_unchecked(from as usize), inputs.get_unchecked(to as usize));
@@ -90,7 +91,8 @@ impl CheckedSchedule<&[[u32; 2]]> {
             return None;
         }
         for &[to, from] in self.pairs {
-            // SAFETY: the length is the bound, and all indices are below it.
+            // SAFETY: the slice has `bound` elements, as checked above, and all indices are below
+            // `bound`, by the invariant.
             unsafe {
                 let element = step(
                     elements.get_unchecked(from as usize),

@@ -31,12 +31,12 @@ use crate::lanes::Lanes;
 pub struct Gather<'f> {
     pub(crate) frames: &'f [u32],
     pub(crate) pitch: usize,
-    /// The number of the first record of the greatest frame's row.
+    /// The index of the first record in the row of the greatest frame.
     pub(crate) greatest: usize,
 }
 
 impl<'f> Gather<'f> {
-    /// These frames, of a table whose rows have `pitch` records.
+    /// Makes a gather of these frames from a table whose rows have `pitch` records.
     #[must_use]
     #[inline(always)]
     pub fn new(frames: &'f [u32], pitch: usize) -> Self {
@@ -89,13 +89,14 @@ impl<'f> Gather<'f> {
 /// They are found once for all columns.
 #[derive(Clone, Copy, Debug)]
 pub struct GatheredRows<const C: usize> {
-    /// The number of each row's first number in the table.
+    /// The index, in components, at which each row begins in the table.
     pub(crate) starts: [usize; MAX_LANES],
-    /// The number of the greatest row's first record.
+    /// The index of the first record in the greatest row.
     pub(crate) greatest: usize,
 }
 
-/// The values for each lane where fewer values than lanes are left: these, and `last` for the rest.
+/// Returns a value for each lane if fewer values than lanes are left: first these values, then
+/// `last` in the remaining lanes.
 #[cold]
 #[inline(never)]
 pub(super) fn padded<T: Copy>(values: &[T], last: T) -> [T; MAX_LANES] {

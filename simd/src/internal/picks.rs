@@ -188,7 +188,8 @@ unsafe fn records<J: Index, R, const C: usize>(
     table: &[[R; C]],
 ) -> [&[R; C]; RECORDS_PER_LANE] {
     let [a, b, c, d] = J::numbers(row);
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are those of
+    // the code here.
     unsafe {
         [
             table.get_unchecked(a),

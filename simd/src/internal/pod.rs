@@ -20,7 +20,7 @@ pub unsafe trait Numbers<T> {}
 unsafe impl<T> Numbers<T> for T {}
 // SAFETY: arrays have no padding between their elements.
 unsafe impl<T, const N: usize> Numbers<T> for [T; N] {}
-// SAFETY: as above, twice.
+// SAFETY: an array of arrays has no padding either.
 unsafe impl<T, const N: usize, const M: usize> Numbers<T> for [[T; N]; M] {}
 
 /// The size of a field in bytes. This compiles only if the field consists of numbers.

@@ -1,5 +1,5 @@
-//! The square root of one number, which `core` does not have. It is one instruction if the target
-//! has it.
+//! The square root of one float, which `core` does not have. It compiles to one instruction on
+//! targets that have one.
 
 /// True if the square root of a vector of `wide` is quick, which is so if the target has vectors or
 /// `std`. Otherwise `wide` computes it in `f64`, with integers.

@@ -1,8 +1,8 @@
 //! Interpolation between the keys of packed clips, which are read from the bytes of a file in
 //! place.
 //!
-//! `dq8` describes the file and parses its head. What is here are the three tables of it that a
-//! loop reads without checks, so the checks that make that sound have to be here as well:
+//! `dq8` describes the file and parses its head. This file has the three tables of the format that
+//! a loop reads without checks, and therefore also the checks that make these reads sound:
 //!
 //! ```text
 //! keys                 four 16-bit numbers each
@@ -10,9 +10,9 @@
 //! rows[row][column]    an entry, 2 · offset + m: m is 1 if the column moves in the clip, else 0
 //! ```
 //!
-//! A column is what changes together: the rotation of a joint, or its translation. One that moves
-//! has a key for each frame, and one that stays has one key in all. So column `c` at frame `f` of a
-//! clip has this key:
+//! A column is the rotation or the translation of one joint. A column that moves has a key for each
+//! frame; a column that stays has one key in all. So column `c` at frame `f` of a clip has this
+//! key:
 //!
 //! ```text
 //! keys[first + m · f · step + offset]       with the entry of rows[row][c]
@@ -43,11 +43,11 @@ type Entry = [u8; 2];
 
 /// The number of keys in a cache line.
 const KEYS_PER_LINE: usize = 8;
-/// The number of keys from which on they do not fit into the second-level cache.
+/// The number of keys above which the keys do not fit into the second-level cache.
 const BEYOND_CACHE: usize = 1 << 17;
 
-/// The keys of clips that have the same columns, of which all keys exist that the clips lead to.
-/// Numbers are little-endian, and nothing is aligned.
+/// The keys of clips that have the same columns. Every key that a clip refers to exists: the
+/// constructor has checked it. All integers are little-endian, and no table is aligned.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
@@ -58,13 +58,13 @@ pub struct Tracks<'a> {
     columns: usize,
 }
 
-/// The reason why bytes are no [`Tracks`].
+/// The error of bytes that are not valid [`Tracks`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrackError {
     /// This clip has no frame, a step without a second frame, more keys than 32 bits count, or a
     /// row that does not exist.
     Clip(usize),
-    /// This entry of all rows leads a clip to a key that does not exist.
+    /// The entry at this index, counted over all rows, refers a clip to a key that does not exist.
     Entry(usize),
 }
 
@@ -73,7 +73,8 @@ impl<'a> Tracks<'a> {
     /// ignored.
     ///
     /// # Errors
-    /// Returns what is wrong with the first clip that leads to something that does not exist.
+    /// Returns the first clip that is wrong, or the first entry that refers to a key that does not
+    /// exist.
     pub fn new(
         keys: &'a [u8],
         clips: &'a [u8],
@@ -86,7 +87,8 @@ impl<'a> Tracks<'a> {
             let Clip { first, frames, step, row: number } =
                 tracks.clip(clip).ok_or(TrackError::Clip(clip))?;
             let row = tracks.row(number).ok_or(TrackError::Clip(clip))?;
-            // A clip of one frame has no next one, so no step. `TrackPlace` has keys in 32 bits.
+            // A clip of one frame has no next frame, so its step must be 0. `TrackPlace` has keys
+            // in 32 bits.
             let last = frames.checked_sub(1).filter(|_| frames > 1 || step == 0);
             let last = last.map(|last| u64::from(first) + u64::from(last) * u64::from(step));
             let last =
@@ -94,7 +96,8 @@ impl<'a> Tracks<'a> {
             let exists = |&entry: &Entry| {
                 let entry = u16::from_le_bytes(entry);
                 let from = saturated::<usize>(if entry & 1 == 0 { first } else { last });
-                // Without a step no column moves. Otherwise, one key could be four billion frames.
+                // In a clip whose step is 0 no column may move. Otherwise, one key could stand for
+                // four billion frames.
                 (entry & 1 == 0 || step > 0)
                     && from.saturating_add((entry >> 1).into()) < tracks.keys.len()
             };
@@ -140,8 +143,8 @@ impl<'a> Tracks<'a> {
         Some(u16::from_le_bytes(*self.row(self.clip(clip)?.row)?.get(column)?) & 1 == 1)
     }
 
-    /// The key of a column at a frame: its number among all keys, and its four numbers. `None` if
-    /// there is no such clip, column or frame.
+    /// Returns the key of a column at a frame: its index among all keys, and its four components.
+    /// `None` if there is no such clip, column or frame.
     #[must_use]
     pub fn key(&self, clip: usize, column: usize, frame: u32) -> Option<(usize, [i16; 4])> {
         let Clip { first, frames, step, row } = self.clip(clip)?;
@@ -152,8 +155,8 @@ impl<'a> Tracks<'a> {
         Some((key, numbers(*self.keys.get(key)?)))
     }
 
-    /// The place between a frame of a clip and the next one, or, in a clip of one frame, at that
-    /// frame. `None` if there is no such clip, or no next frame.
+    /// Returns the place between a frame of a clip and the next frame; in a clip of one frame, the
+    /// place at that frame. `None` if there is no such clip, or no next frame.
     #[must_use]
     #[inline]
     pub fn place(&self, clip: usize, frame: u32) -> Option<TrackPlace> {
@@ -164,14 +167,14 @@ impl<'a> Tracks<'a> {
         Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, origins, steps: [0, step] })
     }
 
-    /// These clips with a place in them for each lane.
+    /// Combines these clips with a place in them for each lane.
     ///
     /// # Errors
-    /// Returns the number of the first place that is none of these clips.
+    /// Returns the index of the first place that does not belong to these clips.
     pub fn placed<'p>(self, places: &'p [TrackPlace]) -> Result<PlacedTracks<'a, 'p>, usize> {
         let there = |place: &TrackPlace| {
             let after = place.origins[1].wrapping_sub(place.origins[0]);
-            // A clip in which no column moves has no step, so all its frames are the same place.
+            // A clip in which no column moves has the step 0, so all its frames are the same place.
             let frame = after.checked_div(place.steps[1]).unwrap_or(0);
             self.place(saturated(place.clip), frame).is_some_and(|own| own == *place)
         };
@@ -196,9 +199,10 @@ struct Clip {
 #[repr(C)]
 pub struct TrackPlace {
     clip: u32,
-    /// The number of the row's first entry.
+    /// The index of the row's first entry.
     row: u32,
-    /// The key that offsets count from, for a column that stays, and for one that moves.
+    /// The index of the key from which offsets count: first for a column that stays, then for a
+    /// column that moves.
     origins: [u32; 2],
     /// The distance to the key of the next frame: 0 for a column that stays, and the clip's step
     /// for one that moves.
@@ -206,7 +210,7 @@ pub struct TrackPlace {
 }
 // SAFETY: the struct is six numbers of 32 bits, without padding.
 unsafe impl Zeroable for TrackPlace {}
-// SAFETY: as above, and any bits are numbers.
+// SAFETY: the struct is six integers of 32 bits without padding, and any bits are valid integers.
 unsafe impl Pod for TrackPlace {}
 
 /// Clips, with a place in them for each lane.
@@ -282,7 +286,8 @@ impl<'a> PlacedTracks<'a, '_> {
         if !(column.is_multiple_of(KEYS_PER_LINE) || last) || keys.len() < BEYOND_CACHE {
             return;
         }
-        // Inlined, because around a call the loop that samples would spill its registers.
+        // This loop is inlined, because around a call the loop that samples would spill its
+        // registers to the stack.
         for place in self.places.get(first..).unwrap_or_default().iter().take(lanes) {
             let Some(&entry) = rows.get(place.row as usize + column) else { return };
             for key in place.keys(entry).into_iter().filter_map(|key| keys.get(key)) {
@@ -325,8 +330,8 @@ impl<'a> PlacedTracks<'a, '_> {
                 let beside = u16::from_le_bytes(first).wrapping_add(2 * lane as u16);
                 *differ = u16::from_le_bytes(*lanes.get_unchecked(lane)) ^ beside;
             }
-            // Mostly the keys of the lanes adjoin. Then one address serves all of them, which is
-            // quicker than one for each.
+            // In most clips the keys of the lanes adjoin. Then all loads use one address, which is
+            // quicker than an address for each lane.
             if differ.iter().fold(0, |all, one| all | one) == 0 {
                 let [key, next] = place.keys(first);
                 return Some(L::between_shorts(
@@ -349,7 +354,8 @@ impl<'a> PlacedTracks<'a, '_> {
 }
 
 impl TrackPlace {
-    /// The keys of the column with this entry, at the frame and at the next one.
+    /// Returns the indices of a column's keys at the frame and at the next frame; `entry` is the
+    /// column's entry.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn keys(&self, entry: Entry) -> [usize; 2] {
         let entry = u16::from_le_bytes(entry);
@@ -393,7 +399,7 @@ impl OwnedTracks {
         &self.bytes
     }
 
-    /// The same tracks, without another check.
+    /// Returns these tracks borrowed, without checking them again.
     #[must_use]
     pub fn borrowed(&self) -> Tracks<'_> {
         let [keys, clips, rows] = tables(&self.bytes, &self.ranges);
@@ -402,7 +408,7 @@ impl OwnedTracks {
     }
 }
 
-/// The bytes of each range.
+/// Returns the bytes of each range; a range beyond the end gives no bytes.
 #[cfg(feature = "alloc")]
 fn tables<'a>(bytes: &'a [u8], ranges: &[core::ops::Range<usize>; 3]) -> [&'a [u8]; 3] {
     ranges.each_ref().map(|range| bytes.get(range.clone()).unwrap_or_default())

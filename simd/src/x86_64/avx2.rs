@@ -58,7 +58,7 @@ impl Level for Avx2 {
             align_frame();
             kernel()
         }
-        // SAFETY: `self` proves AVX2 and FMA.
+        // SAFETY: `self` proves that the CPU has AVX2 and FMA.
         unsafe { with_avx2(kernel) }
     }
 }
@@ -143,7 +143,7 @@ macro_rules! mask {
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn to_bitmask(self) -> u32 {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 unsafe { $bits(self.0) }.cast_unsigned()
             }
         }
@@ -151,7 +151,7 @@ macro_rules! mask {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn bitand(self, other: Self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $and(self.0, other.0) }, self.1)
             }
         }
@@ -159,7 +159,7 @@ macro_rules! mask {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn bitor(self, other: Self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $or(self.0, other.0) }, self.1)
             }
         }
@@ -167,7 +167,7 @@ macro_rules! mask {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn not(self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $xor(self.0, $ones) }, self.1)
             }
         }

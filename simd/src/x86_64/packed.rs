@@ -90,7 +90,7 @@ macro_rules! packed {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn times_epsilon(self) -> Self {
                 let $v = self.0;
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $times_epsilon }, self.level())
             }
         }

@@ -11,7 +11,7 @@ use core::arch::x86_64::*;
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
 unsafe fn both(from: *const Shorts, [a, b]: [usize; 2]) -> __m128d {
-    // SAFETY: the caller promises that the records are readable, and the assembly leaves the
+    // SAFETY: the caller guarantees that the records are readable, and the assembly leaves the
     // address as it is.
     unsafe {
         // The assembly holds the address in a register. Without it the compiler computes the
@@ -32,12 +32,14 @@ pub(super) unsafe fn f32x8_between(
     records: impl Fn(usize) -> [usize; 2],
     t: __m256,
 ) -> [__m256; 4] {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are those of
+    // the code here.
     unsafe {
         // Both instructions return the second operand if the first is NaN, so NaN becomes 0.
         let t = _mm256_min_ps(_mm256_max_ps(t, _mm256_setzero_ps()), _mm256_set1_ps(1.0));
-        // In each lane, the two weights beside each other: 2¹⁴ − w below, w above. The product
-        // is exact, so lanes that fuse nothing have the same bits and share this function.
+        // Each lane holds its two weights: 2¹⁴ − w in the lower 16 bits and w in the upper 16
+        // bits. The product is exact, so lanes that fuse nothing have the same bits and share this
+        // function.
         let to = _mm256_mul_ps(t, _mm256_set1_ps(16384.0));
         let to = _mm256_add_ps(to, _mm256_set1_ps(12_582_912.0));
         let to = _mm256_castps_si256(to);
@@ -84,7 +86,8 @@ pub(super) unsafe fn f32x16_between(
     records: impl Fn(usize) -> [usize; 2],
     t: __m512,
 ) -> [__m512; 4] {
-    // SAFETY: the caller promises this.
+    // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are those of
+    // the code here.
     unsafe {
         let [x, y, z, w] = f32x8_between(from, &records, _mm512_castps512_ps256(t));
         let upper = f32x8_between(

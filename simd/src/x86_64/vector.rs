@@ -104,7 +104,8 @@ macro_rules! vector {
                     records: impl Fn(usize) -> [usize; 2],
                     t: Self,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller promises this.
+                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
+                    // which are those of the code here.
                     unsafe { crate::shorts::$one_by_one(level, from, records, t) }
                 }
             )?
@@ -117,27 +118,27 @@ macro_rules! vector {
             )?
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $mul_add(self.0, factor.0, addend.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $neg_mul_add(self.0, factor.0, addend.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn sqrt(self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $sqrt(self.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn abs(self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $and_not($splat(-0.0), self.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn copysign(self, sign: Self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 let joined = unsafe {
                     let bit = $splat(-0.0);
                     $or($and_not(bit, self.0), $and(bit, sign.0))
@@ -147,19 +148,19 @@ macro_rules! vector {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn lt(self, other: Self) -> $mask {
                 let ($la, $lb) = (self, other);
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 unsafe { $less }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn le(self, other: Self) -> $mask {
                 let ($ea, $eb) = (self, other);
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 unsafe { $less_equal }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn eq(self, other: Self) -> $mask {
                 let ($qa, $qb) = (self, other);
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 unsafe { $equal }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -178,7 +179,7 @@ macro_rules! vector {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn neg(self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $xor(self.0, $splat(-0.0)) }, self.1)
             }
         }
@@ -192,7 +193,7 @@ macro_rules! operator {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn $method(self, other: Self) -> Self {
-                // SAFETY: `self` proves the instructions.
+                // SAFETY: `self` proves that the CPU has the instructions.
                 Self(unsafe { $instruction(self.0, other.0) }, self.1)
             }
         }
