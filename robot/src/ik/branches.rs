@@ -1,10 +1,11 @@
 //! All solutions of an arm of the two families, up to eight in each lane. The names are those of
 //! the drawing in `family.rs`.
 //!
-//! With axes and points where all values are zero, a pose of the arm is the product of the turns
-//! eᵢ about the axes and of the pose where all values are zero (Brockett 1984), so the product of
-//! the turns follows from the target. The solution takes it apart, by what a turn about its own
-//! axis does not change (Paden and Kahan; Elias and Wen, *IK-Geo*, 2022):
+//! All axes and points are those of the arm whose values are all zero. A pose of the arm is then
+//! the product of the turns eᵢ about the axes and of the pose with all values zero (Brockett
+//! 1984), so the product of the turns follows from the target. The angles are found one after the
+//! other, by quantities that a turn about a given axis does not change (Paden and Kahan; Elias and
+//! Wen, *IK-Geo*, 2022):
 //!
 //! ```text
 //! spherical wrist
@@ -24,7 +25,8 @@
 //! ```
 //!
 //! Each equation has two solutions, or one, or any angle solves it. The last angle of each group
-//! makes up for the rounding of the ones before, so no solution needs to be improved afterwards.
+//! makes up for the rounding of the angles before it, so no solution needs to be improved
+//! afterwards.
 //!
 //! Angles are complex numbers e^{iθ}, one in each lane: turns are products, and only final answers
 //! need an arctangent.
@@ -34,11 +36,11 @@ use dq8::batch::{DualQuat, atan2, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::{Float, Lanes};
 
-/// The distance by which a target may be out of reach, in units of roundoff of the arm's size. A
-/// computed pose is off by some ten.
+/// The distance by which a target may be out of reach, in roundoffs of the arm's size. The rounding
+/// error of a computed pose is some ten of these units.
 const REACH_SLACK: f64 = 64.0;
-/// The distance from the edge of the reach within which two solutions count as one, in the same
-/// units.
+/// The distance from the edge of the reach within which two solutions count as one, in roundoffs of
+/// the arm's size.
 const MERGE_SLACK: f64 = 16.0;
 /// The sine of the angle between axes that count as parallel, in units of roundoff.
 const PARALLEL_SLACK: f64 = 32.0;
@@ -46,7 +48,7 @@ const PARALLEL_SLACK: f64 = 32.0;
 /// roundoff.
 const SINGULAR_SLACK: f64 = 4096.0;
 
-/// The four limits on lanes, the first two as lengths.
+/// The four limits of the constants above as registers, the first two as lengths.
 #[derive(Clone, Copy)]
 struct Slack<L> {
     reach: L,
@@ -61,15 +63,17 @@ pub(super) struct Branch<L: Lanes> {
     /// The six angles, as complex numbers of any length.
     pub(super) turns: [Complex<L>; 6],
     pub(super) exists: L::Mask,
-    /// The error of the angles before the wrist, in units of roundoff.
+    /// The error of the angles before the wrist for a roundoff in their inputs, in units of that
+    /// roundoff.
     error_gain: L,
-    /// Lanes in which it coincides with another solution, or is one of many: by the shoulder, the
-    /// elbow and the wrist.
+    /// The lanes in which this solution coincides with another one or is one of infinitely many:
+    /// because of the shoulder, of the elbow, and of the wrist.
     pub(super) singular: [L::Mask; 3],
 }
 
 impl<L: Lanes> Branch<L> {
-    /// The rounding error of its angles, where `rounding` is that of others, and at most `most`.
+    /// Returns the rounding error of this branch's angles, at most `most`. `rounding` is the
+    /// rounding error of an angle that nothing amplifies.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rounding(&self, rounding: L, most: L) -> L {
         let rounding = rounding * (most.constant(1.0) + self.error_gain);
@@ -81,7 +85,7 @@ impl<L: Lanes> Branch<L> {
 pub(super) struct Arm<'s, L: Lanes> {
     level: L::Level,
     geometry: &'s Geometry<L::Real>,
-    /// The product of the six turns that are to be found.
+    /// The product of the six turns whose angles are sought.
     product: DualQuat<L>,
     /// The angles of the start, which are taken where any angle is a solution.
     start: [Complex<L>; 6],
@@ -119,7 +123,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// A branch to be overwritten.
+    /// Returns a branch that exists in no lane, to be overwritten.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn empty(&self) -> Branch<L> {
         let zero = self.slack.reach;
@@ -128,7 +132,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Branch { turns: [turn; 6], exists: never, error_gain: zero, singular: [never; 3] }
     }
 
-    /// All solutions, limits not considered.
+    /// Returns all solutions, without regard to limits.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&self) -> [Branch<L>; 8] {
         let mut branches = [self.empty(); 8];
@@ -140,8 +144,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         branches
     }
 
-    /// The wrist stays in place when its three axes turn. So three axes bring it into place first,
-    /// and the others turn the tool.
+    /// Solves an arm with a spherical wrist. The wrist stays in place when the last three axes
+    /// turn, so the first three axes bring it into place, and the last three turn the tool.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn spherical_wrist(&self, branches: &mut [Branch<L>; 8]) {
         let last = self.product.transform_vector(self.axis(5));
@@ -178,7 +182,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Puts the wrist into place by a shoulder, and two links in a plane.
+    /// Puts the wrist into place by the shoulder and by two links in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn parallel_elbow(&self, places: &mut [Branch<L>; 4]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -199,7 +203,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// The same if the first two axes cross: the distance from the crossing, then the direction.
+    /// Puts the wrist into place if the first two axes cross. The elbow sets the distance from the
+    /// crossing, then the first two axes set the direction.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn crossing_shoulder(&self, places: &mut [Branch<L>; 4]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -209,7 +214,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let elbow = self.elbow(distance);
         let one = distance.constant(1.0);
         let direction = vector::scale(to_wrist, one / distance);
-        // With the wrist in the crossing, both axes turn about it.
+        // If the wrist is at the crossing, the first two axes do not move it, so their angles are
+        // free.
         let is_free = distance.le(self.slack.reach);
         let mut rest = places.iter_mut();
         for (third, exists) in elbow.turns.into_iter().zip(elbow.exists) {
@@ -235,9 +241,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// The three parallel axes change neither the height of a point along them nor the angle of a
-    /// direction to them. That gives the other three angles; then two links and a hand move in the
-    /// plane.
+    /// Solves an arm with three parallel axes. These axes change neither the height of a point
+    /// along them nor the angle of a direction to them, which gives the other three angles. Then
+    /// two links and a hand move in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -278,7 +284,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// The first angle: turned back by it, the wrist is at its height along the second axis.
+    /// Returns the two first angles. After turning back by such an angle, the wrist is at its
+    /// height along the second axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shoulder(&self, to_wrist: [L; 3]) -> Fork<L> {
         let axis = self.axis(0);
@@ -302,7 +309,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         fork
     }
 
-    /// The angle between the two links, by the distance of the end (Heron).
+    /// Returns the two angles between the two links for a distance of their end (Heron's formula).
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn elbow(&self, distance: L) -> Fork<L> {
         let [shortest, longest] = self.geometry.elbow_reach;
@@ -314,8 +321,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let mut root = positive(inner * inner_too * (outer * outer_too)).sqrt();
         let mut is_double = inner.le(merge) | outer.le(merge);
         if self.geometry.crosses {
-            // The direction of the end comes afterwards, and the square root of a rounding error
-            // would lead it astray.
+            // At the edge of the reach the root is set to zero. It would be the square root of a
+            // rounding error, which is large enough to turn the end of the arm in a wrong
+            // direction.
             is_double = inner.le(reach) | outer.le(reach);
             root = L::select(is_double, root.constant(0.0), root);
         }
@@ -325,7 +333,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Fork::new(base, [cosine, root], exists, is_double, [singular, size * size])
     }
 
-    /// The second angle, which brings the end of the arm to its place.
+    /// Returns the second angle, which brings the end of the arm to its place.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn upper_arm(&self, end: Complex<L>, third: Complex<L>) -> Complex<L> {
         let [upper, lower] = self.geometry.links_in_plane;
@@ -335,15 +343,15 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
     }
 
-    /// The fifth angle, which brings the last axis to its angle with `against`; and the lanes in
-    /// which the two are parallel. The slack for that grows with the error of the angles before:
-    /// those of a nearly stretched elbow are off by much more than a roundoff, and then the
-    /// direction in which nearly parallel axes differ means nothing.
+    /// Returns the two fifth angles, which bring the last axis to its angle with `against`, and the
+    /// lanes in which these axes are parallel. The slack for parallel axes grows with the error of
+    /// the angles before: a nearly stretched elbow amplifies rounding, and then the direction in
+    /// which nearly parallel axes differ has no meaning.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3], error_gain: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.wrist_reference);
         let one = error_gain.constant(1.0);
-        // Half of the error that a solution may have at most.
+        // This is half of the largest error that a solution may have.
         let most = self.number(self.geometry.tolerance * L::Real::from(8.0));
         let slack = self.slack.parallel * (one + error_gain);
         let slack = L::select(most.lt(slack), most, slack);
@@ -351,20 +359,21 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         (separation.turns_about(before, self.axis(4), self.axis(5)), separation.is_along)
     }
 
-    /// The vector from the base to a point of the tool.
+    /// Returns the vector from the base to a point of the tool.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn relative_to_base(&self, point: [L; 3]) -> [L; 3] {
         vector::sub(self.product.transform_point(point), self.vector(self.geometry.base))
     }
 
-    /// A direction, turned back by the first angle, in the plane of the elbow.
+    /// Turns a direction back by the first angle, and returns its components in the plane of the
+    /// elbow.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn directions(&self, first: Complex<L>, v: [L; 3]) -> Complex<L> {
         let v = first.conj().about(self.axis(0), v);
         Complex { re: vector::dot(self.plane[0], v), im: vector::dot(self.plane[1], v) }
     }
 
-    /// A point, turned back by the first angle, in the plane of the elbow.
+    /// Turns a point back by the first angle, and returns its components in the plane of the elbow.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn in_plane(&self, first: Complex<L>, way: [L; 3]) -> Complex<L> {
         self.directions(first, way).plus(Complex::splat(self.level, self.geometry.base_in_plane))
@@ -392,7 +401,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     }
 }
 
-/// An angle, as a complex number of length 1, or a point in a plane.
+/// An angle θ as the complex number e^{iθ}, or a point in a plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Complex<L> {
     pub(super) re: L,
@@ -405,7 +414,7 @@ impl<L: Lanes> Complex<L> {
         Self { re: L::splat(level, re), im: L::splat(level, im) }
     }
 
-    /// A point of length 1 in the direction of another; NaN at zero.
+    /// Returns the complex number of length 1 in the direction of re + i·im; NaN at zero.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn unit(re: L, im: L) -> Self {
         let over = re.constant(1.0) / re.mul_add(re, im * im).sqrt();
@@ -445,7 +454,7 @@ impl<L: Lanes> Complex<L> {
         atan2(self.im, self.re)
     }
 
-    /// The vector turned about a unit axis (Rodrigues).
+    /// Turns a vector about a unit axis by this angle (Rodrigues).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn about(self, axis: [L; 3], v: [L; 3]) -> [L; 3] {
         let along = (v[0].constant(1.0) - self.re) * vector::dot(axis, v);
@@ -453,12 +462,12 @@ impl<L: Lanes> Complex<L> {
         vector::scale_onto(axis, along, turned)
     }
 
-    /// The turn about a unit axis that brings `v` onto `w`, or as near as it can; NaN if one of
-    /// them is parallel to the axis.
+    /// Returns the turn about a unit axis that brings `v` onto `w`, or as near to `w` as possible.
+    /// It is NaN if `v` or `w` is parallel to the axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn onto(axis: [L; 3], v: [L; 3], w: [L; 3]) -> Self {
-        // Only the parts across the axis count. If they are small, products of the whole vectors
-        // would have lost them.
+        // Only the parts at right angles to the axis count. If they are small, products of the
+        // whole vectors would lose them by rounding.
         let (v, w) = (vector::cross(axis, v), vector::cross(axis, w));
         Self::unit(vector::dot(v, w), vector::dot(axis, vector::cross(v, w)))
     }
@@ -469,7 +478,7 @@ impl<L: Lanes> Complex<L> {
 pub(super) struct Fork<L: Lanes> {
     pub(super) turns: [Complex<L>; 2],
     pub(super) exists: [L::Mask; 2],
-    /// Lanes in which the two are equal, or nearly so.
+    /// The lanes in which the two solutions are equal or nearly equal.
     pub(super) is_singular: L::Mask,
     /// The error of an angle for a unit of roundoff in its inputs: large where the two solutions
     /// meet.
@@ -477,9 +486,9 @@ pub(super) struct Fork<L: Lanes> {
 }
 
 impl<L: Lanes> Fork<L> {
-    /// The angles of base·(re ± i·im), all of any length. Solutions whose im² is less than
-    /// `part` of the square of the length are singular. The roundoff of `re` is that of numbers as
-    /// large as `size`.
+    /// Returns the angles of base·(re ± i·im), where none of the complex numbers needs length 1.
+    /// The solutions are singular if im² is less than `part` of the squared length. `re` is
+    /// rounded like a number as large as `size`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
@@ -493,7 +502,7 @@ impl<L: Lanes> Fork<L> {
         let turns = [Complex::unit(one.re, one.im), Complex::unit(other.re, other.im)];
         let square = im * im;
         let is_singular = is_double | square.le(part * re.mul_add(re, square));
-        // Where the two meet, the angle is the square root of a roundoff.
+        // Where the two solutions meet, the error of the angle is the square root of a roundoff.
         let least = size * size.constant(root_of_epsilon::<L>());
         let error_gain = size / L::select(im.lt(least), least, im);
         Self { turns, exists: [exists, exists & !is_double], is_singular, error_gain }
@@ -524,8 +533,8 @@ impl<L: Lanes> Separation<L> {
         Self { cosine: vector::dot(v, w), sine, square, slack, is_along: sine.le(slack[0]) }
     }
 
-    /// The turns about `axis` that give `v` this angle to `to` (IK-Geo's subproblem 4, a circle and
-    /// a plane). All are unit vectors.
+    /// Returns the turns about `axis` after which `v` has this angle to `to` (subproblem 4 of
+    /// IK-Geo, a circle and a plane). All three are unit vectors.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn turns_about(&self, to: [L; 3], axis: [L; 3], v: [L; 3]) -> Fork<L> {
         let Self { cosine, sine, square, slack: [slack, part], .. } = *self;
@@ -541,14 +550,15 @@ impl<L: Lanes> Separation<L> {
         let differ = one - other;
         let left = differ.neg_mul_add(differ, square) - away;
         let least = L::select(sine.lt(slack), slack, sine) * slack;
-        // For parallel axes it would be the square root of a rounding error.
+        // For parallel axes the root is set to zero, because it would be the square root of a
+        // rounding error.
         let root = L::select(self.is_along, sine.constant(0.0), positive(left).sqrt());
         let parts = [cosine - both, root];
         Fork::new(base, parts, (-least).le(left), left.le(least), [part, sine.constant(1.0)])
     }
 }
 
-/// The number, or zero if it is negative.
+/// Returns the value, or zero if it is negative.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn positive<L: Lanes>(number: L) -> L {
     let zero = number.constant(0.0);

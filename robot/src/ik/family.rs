@@ -1,5 +1,5 @@
-//! The geometry of an arm of six hinges, found once: its family, axes and lengths; and the errors
-//! of arms that have none.
+//! [`Geometry`], the family, axes and lengths of an arm of six hinges, which are computed once, and
+//! the errors of joints that are no such arm.
 //!
 //! Both families, where all values are zero. An `o` is an axis toward the reader, a `*` a point.
 //! The page is the *plane of the elbow*, across axis 2.
@@ -49,7 +49,7 @@ pub enum Family {
     /// The second, third and fourth axis are parallel, and the last two meet (UR and other arms
     /// that work beside people).
     ThreeParallel,
-    /// Neither of the two.
+    /// The arm belongs to neither of the two families.
     Other,
 }
 
@@ -86,8 +86,8 @@ errors! {
 pub(super) struct Geometry<R> {
     pub(super) family: Family,
     pub(super) axes: [[R; 3]; 6],
-    /// The inverse of the tool's pose where all values are zero. A target times it is the product
-    /// of the turns about the six axes.
+    /// The inverse of the tool's pose where all values are zero. The product of a target and this
+    /// inverse is the product of the turns about the six axes.
     pub(super) home_inverse: DualQuat<R>,
     /// `true` if the first two axes cross, in `base`, and the elbow is not in a plane.
     pub(super) crosses: bool,
@@ -95,30 +95,33 @@ pub(super) struct Geometry<R> {
     pub(super) base: [R; 3],
     /// The point where the last axes meet.
     pub(super) wrist: [R; 3],
-    /// From the base to the third axis, and from there to the wrist. Only if the first axes cross.
+    /// The vectors from the base to the third axis, and from the third axis to the wrist. They are
+    /// used only if the first two axes cross.
     pub(super) upper_arm: [R; 3],
     pub(super) lower_arm: [R; 3],
-    /// From the wrist to the fourth axis. Only of three parallel axes.
+    /// The vector from the wrist to the fourth axis. It is used only for three parallel axes.
     pub(super) hand: [R; 3],
-    /// The smallest and the largest distance from the second axis, or from where it crosses the
-    /// first, to the end of the lower arm.
+    /// The smallest and the largest distance of the lower arm's end from the second axis, or from
+    /// the point where the first two axes cross.
     pub(super) elbow_reach: [R; 2],
-    /// Two directions that span the plane of the elbow, and the base in it, from the second axis.
+    /// Two directions that span the plane of the elbow, and the components of the base in this
+    /// plane, relative to the second axis.
     pub(super) plane: [[R; 3]; 2],
     pub(super) base_in_plane: [R; 2],
-    /// The upper and the lower arm in that plane, and the turn from one to the other where all
-    /// values are zero.
+    /// The upper and the lower arm in the plane of the elbow, and the turn from one to the other
+    /// where all values are zero.
     pub(super) links_in_plane: [[R; 2]; 2],
     pub(super) elbow_at_zero: [R; 2],
-    /// The directions of the third and fourth axis: 1 along the second, −1 against it.
+    /// The directions of the third and fourth axis: 1 if parallel to the second axis, −1 if
+    /// opposite to it.
     pub(super) signs: [R; 2],
-    /// The distance from the base to the wrist along the second axis, and the cosine between that
-    /// axis and the first.
+    /// The distance from the base to the wrist along the second axis, and the cosine of the angle
+    /// between the first two axes.
     pub(super) height: R,
     pub(super) tilt: R,
     /// The direction against which the fifth angle turns the last axis.
     pub(super) wrist_reference: [R; 3],
-    /// Two directions across the last axis.
+    /// Two directions at right angles to the last axis.
     pub(super) across_last: [[R; 3]; 2],
     /// A length that is typical for the arm.
     pub(super) size: R,
@@ -127,8 +130,8 @@ pub(super) struct Geometry<R> {
     pub(super) tolerance: R,
 }
 
-/// The tolerance for axes that are parallel or meet: numbers of nine decimals, or chains of rounded
-/// turns, differ by as much.
+/// Returns the tolerance for axes that are parallel or meet. Values that were written with nine
+/// decimals, and chains of rounded turns, miss it by less.
 pub(super) fn exact_tolerance<R: Real>() -> R {
     if R::EPSILON > R::from(1e-10) { R::from(1e-5) } else { R::from(1e-8) }
 }
@@ -137,15 +140,15 @@ pub(super) fn exact_tolerance<R: Real>() -> R {
 const NEAR: f32 = 1e-3;
 
 impl<R: Real> Geometry<R> {
-    /// `true` if the formulas of the family are those of the arm.
+    /// Returns `true` if the formulas of the family fit the arm exactly.
     pub(super) fn is_exact(&self) -> bool {
         self.tolerance <= exact_tolerance()
     }
 
-    /// The geometry of the arm that carries the only goal.
+    /// Finds the geometry of the arm that carries the only goal.
     ///
     /// # Errors
-    /// If it is not an arm of six hinges.
+    /// If the joints that carry the goal are not an arm of six hinges.
     pub(super) fn of(reach: &Reach<'_, R>) -> Result<Self, SolutionsError> {
         let &[goal] = reach.goals else {
             return Err(SolutionsError::Goals { goals: reach.goals.len() });
@@ -252,8 +255,8 @@ impl<R: Real> Geometry<R> {
         geometry
     }
 
-    /// Makes the point where the first two axes cross the base. Returns whether the third axis then
-    /// moves the wrist to and from it.
+    /// Makes the point where the first two axes cross the new `base`. Returns `true` if the third
+    /// axis changes the distance between this point and the wrist.
     fn cross(&mut self, crossing: [R; 3], elbow: [R; 3]) -> bool {
         let (upper, lower, axis) = (sub(elbow, crossing), sub(self.wrist, elbow), self.axes[2]);
         let (a, b) = (cross(axis, upper), cross(axis, lower));
@@ -271,7 +274,7 @@ fn unit<R: Real, const N: usize>(v: [R; N]) -> [R; N] {
     vector::over_norm(v, norm(v))
 }
 
-/// A unit vector across another.
+/// Returns a unit vector at right angles to another vector.
 fn any_across<R: Real>(v: [R; 3]) -> [R; 3] {
     let mut least = [R::ZERO; 3];
     let index = usize::from(v[1].abs() < v[0].abs());
@@ -280,7 +283,8 @@ fn any_across<R: Real>(v: [R; 3]) -> [R; 3] {
     unit(sub(least, scale(v, dot(v, least))))
 }
 
-/// The point of the first line that is nearest to the second; not finite if they are parallel.
+/// Returns the point of the first line that is nearest to the second line. It is not finite if the
+/// lines are parallel.
 fn meeting<R: Real>([p, q]: [[R; 3]; 2], [a, b]: [[R; 3]; 2]) -> [R; 3] {
     let across = cross(a, b);
     add(p, scale(a, dot(cross(sub(q, p), b), across) / dot(across, across)))

@@ -1,4 +1,5 @@
-//! Arms of six hinges: the arm, its solutions, and the way from targets to all solutions.
+//! [`SixAxisArm`], an arm of six hinges, its solutions, and the search for all solutions of a
+//! target.
 //!
 //! Arms of the two families are solved by formula (`branches.rs`), and every solution counts only
 //! if the mechanism itself reaches the target with it. Other arms are searched from many starts.
@@ -27,11 +28,11 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 /// once, to find all solutions for any target.
 ///
 /// Most industrial arms belong to one of two [families](Family), which have up to eight solutions,
-/// and all of them are found, by formula. A solution that differs from another by whole turns is
-/// not listed; of those within the limits, the one nearest to the start is. Each is checked by the
-/// mechanism itself, which is then at the target but for rounding; so a target counts as reachable
-/// up to 64 units of the last place (2⁻⁵² or 2⁻²³) of the arm's size beyond its reach. For
-/// other arms there are searches from many starts, which find some 99 of 100 solutions. If axes
+/// and all of them are found, by formula. Among solutions that differ by whole turns, only the one
+/// nearest to the start is listed. Each solution is checked by the forward kinematics of the
+/// mechanism, which puts the tool at the target except for rounding. A target counts as reachable
+/// up to 64 units in the last place (2⁻⁵² or 2⁻²³) of the arm's size beyond its reach.
+/// Other arms are solved by searches from many starts, which find some 99 of 100 solutions. If axes
 /// miss a family by at most 10⁻³, as do those of arms whose angles were typed with few digits,
 /// the solutions of the family's formula are the starts, which are far fewer.
 ///
@@ -75,8 +76,9 @@ pub struct SixAxisArm<'a, R> {
 }
 
 impl<'a, R: Real> SixAxisArm<'a, R> {
-    /// The arm of a problem. Axes count as parallel, or as meeting, to within 10⁻⁸ radians and
-    /// parts of the arm's size (`f32`: 10⁻⁵). A posture is ignored.
+    /// Makes the arm of a problem. Axes count as parallel if they miss it by at most 10⁻⁸
+    /// radians (`f32`: 10⁻⁵), and as meeting if they miss it by at most that part of the arm's
+    /// size. The posture of the problem is ignored.
     ///
     /// # Errors
     /// If there is not exactly one goal, if it is not for a whole pose, or if the joints that carry
@@ -86,13 +88,13 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         Ok(Self { geometry: Geometry::of(&reach)?, reach })
     }
 
-    /// The family of the arm, by its axes.
+    /// Returns the family of the arm, which follows from its axes.
     #[must_use]
     pub fn family(&self) -> Family {
         if self.geometry.is_exact() { self.geometry.family } else { Family::Other }
     }
 
-    /// The indices of the six hinges' values among those of the mechanism.
+    /// Returns the indices of the six hinges' values among the values of the mechanism.
     #[must_use]
     pub fn values(&self) -> [usize; 6] {
         let mut values = [0; 6];
@@ -102,14 +104,15 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         values
     }
 
-    /// The length of the scratch for [`solutions`](Self::solutions): zero for the two families.
+    /// Returns the length of the scratch for [`solutions`](Self::solutions), in values of type `R`.
+    /// It is zero for the two families.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
         self.with_values(self.reach.scratch_len())
     }
 
-    /// The length of the scratch for a [`SolutionsJob`](super::SolutionsJob), with any
-    /// instructions: zero for the two families.
+    /// Returns the length of the scratch for a [`SolutionsJob`](super::SolutionsJob) with any
+    /// instructions, in values of type `R`. It is zero for the two families.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         self.with_values(self.reach.batch_scratch_len())
@@ -127,27 +130,28 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
 pub struct Solutions<R> {
     all: [Solution<R>; 8],
     count: usize,
-    /// `true` if there are no others; `false` if they were found by searches, so that there may be
-    /// more.
+    /// `true` if the arm has no other solutions; `false` if searches found these, so that there may
+    /// be more.
     pub is_complete: bool,
 }
 
-/// A solution: values with which the tool is at the target.
+/// A solution: values of the six hinges that bring the tool to the target.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solution<R> {
-    /// The values of the six hinges, from the base up, within their limits; of those that differ by
-    /// whole turns, the ones nearest to the start.
+    /// The values of the six hinges from the base up, within their limits. Whole turns are chosen
+    /// so that each value is as near to the start as possible.
     pub values: [R; 6],
-    /// The distance from the start: the root of the sum of squares, radians.
+    /// The distance from the start in radians: the root of the sum of the squared differences of
+    /// all values.
     pub distance: R,
     /// The joints at which the arm is singular.
     pub singular: Singular,
 }
 
-/// The joints at which a solution is singular. It is then two solutions that coincide, because the
-/// target is at the edge of the reach, or one of infinitely many, of which the one with the angle
-/// of the start is given.
+/// The joints at which a solution is singular. Either two solutions coincide there, because the
+/// target is at the edge of the reach; or there are infinitely many solutions, of which the one
+/// with the angle of the start is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular {
@@ -161,7 +165,7 @@ pub struct Singular {
 }
 
 impl Singular {
-    /// `true` if the solution is singular at any joint.
+    /// Returns `true` if the solution is singular at any joint.
     #[must_use]
     pub fn any(self) -> bool {
         self.shoulder || self.elbow || self.wrist
@@ -169,7 +173,7 @@ impl Singular {
 }
 
 impl<R: Real> Default for Solutions<R> {
-    /// No solutions.
+    /// Returns an empty list of solutions.
     fn default() -> Self {
         let none =
             Solution { values: [R::ZERO; 6], distance: R::ZERO, singular: Singular::default() };
@@ -186,8 +190,8 @@ impl<R> Deref for Solutions<R> {
 }
 
 impl<R: Real> Solutions<R> {
-    /// Inserts a solution behind those that are nearer. Of more than eight, which searches may
-    /// find, the farthest is dropped.
+    /// Inserts a solution behind the solutions that are nearer to the start. The list holds eight:
+    /// if searches find more, the farthest is dropped.
     pub(super) fn insert(&mut self, solution: Solution<R>) {
         let nearer = self.iter().filter(|other| other.distance <= solution.distance).count();
         self.count = self.all.len().min(self.count + 1);
@@ -205,7 +209,7 @@ impl<R: Real> Solutions<R> {
 }
 
 impl<'a, R: Copy> SixAxisArm<'a, R> {
-    /// A job for many targets at a time.
+    /// Returns a job that solves many targets at a time.
     pub fn job(self) -> SolutionsJob<'a, R> {
         SolutionsJob { arm: self, choice: Choice::default() }
     }
@@ -215,13 +219,13 @@ impl<R> SixAxisArm<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// All values of the six hinges, within their limits, that bring the tool to a target, the
-    /// nearest to `start` first; none if it cannot be reached. `scratch` has
-    /// [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
+    /// Returns all solutions within the limits that bring the tool to a target, the one nearest to
+    /// `start` first; the list is empty if the target cannot be reached. `scratch` must have at
+    /// least the length [`scratch_len`](Self::scratch_len), and may hold anything.
     ///
     /// # Errors
-    /// If a number is not finite, the target is farther than 10⁻³ from unit, or there is too
-    /// little scratch.
+    /// If the target or the start is not finite, if the target is farther than 10⁻³ from unit,
+    /// or if `scratch` is too short.
     pub fn solutions(
         &self,
         target: DualQuat<R>,
@@ -241,7 +245,8 @@ where
             let starts = work.values.chunks_exact_mut(size).zip(work.targets);
             for ((values, &target), report) in starts.zip(work.reports) {
                 let options = work.settings.options;
-                // Lengths fit; a search that cannot be made has not converged.
+                // The lengths fit, so `follow` returns no error. If it did, the default report
+                // would count as not converged.
                 let report_of = self.reach.follow(&[target], values, scratch, options);
                 *report = report_of.unwrap_or_default();
             }
@@ -251,8 +256,8 @@ where
     }
 }
 
-/// A job for many targets of a [`SixAxisArm`], as many at a time as there are lanes. Its options
-/// all have a default, and the solutions of one target do not depend on the others.
+/// A job for many targets of a [`SixAxisArm`], with a target in each lane. All its options have a
+/// default, and the solutions of one target do not depend on the other targets.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct SolutionsJob<'a, R> {
@@ -265,13 +270,14 @@ impl<R> SolutionsJob<'_, R> {
 }
 
 impl<R: Scalar> SolutionsJob<'_, R> {
-    /// [`SixAxisArm::solutions`] for many targets, each with a start of its own. Allocates
-    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers for each task that runs at the
-    /// same time.
+    /// Finds the solutions of many targets, each with its own start, as [`SixAxisArm::solutions`]
+    /// does for one. Allocates scratch of the length
+    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len) for each task that runs at the same
+    /// time.
     ///
     /// # Errors
-    /// As there, or if there are not as many starts, or places for solutions, as targets; nothing
-    /// is written.
+    /// The errors of [`SixAxisArm::solutions`], and an error if the numbers of targets, starts and
+    /// places for solutions differ. Nothing is written then.
     #[cfg(feature = "alloc")]
     pub fn solutions(
         &self,
@@ -293,12 +299,13 @@ impl<R: Scalar> SolutionsJob<'_, R> {
         Ok(())
     }
 
-    /// [`solutions`](Self::solutions) in memory of the caller, without allocation, on the thread
-    /// that calls: `scratch` has [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers or
-    /// more, and may hold anything.
+    /// Finds the solutions of many targets as [`solutions`](Self::solutions) does, without
+    /// allocation and on the calling thread. `scratch` must have at least the length
+    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len), and may hold anything.
     ///
     /// # Errors
-    /// As there, or if there is too little scratch; nothing is written.
+    /// The errors of [`solutions`](Self::solutions), and an error if `scratch` is too short.
+    /// Nothing is written then.
     pub fn solutions_in(
         &self,
         scratch: &mut [R],
@@ -313,7 +320,7 @@ impl<R: Scalar> SolutionsJob<'_, R> {
     }
 }
 
-/// Targets, starts, and the places of the solutions.
+/// The inputs and outputs of a job: the arm, targets, starts, and the slice for the solutions.
 struct SolutionsKernel<'s, R> {
     arm: &'s SixAxisArm<'s, R>,
     targets: &'s [DualQuat<R>],
@@ -322,7 +329,8 @@ struct SolutionsKernel<'s, R> {
 }
 
 impl<R: Real> SolutionsKernel<'_, R> {
-    /// The same, once its lengths fit, its numbers are finite, and its targets are unit motions.
+    /// Returns the job if its lengths fit, its inputs are finite, and its targets are unit motions;
+    /// otherwise an error.
     fn checked(self) -> Result<Self, SolutionsError> {
         same_length("starts", self.starts.len(), self.targets.len())?;
         same_length("found", self.found.len(), self.targets.len())?;
@@ -354,8 +362,9 @@ impl<R: Scalar> SolutionsKernel<'_, R> {
             backend.run(SolutionsKernel { found: &mut *self.found, ..self });
         }
         self.by_searches(scratch, |work, scratch| {
-            // The kernel of all searches, whose `options` rule out restarts: firmware may have no
-            // other kernel.
+            // These searches do not restart, because their `options` rule it out. `RESTARTS` is
+            // chosen as for other searches, so that a program does not hold a second copy of the
+            // kernel.
             const RESTARTS: bool = cfg!(not(target_os = "none"));
             arm.reach.job().run::<RESTARTS, false>(backend, work, scratch);
         });
@@ -380,7 +389,7 @@ impl<R: Scalar> SolutionsKernel<'_, R> {
         }
     }
 
-    /// Finds the solutions by searches, if the formulas are not those of the arm.
+    /// Finds the solutions by searches, for an arm that the formulas do not fit exactly.
     fn by_searches(self, scratch: &mut [R], mut search: impl FnMut(Work<'_, R>, &mut [R])) {
         let reach = &self.arm.reach;
         if self.arm.geometry.is_exact() {
@@ -409,13 +418,14 @@ struct TargetLanes<'s, L: Lanes> {
     level: L::Level,
     arm: &'s SixAxisArm<'s, L::Real>,
     target: batch::DualQuat<L>,
-    /// The values of the start, within the limits, and the same as turns.
+    /// The values of the start within the limits, and the same angles θ as complex numbers
+    /// e^{iθ}.
     start: [L; 6],
     turns: [Complex<L>; 6],
 }
 
 impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
-    /// The targets from number `first` on.
+    /// Loads the targets from index `first` on, one into each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(level: L::Level, work: &SolutionsKernel<'s, L::Real>, first: usize) -> Self {
         let zero = L::splat(level, L::Real::ZERO);
@@ -455,14 +465,15 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
     fn insert(&self, branch: &Branch<L>, found: &mut [Solutions<L::Real>]) {
         let (level, arm, start) = (self.level, self.arm, self.start);
         let zero = L::splat(level, L::Real::ZERO);
-        // Searches go on from solutions that are only near, and keep within the limits.
+        // Searches improve solutions of formulas that fit only nearly, and keep them within the
+        // limits. So these may lie beyond a limit by the tolerance.
         let margin = if arm.geometry.is_exact() { zero } else { L::splat(level, arm.tolerance()) };
         let mut exists = branch.exists;
         let (mut values, mut square) = ([zero; 6], zero);
         let most = L::splat(level, arm.geometry.tolerance);
         for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
             let angle = branch.turns[index].angle();
-            // The angles of a nearly stretched elbow have a larger error.
+            // A nearly stretched elbow amplifies the rounding error of its angles.
             let rounding = branch.rounding(Range::rounding(start[index]), most);
             let value = freedom.range.wrap_within(angle, start[index], rounding);
             let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
@@ -493,13 +504,14 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
 }
 
 impl<R: Scalar> SixAxisArm<'_, R> {
-    /// The largest angle, and part of the arm's size, by which a solution may miss the target: 16
-    /// times the tolerance of the family.
+    /// Returns the largest angle, and the largest part of the arm's size, by which a solution may
+    /// miss the target: 16 times the tolerance of the family.
     fn tolerance(&self) -> R {
         self.geometry.tolerance * R::from(16.0)
     }
 
-    /// Lanes in which the mechanism itself reaches the target with these values.
+    /// Returns the lanes in which the forward kinematics of the mechanism reaches the target with
+    /// these values.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn reaches<L: Lanes<Real = R>>(&self, values: [L; 6], target: batch::DualQuat<L>) -> L::Mask {
         let (reach, level) = (&self.reach, values[0].level());
@@ -533,13 +545,14 @@ impl<R: Scalar> SixAxisArm<'_, R> {
     }
 }
 
-/// The number of starts. Of the solutions of random targets, 64 find 99.8 in 100, and 32 find 98.
+/// The number of starts for each target. 64 starts find 99.8 of 100 solutions of random targets,
+/// and 32 starts find 98.
 const STARTS: usize = 64;
-/// The limit from which on solutions are different, and not two ends of the same search: the sine
-/// of half the difference of some angle.
+/// The limit above which two results of searches count as different solutions: the sine of half the
+/// largest difference of an angle.
 const DISTINCT: f32 = 1e-3;
 
-/// The number of values of all starts.
+/// Returns the number of values in all starts together.
 fn starts_len<R: Copy>(reach: &Reach<'_, R>) -> usize {
     reach.mechanism.values.saturating_mul(STARTS)
 }
@@ -549,16 +562,17 @@ struct Starts<'s, R> {
     reach: &'s Reach<'s, R>,
     target: DualQuat<R>,
     start: &'s [R; 6],
-    /// On entry the solutions by formula of an arm that is nearly the same; on return those of this
-    /// arm.
+    /// On entry, the solutions of the formulas of a family that the arm nearly belongs to; on
+    /// return, the solutions of this arm.
     found: &'s mut Solutions<R>,
     /// Memory for [`STARTS`] configurations.
     values: &'s mut [R],
 }
 
 impl<R: Scalar> Starts<'_, R> {
-    /// Finds the solutions to which `search` converges: from those by formula; if there are none,
-    /// from the start and from values that are spread evenly within the limits.
+    /// Finds the solutions to which `search` converges. It starts from the solutions of the
+    /// formulas in `found`; if there are none, from `start` and from values that are spread evenly
+    /// within the limits.
     fn search_all(self, search: impl FnOnce(Work<'_, R>)) {
         let Self { reach, target, start, found, values } = self;
         let fine = R::from(if R::EPSILON > R::from(1e-10) { 1e-5 } else { 1e-10 });

@@ -1,4 +1,5 @@
-//! Damped least squares in the shape of the tree, for many goals.
+//! Damped least squares for many goals, with normal equations that are sparse like the tree of
+//! joints.
 //!
 //! A goal acts on a twist ξ of its link as a rigid body does. With μ and ν the squares of its
 //! weights for position and rotation, and p its point, ξᵀJᵀJξ is twice the kinetic energy of
@@ -44,7 +45,7 @@ use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Mask};
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Computes JᵀJ and Jᵀe at the poses that were computed last.
+    /// Computes JᵀJ and Jᵀe at the latest poses.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn assemble(&mut self) {
         let (level, reach) = (self.level, self.reach);
@@ -72,8 +73,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             for index in 0..step.kind.rates() {
                 self.set_row(&body, reach.column(step.rate as usize + index));
             }
-            // The largest branch below a link shares its slot; the others add their bodies to that
-            // slot, and clear theirs for the branches that follow.
+            // The largest branch below a link uses the link's own slot for its body. The other
+            // branches add their bodies to this slot, and clear their own slots for the next
+            // branches.
             let below = step.parent_slot as usize * BODY;
             if step.parent == NONE {
                 body = [zero; BODY];
@@ -87,7 +89,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Adds the body and the force of a goal.
+    /// Adds the body and the force of a goal to `body`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn add_goal(&self, body: &mut [L; BODY], index: usize, goal: &Goal<L::Real>, row: usize) {
         let (level, half) = (self.level, self.pose(index).half);
@@ -115,8 +117,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         add(body, [mass, mx, my, mz, ixx, iyy, izz, ixy, ixz, iyz, tx, ty, tz, fx, fy, fz]);
     }
 
-    /// Computes a row of the system: the entries of a freedom with itself and with those that carry
-    /// it, and its right-hand side.
+    /// Computes a row of the normal equations: the entries of a freedom with itself and with the
+    /// freedoms that carry it, and its right-hand side.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn set_row(&mut self, body: &[L; BODY], column: usize) {
         let (level, reach, scratch) = (self.level, self.reach, &mut self.scratch);
@@ -144,9 +146,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Solves (JᵀJ + λ²1) x = Jᵀe + λ²z for x in `radians`, z the step to the posture. Held
-    /// freedoms have given changes, so their rows and columns leave the system, and the products go
-    /// to the right-hand side.
+    /// Solves (JᵀJ + λ²1) x = Jᵀe + λ²z for x in `radians`, z the step to the posture. The
+    /// changes of held freedoms are known, so their rows and columns leave the equations, and their
+    /// products move to the right-hand side.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_tree(&mut self, damping: L, posture_step: bool) {
         let (level, freedoms, scratch) = (self.level, self.reach.freedoms, &mut self.scratch);
@@ -166,7 +168,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             *to = *from;
         }
         if holds.any() {
-            // The products of held freedoms go to the right-hand side, and their rows and columns
+            // The products of held freedoms move to the right-hand side, and their rows and columns
             // become those of the identity.
             for (index, freedom) in freedoms.iter().enumerate() {
                 let is_held = held.get(level, index).eq(one);
@@ -198,8 +200,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let least = trace
             .mul_add(damping.constant(0.25 * epsilon::<L>()), damping + damping.constant(FLOOR));
-        // From the leaves: JᵀJ = LᵀDL. A row begins with the entries of the joints that carry
-        // its freedom.
+        // This loop factorises JᵀJ = LᵀDL from the leaves to the base. A row begins with the
+        // entries of the joints that carry its freedom.
         for (index, freedom) in freedoms.iter().enumerate().rev() {
             let (first, depth) = (freedom.first_entry as usize, freedom.depth as usize);
             let Some((above, own)) = factor.0.split_at_mut_checked(first) else { return };
@@ -240,13 +242,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 }
 
 impl<R: Real> Reach<'_, R> {
-    /// `true` if the posture or the start has a weight in every step.
+    /// Returns `true` if the posture or the start has a weight in every step.
     pub(super) fn has_weights(&self, settings: Settings<'_, R>) -> bool {
         let posture = self.posture.is_some() && settings.posture_weight > R::ZERO;
         posture || settings.start_weight > R::ZERO
     }
 
-    /// `true` if searches with these settings solve the system in the shape of the tree.
+    /// Returns `true` if searches with these settings solve the normal equations that are sparse
+    /// like the tree.
     pub(super) fn uses_tree(&self, settings: Settings<'_, R>) -> bool {
         let is_weighed = self.posture.is_none() || settings.posture_weight > R::ZERO;
         self.facts.tree > 0 && is_weighed
