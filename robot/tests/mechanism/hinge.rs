@@ -76,7 +76,8 @@ fn the_documentation_says_by_how_much_a_hinge_errs() {
     let text = include_str!("../../src/lib.rs").replace("\n//! ", " ");
     let [sin, cos] = BOUNDS;
     let words = format!(
-        "at most {sin} and {cos} units of 2⁻²⁴ at any angle up to there, the cosine by {}",
+        "at most {sin} and {cos} units of 2⁻²⁴ at any angle in the range. Up to π the error of \
+         the cosine is at most {}.",
         NEAR[1]
     );
     assert!(text.contains(&words), "{words}");
