@@ -95,7 +95,8 @@ impl<L: Lanes> DualQuat<L> {
             let half_turn = Length::of(step.real, one).value();
             let turn = half_turn + half_turn;
             let slide = Length::of(step.dual, one).value();
-            // Not the opposite of `converged`: with NaN there is nothing to go on for.
+            // This is not the negation of `converged`: both are false for NaN, whose lanes need no
+            // further step.
             let goes_on = tolerance.lt(turn) | length_tolerance.lt(slide);
             if made == max_iterations || !goes_on.any() {
                 let converged = turn.le(tolerance) & slide.le(length_tolerance);

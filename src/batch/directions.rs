@@ -26,7 +26,7 @@ impl<L: Lanes> Quat<L> {
         let still = sine.value().eq(zero);
         let axis = vector::select(still, [one, zero, zero], sine.divide_all(short.xyz()));
         let turn = short.half_angle_over_sine() * sine.value();
-        // Zero, but for a w that is no number.
+        // The angle is zero if there is no turn, and NaN if w is NaN.
         (axis, L::select(still, zero * short.w(), turn + turn))
     }
 

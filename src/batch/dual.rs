@@ -42,8 +42,8 @@ impl<L: Lanes> Dual<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
-        // One after the other: the square may overflow, or vanish, where the product with b does
-        // not.
+        // The two factors are multiplied one after the other, because their square may overflow or
+        // become zero where the product with b does not.
         Self::new(recip, -(self.dual * recip) * recip)
     }
 

@@ -103,7 +103,8 @@ pub fn farthest<L: Lanes>() -> f64 {
 fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
     let root = v.sqrt();
     let is_near = root.le(v.constant(farthest::<L>()));
-    // NaN before the reduction: what it leaves of a larger number looks like an angle.
+    // Larger values become NaN before the reduction, which would turn them into a plausible but
+    // meaningless angle.
     let root = L::select(is_near, root, v.constant(f64::NAN));
     let (cos, sin) = cos_sin(root);
     let sinc = sin / root;

@@ -9,11 +9,11 @@ use dq8_simd::{Float, Lanes, Mask};
 /// ordinary lanes.
 #[derive(Clone, Copy)]
 pub(super) struct Length<L> {
-    /// The length of the stretched vector.
+    /// The length of the vector after stretching.
     root: L,
-    /// Its reciprocal; where any lane is stretched, times a power of two.
+    /// The reciprocal of `root`; if any lane is stretched, multiplied by a power of two.
     first: L,
-    /// The factor that is left, and the stretch, where any lane is stretched.
+    /// The remaining factor and the stretch, if any lane is stretched.
     stretched: Option<(L, L)>,
 }
 

@@ -29,7 +29,8 @@ impl<L: Lanes> Quat<L> {
         rotation.scale(L::select(turned_over, -one, one))
     }
 
-    /// The same times a number between 2 and 4, of either sign.
+    /// Returns the quaternion of a rotation matrix times a number between 2 and 4, with either
+    /// sign.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn some_of_matrix3(rows: [[L; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
@@ -130,8 +131,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// `true` if a difference is within a tolerance. An infinite one forgives all but what is not
-/// finite.
+/// Returns `true` if a difference is within a tolerance. An infinite tolerance accepts every finite
+/// difference.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn is_close<L: Lanes>(difference: L, tolerance: L) -> L::Mask {
     vector::is_finite(difference) & difference.abs().le(tolerance)

@@ -184,7 +184,7 @@ impl<L: Lanes> Quat<L> {
         self.rotate_onto(v, v)
     }
 
-    /// The same for q of any norm; `two` is 2/|q|².
+    /// Turns `v` by q of any norm; `two` is 2/|q|².
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotate_scaled(self, v: [L; 3], two: L) -> [L; 3] {
         self.twice_across(v, v, two)

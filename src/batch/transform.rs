@@ -12,7 +12,7 @@ impl<L: Lanes> DualQuat<L> {
         self.transform_point_scaled(point, self.real().w().constant(2.0))
     }
 
-    /// The same for σ of any norm; `two` is 2/|p|². What q has along p moves nothing.
+    /// Moves a point by σ of any norm; `two` is 2/|p|². The part of q along p has no effect.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn transform_point_scaled(self, point: [L; 3], two: L) -> [L; 3] {
         vector::scale_onto(self.half_displacement(point), two, point)
@@ -51,7 +51,7 @@ impl<L: Lanes> DualQuat<L> {
         Plane { normal, offset }
     }
 
-    /// Ra, and Rb + t × Ra: what becomes of a vector, and of its moment.
+    /// Returns Ra and Rb + t × Ra: the images of a vector a and of its moment b.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn carry(self, a: [L; 3], b: [L; 3]) -> ([L; 3], [L; 3]) {
         let (a, b) = (self.real().rotate(a), self.real().rotate(b));

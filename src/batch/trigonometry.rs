@@ -109,14 +109,14 @@ fn without_quarters<L: Lanes>(x: L, k: L) -> L {
             4.665_590_917_179_985e-33,
         ]
     };
-    // No bit of this is too low for the numbers: it is exact.
+    // All bits of these differences are representable, so they are exact.
     let before = k.neg_mul_add(x.constant(second), k.neg_mul_add(x.constant(first), x));
-    // The rest is exact where little is left. Where much is left, what rounding adds goes with the
-    // last part.
+    // The next difference is exact if little is left. If much is left, its rounding error is added
+    // to the last part.
     let third = x.constant(third);
     let rest = k.neg_mul_add(third, before);
     let added = k.mul_add(third, rest - before);
-    // Zeros keep their sign: no part is negative, and zero is taken off.
+    // Zeros keep their sign, because no part is negative and zero is subtracted.
     k.neg_mul_add(x.constant(fourth), rest) - k.mul_add(x.constant(fifth), added)
 }
 

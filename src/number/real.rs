@@ -1,5 +1,5 @@
-//! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with trigonometry that has
-//! the same bits everywhere.
+//! [`Real`], the numbers that the scalar reference computes with, and its implementations for `f32`
+//! and `f64`, whose trigonometry has the same bits on every machine.
 
 #[cfg(any(feature = "std", feature = "libm"))]
 use super::sine;
@@ -14,12 +14,12 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// the platform, whose bits differ between machines.
 ///
 /// Accuracy is promised, and tested, for these two. [`Dual`](crate::Dual) numbers over any `Real`
-/// are `Real` too, so whatever is written for every `R: Real`, the operations of this crate
-/// included, can be differentiated; a number that counts its operations is another use. Kernels
-/// over memory and lanes are for `f32` and `f64` alone ([`Scalar`]).
+/// are `Real` too, so all code for any `R: Real`, such as the operations of this crate, can be
+/// differentiated. A number that counts its operations is another use. Kernels over memory and
+/// lanes are for `f32` and `f64` alone ([`Scalar`]).
 ///
-/// An implementation must order its numbers as `==` tells them apart, and all of `abs`, `is_finite`
-/// and the comparisons must agree with that order, because edge cases are told by them.
+/// In an implementation `==`, the comparisons, `abs` and `is_finite` must agree with each other,
+/// because operations recognise edge cases by them.
 pub trait Real:
     Copy
     + 'static
@@ -56,9 +56,9 @@ pub trait Real:
     /// NaN, the answer of unchecked operations where the result does not exist.
     const NAN: Self;
 
-    /// The nearest number of this type.
+    /// Returns the number of this type that is nearest to `value`.
     fn from_f64(value: f64) -> Self;
-    /// Neither infinite nor NaN.
+    /// Returns `true` if the value is neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// The value without its sign.
     #[must_use]
@@ -68,7 +68,7 @@ pub trait Real:
     fn max_or_nan(self, other: Self) -> Self {
         if self > other || self.is_nan() { self } else { other }
     }
-    /// Not a number.
+    /// Returns `true` if the value is NaN.
     fn is_nan(self) -> bool {
         self.partial_cmp(&self).is_none()
     }
@@ -103,8 +103,8 @@ pub trait Real:
     #[must_use]
     fn ln(self) -> Self;
 
-    /// The answer of the module `quick`, which operations ask before they compute the textbook
-    /// form. Not part of the interface.
+    /// Asks the module `quick` for a quicker form of an operation, before the textbook form is
+    /// computed. This is not part of the public interface.
     #[doc(hidden)]
     #[inline(always)]
     fn quick<Q: Quick<Self>>(_operation: Q) -> Option<Q::Output> {
@@ -112,7 +112,7 @@ pub trait Real:
     }
 }
 
-/// Each function with its home, which no common trait can name.
+/// Implements each function by the function of a library, which no common trait can name.
 macro_rules! real {
     ($real:ident, $($name:ident = $home:ident :: $other:ident ( $($argument:ident),* );)*) => {
         impl Real for $real {
@@ -142,7 +142,8 @@ macro_rules! real {
             fn sqrt(self) -> Self {
                 $real::sqrt(self)
             }
-            // Not `libm`'s: it knows no instruction of microcontrollers, and this crate no `asm!`.
+            // This is not `libm`'s square root, which does not use the instruction of
+            // microcontrollers. `dq8-simd` does, by `asm!`, which this crate forbids.
             #[cfg(not(feature = "std"))]
             #[inline]
             fn sqrt(self) -> Self {
@@ -158,8 +159,8 @@ macro_rules! real {
                 fn $name(self $(, $argument: Self)*) -> Self {
                     $home::$other(self $(, $argument)*)
                 }
-                // Never compiled to the end: `lib.rs` says what is missing, and this that nothing
-                // else is.
+                // This body is for builds without `std` and `libm`, which `lib.rs` refuses with a
+                // message. It keeps the compiler from reporting other errors beside that message.
                 #[cfg(not(any(feature = "std", feature = "libm")))]
                 fn $name(self $(, $argument: Self)*) -> Self {
                     $(let _ = $argument;)*
@@ -180,7 +181,6 @@ real! {
     atan = libm::atan(); atan2 = libm::atan2(x); exp = libm::exp(); ln = libm::log();
 }
 
-/// A number that lies in memory and in lanes: `f32` or `f64`. What everything over slices is made
-/// of.
+/// `f32` or `f64`: a number that lies in slices and in lanes. All operations over slices take it.
 pub trait Scalar: Real + dq8_simd::Float {}
 impl<R: Real + dq8_simd::Float> Scalar for R {}

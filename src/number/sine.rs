@@ -22,7 +22,7 @@ pub(crate) fn tan(x: f32) -> f32 {
     of_quarter(quarters, rest) / of_quarter(quarters.wrapping_add(1), rest)
 }
 
-/// A number and what is missing to it.
+/// A value as the sum of a float and a small correction.
 #[derive(Clone, Copy)]
 struct Precise {
     number: f32,
@@ -36,7 +36,7 @@ fn of_quarter(k: u32, r: Precise) -> f32 {
     let z = r * r;
     let value = if k & 1 == 0 {
         let tail = (-1.951_529_6e-4 * z + 8.332_161e-3) * z - 1.666_665_5e-1;
-        // A zero keeps its sign.
+        // `copysign` keeps the sign of a zero.
         (r + (missing + r * z * tail)).copysign(r)
     } else {
         let tail = (2.443_315_7e-5 * z - 1.388_731_6e-3) * z + 4.166_664_6e-2;
@@ -83,12 +83,13 @@ fn reduce(x: f32) -> (u32, Precise) {
         let pair = at(skip / 32 + i) << 32 | at(skip / 32 + i + 1);
         (pair << (skip % 32)) >> 32
     };
-    // Quarter turns: two bits before the point, 62 behind it.
+    // The product counts quarter turns, with two bits before the binary point and 62 after it.
     let product = ((m * word(0)) << 32).wrapping_add(m * word(1)).wrapping_add((m * word(2)) >> 32);
     let quarters = product.wrapping_add(1 << 61) >> 62;
     let rest = product.wrapping_sub(quarters << 62).cast_signed();
 
-    // Its 32 leading bits in radians: 24 that fit a float, and what they leave.
+    // The 32 leading bits of the rest, in radians, are split into 24 bits that fit a float and the
+    // remaining bits.
     let size = rest.unsigned_abs();
     let shift = size.leading_zeros();
     let leading = (size << shift) >> 32;

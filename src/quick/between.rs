@@ -24,7 +24,7 @@ pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     Some(join(ahead * middle + back * along, ahead_dual + back_dual))
 }
 
-/// As [`sclerp`], of rotations.
+/// Interpolates between two rotations along the shorter arc, as [`sclerp`] does between motions.
 #[inline]
 pub(super) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
@@ -34,7 +34,7 @@ pub(super) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
     Some((ahead * load([weights.middle; 4]) + back * load([weights.along; 4])).to_array())
 }
 
-/// Dual numbers that 2m = a ± b and −2h = a ∓ b are multiplied by.
+/// The dual numbers that multiply 2m = a ± b and −2h = a ∓ b.
 struct Weights<F> {
     middle: F,
     middle_dual: F,
@@ -55,9 +55,10 @@ impl<F: Number> Weights<F> {
         let chord_back = chord * squared;
         let [arc, slope, ..] = long_polynomials::<F::Four>(F::ARC, chord).to_array();
         let v = chord_back * (arc * arc);
-        // Beyond |τ| = 2 the book's path answers: v may leave (π/2)², where the polynomials end.
-        // For ends closer together than half a turn v stays small for longer, but an error of their
-        // norms would count |τ| times. The comparison stands here because nothing waits for it.
+        // Beyond |τ| = 2 the textbook form answers: v may leave (π/2)², where the polynomials
+        // end. For ends closer together than half a turn v stays small for longer, but an error of
+        // their norms would count |τ| times. The comparison stands here because nothing waits for
+        // it.
         if !squared.le(one) {
             return None;
         }
@@ -77,8 +78,9 @@ impl<F: Number> Weights<F> {
     }
 }
 
-/// Two polynomials, a row for each power of x⁴: fewer steps wait for each other, but more are
-/// taken, which pays where terms are many.
+/// Evaluates two polynomials with a row of coefficients for each power of x⁴. Fewer steps wait
+/// for each other than in Horner's scheme, but there are more steps, which pays for polynomials
+/// with many terms.
 #[inline(always)]
 fn long_polynomials<V: Four>([a, b]: [&[[V::Number; 4]]; 2], x: V::Number) -> V {
     let square = x * x;
@@ -87,7 +89,8 @@ fn long_polynomials<V: Four>([a, b]: [&[[V::Number; 4]]; 2], x: V::Number) -> V 
     sums(horner(a, fourth) * powers, horner(b, fourth) * powers)
 }
 
-/// A polynomial per lane, lowest coefficients first.
+/// Evaluates a polynomial in each lane by Horner's scheme, with the lowest coefficients in the
+/// first row.
 #[inline(always)]
 fn horner<V: Four>(rows: &[[V::Number; 4]], x: V) -> V {
     let last = rows.len() - 1;
@@ -98,7 +101,8 @@ fn horner<V: Four>(rows: &[[V::Number; 4]], x: V) -> V {
     sum
 }
 
-/// The polynomials of `batch/even_coefficients.rs` side by side.
+/// The coefficients of `batch/even_coefficients.rs`, arranged so that the lanes of one register
+/// evaluate several polynomials.
 pub trait Even: Sized + 'static {
     /// arcsin(√c/2)/(√c/2) and its derivative, four powers per row.
     const ARC: [&'static [[Self; 4]]; 2];
@@ -106,7 +110,8 @@ pub trait Even: Sized + 'static {
     const WAVES: &'static [[Self; 4]];
 }
 
-/// The two differ in name only; no arithmetic of constants can be generic.
+/// The implementations for `f32` and `f64` differ in names only, but arithmetic on constants cannot
+/// be generic.
 macro_rules! even {
     ($real:ty, $arc:ident, $cos:ident, $sinc:ident) => {
         const _: () = {
@@ -133,7 +138,7 @@ macro_rules! even {
                 rows
             }
             const QUARTER: usize = coefficients::$arc.len().div_ceil(4);
-            /// Four powers per row, zeros after the last.
+            /// Arranges coefficients in rows of four powers, with zeros after the last.
             const fn by_fours<const N: usize>(of: [$real; N]) -> [[$real; 4]; QUARTER] {
                 let mut rows = [[0.0; 4]; QUARTER];
                 let mut power = 0;

@@ -1,13 +1,14 @@
-//! The quicker forms that `f32` and `f64` have of what the scalar reference computes.
+//! Quicker forms of operations of the scalar reference, for `f32` and `f64`.
 //!
 //! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most
 //! callers hold floats and want speed, so the reference first asks for the operations below:
-//! `R::quick(quick::Product(a, b))`. Only these two numbers answer: a wrapper of a float takes
-//! the reference's own path, and the tests compare the two.
+//! `R::quick(quick::Product(a, b))`. Only `f32` and `f64` answer. A type that wraps a float takes
+//! the path of the reference, and the tests compare the two.
 //!
 //! - `quad`: one quaternion in the four lanes of a register, or of two.
 //! - `between`: interpolation on a screw, in such registers.
-//! - `one_lane`: operations of [`batch`](crate::batch) at one lane: what has no better form.
+//! - `one_lane`: operations of [`batch`](crate::batch) with one lane, for operations without a
+//!   better form.
 //!
 //! Nothing is fused, and no form depends on the target: the bits are the same on all of them. So
 //! products and sums are written as such, because `mul_add` of these registers fuses where the
@@ -24,18 +25,18 @@ use crate::geometry::DualVector;
 use core::ops::BitXor;
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
 
-/// An operation that `f32` and `f64` compute in another way than the textbook.
+/// An operation that `f32` and `f64` compute in another way than the textbook form.
 pub trait Quick<R> {
     /// The answer.
     type Output;
-    /// Computes it, or returns `None` for input that the textbook form takes.
+    /// Computes the result, or returns `None` for input that is left to the textbook form.
     fn compute(self) -> Option<Self::Output>
     where
         R: Number;
 }
 
-/// The operations by name. Where a number is any `Real`, a function over [`Number`] cannot be
-/// named, but what it is to be called with can.
+/// Defines a struct for the arguments of each operation. Code that is generic over `Real` cannot
+/// call a function over [`Number`], but it can make this struct and ask `R::quick` for the result.
 macro_rules! operations {
     ($($name:ident($($argument:ident: $of:ty),*) -> $output:ty = $home:ident::$function:ident;)*) => {$(
         #[derive(Debug)]
@@ -74,19 +75,20 @@ operations! {
     Limb(root: [R; 3], lengths: [R; 2], target: [R; 3], pole: [R; 3]) -> ([[R; 4]; 2], [R; 2]) = one_lane::limb;
 }
 
-/// `f32` or `f64`: a number, and one lane.
+/// `f32` or `f64`, which is a vector of one lane too.
 pub trait Number:
     Float + between::Even + Lanes<Real = Self, Level = Portable, Mask = bool>
 {
     /// The lanes that hold a quaternion.
     type Four: Four<Number = Self>;
-    /// The largest power of two that is no larger than this positive normal number.
+    /// Returns the largest power of two that is not greater than this positive normal number.
     fn power_of_two(self) -> Self;
-    /// `true` if this lies between two positive numbers: one comparison, of bits.
+    /// Returns `true` if this lies between two positive numbers. It takes one comparison of
+    /// integers.
     fn is_between(self, least: Self, most: Self) -> bool;
 }
 
-/// The two differ in the bits of their exponents.
+/// The implementations differ in the number of bits of the exponent.
 macro_rules! numbers {
     ($($real:ident $four:ident $exponent:literal;)*) => {$(
         impl Number for $real {
@@ -116,6 +118,6 @@ pub trait Four:
     Lanes<Real = <Self as Four>::Number, Level = Portable, Array = [<Self as Four>::Number; 4]>
     + BitXor<Output = Self>
 {
-    /// The number in each.
+    /// The type of a lane.
     type Number: Number<Four = Self>;
 }

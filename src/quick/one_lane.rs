@@ -34,7 +34,8 @@ pub(super) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).sqrt().to_array())
 }
 
-/// Both rotations of a limb, its bend, and how much farther the target is than its end.
+/// Solves a limb of two bones: both rotations, the bend, and the distance by which the target is
+/// out of reach.
 #[inline]
 pub(super) fn limb<F: Number>(
     root: [F; 3],
@@ -51,8 +52,8 @@ pub(super) fn limb<F: Number>(
     Some((turns, [first(limb.bend), first(limb.beyond)]))
 }
 
-/// Lanes of which only the first is read: where a formula has many cases, computing all of them is
-/// quicker than branches.
+/// Vectors of which only the first lane is read. For a formula with many cases, computing all cases
+/// on lanes is quicker than branches.
 type Together<F> = <F as Float>::Lanes<Unfused<Portable>>;
 
 #[inline(always)]
@@ -60,19 +61,21 @@ fn first<L: Lanes>(lanes: L) -> L::Real {
     lanes.to_array().as_ref().first().copied().unwrap_or_default()
 }
 
-/// Exact normalization of any length, or all NaN. Out of line, because such lengths are rare.
+/// Normalizes a dual quaternion of any length exactly, or returns NaN in all components. This
+/// function is not inlined, because such lengths are rare.
 #[cold]
 #[inline(never)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> [F; 8] {
     let unit = batch::DualQuat::<F>::from_array(motion).normalize();
-    // A p that is zero or not finite leaves no number in q. Zero times what is not finite is NaN.
+    // If p is zero or not finite, some component of q is NaN or infinite. Zero times such a
+    // component is NaN.
     let [x, y, z, w] = unit.dual().to_array();
     let zero = F::default();
     let finite = Lanes::eq(zero * x * y * z * w, zero);
     if finite { unit.to_array() } else { [F::from_f64(f64::NAN); 8] }
 }
 
-/// σ⁻¹ of any length, or all NaN.
+/// Returns σ⁻¹ of a dual quaternion of any length, or NaN in all components.
 #[cold]
 #[inline(never)]
 pub(super) fn inverse<F: Number>(motion: [F; 8]) -> [F; 8] {

@@ -1,4 +1,4 @@
-//! One quaternion in the four lanes of a register, x, y, z, w.
+//! Operations with one quaternion in the four lanes x, y, z, w of a register.
 
 use super::{Four, Number, one_lane};
 use dq8_simd::{Lanes, Mask, Portable};
@@ -11,7 +11,8 @@ pub(super) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
     Some(join(sum_of_products(p, r), sum_of_products(p, s) + sum_of_products(q, r)))
 }
 
-/// pq, rounded as the parts of [`product`] are: laws between the two lose nothing.
+/// Returns the quaternion product pq, rounded like each part of [`product`], so that laws that hold
+/// between both products hold bit by bit.
 #[inline(always)]
 pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 4]> {
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
@@ -25,7 +26,7 @@ pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
     let [p, q] = halves(motion);
     let v = load_three(point);
     let (s, twice) = (q + cross(p, v), p + p);
-    // The sum takes v before the cross product, which is ready last.
+    // The cross product is ready last, so it is added last.
     let [x, y, z, _] = (along(twice, s, q) + v + cross(twice, s)).to_array();
     Some([x, y, z])
 }
@@ -33,7 +34,7 @@ pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
 pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
-    // In `f64`, two registers take longer than three plain numbers: one lane in four is idle.
+    // In `f64`, two registers take longer than three scalars, because one lane in four is idle.
     if !F::SINGLE {
         return None;
     }
@@ -44,7 +45,7 @@ pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 
     Some([x, y, z])
 }
 
-/// t = 2qp*, the one that is in the matrix too.
+/// Returns the translation t = 2qp*, with the same bits as in [`matrix3x4`].
 #[inline(always)]
 pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
     let [p, q] = halves(motion);
@@ -80,7 +81,8 @@ pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     }))
 }
 
-/// A power of two changes no digit, so a multiple of σ by one has the same unit as σ.
+/// Normalizes σ after scaling it by a power of two. The scaling is exact, so the result is that of
+/// σ.
 #[cold]
 #[inline(never)]
 fn unit_of_stretched<F: Number>(motion: [F; 8]) -> [F; 8] {
@@ -109,7 +111,7 @@ pub(super) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let turn = turn_toward(p, r);
     let t: F::Four = load([t; 4]);
     let rest = t.constant(1.0) - t;
-    // The signs are ready last: products do not wait for them.
+    // The signs are ready last, so the products are computed before they are applied.
     let (r, s) = ((r * t) ^ turn, (s * t) ^ turn);
     Some(join(p * rest + r, q * rest + s))
 }
@@ -130,20 +132,23 @@ pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 #[inline(always)]
 fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     let [squared, along] = moderate(p, q)?;
-    // The quotient need not wait for the root; and what is nearly a unit comes out nearer to one,
-    // off by 0.42 units of roundoff (root mean square, `f32`) instead of 0.77 by one over the root.
+    // 1/|p| is computed as |p|·(1/|p|²), so that the quotient need not wait for the root. For
+    // nearly unit p its error is also smaller: 0.42 roundoffs (root mean square, `f32`) instead of
+    // 0.77 for 1/√(|p|²).
     let over_squared = squared.constant(1.0) / squared;
     let over_norm = squared.sqrt() * over_squared;
     Some(join(p * over_norm, (q - p * (along * over_squared)) * over_norm))
 }
 
-/// The sign bit in all lanes if a·b is negative, else none: it turns `b` toward `a`.
+/// Returns −0 in all lanes if a·b is negative, and +0 otherwise. Its exclusive or with `b` turns
+/// `b` toward `a`.
 #[inline(always)]
 pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
     let pairs = a * b;
     let pairs = pairs + pick(pairs, [2, 3, 0, 1]);
     let dot = pairs + pick(pairs, [1, 0, 3, 2]);
-    // Compared, because the sign bit of the dot product is also set for −0.
+    // The dot product is compared with zero instead of using its sign bit, which is also set for
+    // −0.
     V::select(dot.lt(dot.constant(0.0)), dot.constant(-0.0), dot.constant(0.0))
 }
 
@@ -152,7 +157,7 @@ pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
 fn moderate<V: Four>(p: V, q: V) -> Option<[V; 2]> {
     let sums = dots(p, p, q);
     let [squared, ..] = sums.to_array();
-    // p·q is rounded to steps of the smallest number there is, if to no others. Of a |p| of a half
+    // p·q is rounded to a multiple of the smallest subnormal number. Of a |p| of a half
     // or more that changes q by a few such steps; of a smaller one by many.
     let fits = squared.is_between(squared.constant(0.25), squared.constant(1e6))
         && q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
@@ -198,13 +203,13 @@ fn cross<V: Four>(a: V, b: V) -> V {
     pick(turned, [1, 2, 0, 3])
 }
 
-/// A number in all lanes, for each of the four.
+/// Returns four vectors, each with one of the four components in all lanes.
 #[inline(always)]
 fn each<V: Four>(a: V) -> [V; 4] {
     [pick(a, [0; 4]), pick(a, [1; 4]), pick(a, [2; 4]), pick(a, [3; 4])]
 }
 
-/// ib, jb, kb and b
+/// Returns the products ib, jb, kb, and b itself.
 #[inline(always)]
 fn turned<V: Four>(b: V) -> [V; 4] {
     let one = <V::Number>::from(1.0);
@@ -216,8 +221,8 @@ fn turned<V: Four>(b: V) -> [V; 4] {
     ]
 }
 
-/// a_x ib + a_y jb + a_z kb + a_w b, in the pairs of the reference: the two are the same to the
-/// last bit.
+/// a_x ib + a_y jb + a_z kb + a_w b, added in the same pairs as in the reference, so both give the
+/// same bits.
 #[inline(always)]
 fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
     let ([x, y, z, w], [i, j, k, one]) = (a, b);
@@ -241,8 +246,9 @@ pub(super) fn load<V: Four>(numbers: [V::Number; 4]) -> V {
     V::load(Portable, &numbers)
 }
 
-/// Three numbers, and a zero. The copy stays in registers; of the numbers by name, the compiler
-/// makes each order that [`pick`] asks for anew, with twice as many shuffles.
+/// Loads three components and a zero. The array is copied first, because the compiler then keeps it
+/// in a register. From three separate components it would build each order of [`pick`] anew, with
+/// twice as many shuffles.
 #[inline(always)]
 fn load_three<V: Four>(numbers: [V::Number; 3]) -> V {
     let mut four = [V::Number::default(); 4];
@@ -250,7 +256,7 @@ fn load_three<V: Four>(numbers: [V::Number; 3]) -> V {
     load(four)
 }
 
-/// The numbers in another order.
+/// Returns the lanes in another order.
 #[inline(always)]
 pub(super) fn pick<V: Four>(from: V, [i, j, k, l]: [usize; 4]) -> V {
     let from = from.to_array();

@@ -16,9 +16,10 @@ use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 pub struct Vertices<S> {
     /// The positions of the vertices.
     pub positions: S,
-    /// Their normals, of length 1.
+    /// The normals of the vertices, of length 1, if the mesh has them.
     pub normals: Option<S>,
-    /// Their tangents, of length 1, without the sign of the bitangent.
+    /// The tangents of the vertices, of length 1 and without the sign of the bitangent, if the mesh
+    /// has them.
     pub tangents: Option<S>,
 }
 
@@ -33,8 +34,8 @@ pub struct Vertices<S> {
 /// ```
 pub type Surface<'s, P> = Vertices<&'s [P]>;
 
-/// The memory that a posed mesh goes to, made like a [`Surface`]. It has normals and tangents if
-/// the mesh at rest has.
+/// The memory that a posed mesh is written to, made like a [`Surface`]. It has normals and tangents
+/// if the mesh at rest has them.
 pub type SurfaceMut<'s, P> = Vertices<&'s mut [P]>;
 
 impl<S> Vertices<S> {
@@ -51,7 +52,7 @@ impl<S> Vertices<S> {
         Self { tangents: Some(tangents), ..self }
     }
 
-    /// Pieces for several threads: those before element `at`, and the others.
+    /// Cuts the slices before element `at`, so that two threads can pose one part each.
     #[cfg(feature = "rayon")]
     pub(super) fn split(self, at: usize, cut: impl Fn(S, usize) -> (S, S)) -> (Self, Self) {
         let (positions, others) = cut(self.positions, at);
@@ -66,23 +67,24 @@ impl<S> Vertices<S> {
 
 /// A mesh at rest and posed.
 pub(super) trait Mesh: Outputs {
-    /// The element whose tiles are those of the mesh.
+    /// The element type of the points, whose tiles the loop runs over.
     type Point: Element<3>;
-    /// Checks that both have `vertices` vertices and the same fields.
+    /// Checks that the meshes at rest and posed have `vertices` vertices and the same fields.
     fn check(&self, vertices: usize) -> Result<(), SkinningError>;
     /// The number of elements.
     fn elements(&self) -> usize;
-    /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
+    /// Reads the vectors of a tile of the mesh at rest, with zero in lanes beyond the end. Returns
+    /// `None` if the whole tile is beyond the end.
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile)
     -> Option<Vectors<Self::Point, V>>;
-    /// The positions, if they are plain, and there is nothing else to pose. `first` is the number
-    /// of the first vertex.
+    /// Returns the positions if they are plain and the mesh has no other field to pose. `first` is
+    /// the index of the first vertex.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<Self::Point, 3>>> {
         let _ = first;
         None
     }
-    /// The posed vectors of a tile.
+    /// Writes the posed vectors of a tile.
     fn store<V: Level>(&mut self, vectors: Vectors<Self::Point, V>, field: Field, tile: Tile);
 }
 
@@ -165,8 +167,8 @@ impl<P: Element<3>> Mesh for Separate<'_, P> {
     }
 }
 
-/// The places of a vertex's fields in a buffer that holds one vertex after the other, all counted
-/// in numbers. A field is three numbers.
+/// The offsets of a vertex's fields in a buffer that holds one vertex after the other, all counted
+/// in elements of type `R`. A field has three components.
 ///
 /// ```
 /// use dq8::skinning::VertexFields;
@@ -176,18 +178,19 @@ impl<P: Element<3>> Mesh for Separate<'_, P> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct VertexFields {
-    /// From a vertex to the next.
+    /// The distance from the beginning of a vertex to the beginning of the next.
     pub stride: usize,
-    /// The begin of the position in a vertex.
+    /// The offset of the position in a vertex.
     pub position: usize,
-    /// The begin of the normal, if it has one.
+    /// The offset of the normal in a vertex, if it has one.
     pub normal: Option<usize>,
-    /// The begin of the tangent, if it has one, without the sign of the bitangent.
+    /// The offset of the tangent in a vertex, if it has one. The sign of the bitangent is not a
+    /// part of it.
     pub tangent: Option<usize>,
 }
 
 impl VertexFields {
-    /// Vertices that begin with their positions; nothing else is posed.
+    /// Returns the fields of vertices that begin with their positions. No other field is posed.
     #[must_use]
     pub fn positions(stride: usize) -> Self {
         Self { stride, position: 0, normal: None, tangent: None }
@@ -201,7 +204,8 @@ impl VertexFields {
         }
     }
 
-    /// Checks that all fields lie in a vertex, apart from each other, and `numbers` are `vertices`.
+    /// Checks that all fields lie within a vertex and do not overlap, and that a buffer of
+    /// `numbers` elements holds exactly `vertices` vertices.
     fn check(
         &self,
         what: &'static str,
@@ -212,7 +216,7 @@ impl VertexFields {
         for (index, field) in fields.into_iter().enumerate() {
             let Some(first) = self.at(field) else { continue };
             let mut before = fields.iter().take(index).filter_map(|&field| self.at(field));
-            // Not `first + 3`, which may wrap.
+            // The condition is not written as `first + 3 > stride`, because the sum may wrap.
             let outside = self.stride < 3 || first > self.stride - 3;
             if outside || before.any(|other| first.abs_diff(other) < 3) {
                 return Err(SkinningError::Field { what, first, stride: self.stride });
@@ -222,7 +226,7 @@ impl VertexFields {
     }
 }
 
-/// Two buffers of vertices.
+/// A mesh as two buffers of vertices, one at rest and one posed.
 pub(super) struct Interleaved<'s, R> {
     pub(super) rest: &'s [R],
     pub(super) from: VertexFields,

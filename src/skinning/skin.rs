@@ -1,4 +1,5 @@
-//! The skin: joints and weights of each vertex, checked once, and how the loop reads them.
+//! [`Skin`], the joints and weights of each vertex, which are checked once, and the reading of them
+//! in the loop.
 
 use super::SkinningError;
 use crate::macros::brief;
@@ -10,11 +11,12 @@ use core::ops::RangeInclusive;
 use dq8_simd::MAX_LANES;
 use dq8_simd::internal::{CheckedIndices, Index, PickRows, PickedInPlace, Picks};
 
-/// The joints that move each vertex, and how much: checked once, to be posed any number of times.
+/// The joints that move each vertex and their weights. A skin is checked once, and then poses
+/// meshes any number of times.
 ///
-/// `joints` holds the influences of one vertex after those of another, the same number for each;
-/// `weights` in the same order. Fill unused influences with any joint and weight 0. Joints are
-/// `u8`, `u16` or `u32`; weights see [`Weight`].
+/// `joints` holds the joints of the first vertex, then those of the second, and so on, the same
+/// number for each vertex. `weights` holds the weights in the same order. Fill unused influences
+/// with any joint and weight 0. Joints are `u8`, `u16` or `u32`; weights see [`Weight`].
 ///
 /// ```
 /// use dq8::skinning::{Skin, SkinningError};
@@ -30,10 +32,10 @@ use dq8_simd::internal::{CheckedIndices, Index, PickRows, PickedInPlace, Picks};
 #[doc(alias("SkinningJob"))]
 pub struct Skin<'a, J, W> {
     joints: CheckedIndices<'a, J>,
-    /// From those of the first vertex on.
+    /// The weights, from the first weight of the first vertex on.
     weights: &'a [W],
-    /// The number of weights from a vertex to the next: fewer than influences where the last one is
-    /// implied.
+    /// The number of weights from a vertex to the next. It is less than the number of influences if
+    /// the last weight is implied.
     stride: usize,
 }
 
@@ -42,11 +44,12 @@ brief!([J: Index, W: Weight] Skin<'_, J, W>: Skin |it| {
 });
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
-    /// Between these the weights of a vertex must sum. They should sum to one; dual quaternion
-    /// blends divide by the sum in any case, linear blends do not.
+    /// The range that the sum of a vertex's weights must lie in. The sum should be one: dual
+    /// quaternion blends divide by the sum, linear blends do not.
     pub const WEIGHT_RANGE: RangeInclusive<f64> = 1.0 / 1024.0..=1024.0;
 
-    /// A skin for a palette of `joint_count` joints, `influences` of them for every vertex.
+    /// Makes a skin for a palette of `joint_count` joints, where `influences` joints move each
+    /// vertex.
     ///
     /// # Errors
     /// If the slices do not fit, a joint is out of range, a weight is negative or not finite, or
@@ -62,11 +65,12 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Self::packed(joint_count, influences, joints, weights, influences)
     }
 
-    /// As [`new`](Self::new), with one weight less for every vertex: the last is what the others
-    /// leave of one.
+    /// Makes a skin as [`new`](Self::new) does, from one weight less for each vertex. The last
+    /// weight of a vertex is one minus the sum of its other weights.
     ///
     /// # Errors
-    /// As [`new`](Self::new), and if the weights of a vertex exceed one.
+    /// The errors of [`new`](Self::new), and an error if the weights of a vertex sum to more than
+    /// one.
     pub fn with_implied_weight(
         joint_count: usize,
         influences: usize,
@@ -80,7 +84,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Self::packed(joint_count, influences, joints, weights, given)
     }
 
-    /// Joints without anything between them, and `given` weights for each vertex.
+    /// Makes a skin of joints that adjoin in memory, with `given` weights for each vertex.
     fn packed(
         palette: usize,
         influences: usize,
@@ -95,7 +99,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Self::checked(palette, influences, (joints, influences), (weights, given))
     }
 
-    /// Joints and weights, each with what is from a vertex to the next.
+    /// Checks joints and weights, each with its distance from a vertex to the next, and makes a
+    /// skin of them.
     pub(super) fn checked(
         palette: usize,
         influences: usize,
@@ -133,15 +138,15 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         if right { Ok(()) } else { Err(SkinningError::Total { vertex, total }) }
     }
 
-    /// The joints of all vertices, from the first of the first vertex on, with whatever lies
-    /// between them.
+    /// Returns the joints of all vertices, from the first joint of the first vertex on, including
+    /// other fields that lie between the joints of two vertices.
     #[must_use]
     pub fn joints(&self) -> &'a [J] {
         self.joints.indices()
     }
 
-    /// The weights of all vertices, from the first of the first vertex on, with whatever lies
-    /// between them.
+    /// Returns the weights of all vertices, from the first weight of the first vertex on, including
+    /// other fields that lie between the weights of two vertices.
     #[must_use]
     pub fn weights(&self) -> &'a [W] {
         self.weights
@@ -159,7 +164,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         self.joints.columns()
     }
 
-    /// `true` if the last weight of a vertex is what the others leave of one.
+    /// Returns `true` if the last weight of a vertex is not given but is one minus the sum of its
+    /// other weights.
     fn implied(&self) -> bool {
         self.stride < self.influences()
     }
@@ -170,14 +176,16 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         self.joints.bound()
     }
 
-    /// An influence of a vertex, its joint and its weight. `None` if there is none.
+    /// Returns the joint and the weight of an influence of a vertex, or `None` if there is no such
+    /// influence.
     #[must_use]
     pub fn influence<R: Real>(&self, vertex: usize, influence: usize) -> Option<(u32, R)> {
         let joint = *self.joints.row(vertex).get(influence)?;
         Some((joint.into(), self.weight(vertex, influence)))
     }
 
-    /// The influence of a vertex with the greatest weight: the first of those.
+    /// Returns the index of the influence with the greatest weight of a vertex; the first one if
+    /// several are equal.
     fn pivot<R: Real>(&self, vertex: usize) -> usize {
         let (mut pivot, mut greatest) = (0, self.weight::<R>(vertex, 0));
         for influence in 1..self.influences() {
@@ -189,7 +197,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         pivot
     }
 
-    /// The number of weights that a vertex is given.
+    /// Returns the number of weights that are given for each vertex.
     fn given(&self) -> usize {
         self.stride.min(self.influences())
     }
@@ -203,7 +211,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             return self.given_weight(vertex, influence);
         }
         let left = (0..influence).fold(R::ONE, |left, i| left - self.given_weight::<R>(vertex, i));
-        // Rounding may leave less than nothing.
+        // Rounding may make the difference negative.
         if left > R::ZERO { left } else { R::ZERO }
     }
 }
@@ -252,7 +260,7 @@ impl Weight for f64 {
     }
 }
 
-// Divided, not multiplied by a reciprocal: 255 · (1/255) need not be 1.
+// The weight is divided and not multiplied by a reciprocal, because 255 · (1/255) need not be 1.
 impl Weight for u8 {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn value<R: Real>(self) -> R {
@@ -267,18 +275,18 @@ impl Weight for u16 {
     }
 }
 
-/// The place of a vertex's joints in a buffer that holds one vertex after the other, or its
-/// weights; counted in elements of their own type.
+/// The place of the joints, or of the weights, in a buffer that holds one vertex after the other.
+/// Both fields of this struct count elements of the buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InfluenceField {
-    /// From a vertex to the next.
+    /// The distance from the beginning of a vertex to the beginning of the next.
     pub stride: usize,
-    /// The begin of the field in a vertex.
+    /// The offset of the field in a vertex.
     pub first: usize,
 }
 
 impl InfluenceField {
-    /// The buffer from the field of the first vertex on, and how many vertices it has.
+    /// Returns the buffer from the field of the first vertex on, and the number of its vertices.
     fn check<'b, T>(
         self,
         what: &'static str,
@@ -286,7 +294,7 @@ impl InfluenceField {
         buffer: &'b [T],
     ) -> Result<(&'b [T], usize), SkinningError> {
         let Self { stride, first } = self;
-        // Not `first + influences`, which may wrap.
+        // The condition is not written as `first + influences > stride`, because the sum may wrap.
         if stride < influences || first > stride - influences {
             return Err(SkinningError::InfluenceField { what, first, stride, influences });
         }
