@@ -1,13 +1,14 @@
-//! Goals of links, and the errors of goals and limits that cannot be searched for.
+//! [`Goal`], what a link should reach, and [`ReachError`], the error of goals and limits for which
+//! there can be no search.
 
 use dq8::Real;
 use dq8::internal::errors;
 
-/// A goal: the components of the error of a link that are to vanish, and their weights, which
-/// decide between them if not all can.
+/// A goal of a link: the components of its error that a search should bring to zero, and their
+/// weights. The weights decide which components count more if not all of them can become zero.
 ///
 /// Components are in the axes of the *target*: the rotation from the link to the target as a
-/// rotation vector, radians, and the way from the [`point`](Self::point) of the link to the
+/// rotation vector in radians, and the vector from the [`point`](Self::point) of the link to the
 /// target's origin. A weight of zero leaves its component free: a drill may turn about its own
 /// axis, and a cup may slide along a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub struct Goal<R> {
     pub link: usize,
     /// The weights of the rotation about the target's x, y and z: zero, or from 10⁻⁶ to 10⁶.
     pub angular: [R; 3],
-    /// The weights of the way along the target's x, y and z: zero, or from 10⁻⁶ to 10⁶.
+    /// The weights of the distances along the target's x, y and z: zero, or from 10⁻⁶ to 10⁶.
     pub linear: [R; 3],
     /// The point of the link, in its frame, that is to be at the target's origin; zero is the
     /// link's own origin.
@@ -25,39 +26,39 @@ pub struct Goal<R> {
 }
 
 impl<R: Real> Goal<R> {
-    /// Rotation and position of the link.
+    /// Makes a goal for the rotation and the position of a link.
     #[must_use]
     pub fn pose(link: usize) -> Self {
         Self { link, angular: [R::ONE; 3], linear: [R::ONE; 3], point: [R::ZERO; 3] }
     }
 
-    /// The position of the link's origin; its rotation is free.
+    /// Makes a goal for the position of a link's origin; the rotation of the link is free.
     #[must_use]
     pub fn position(link: usize) -> Self {
         Self { angular: [R::ZERO; 3], ..Self::pose(link) }
     }
 
-    /// The rotation of the link; its position is free.
+    /// Makes a goal for the rotation of a link; the position of the link is free.
     #[must_use]
     pub fn orientation(link: usize) -> Self {
         Self { linear: [R::ZERO; 3], ..Self::pose(link) }
     }
 
-    /// The same goal at a point of the link, in its frame: a fingertip, a heel, the middle of a
-    /// camera.
+    /// Returns this goal for a point of the link, in the frame of the link, such as a fingertip, a
+    /// heel, or the centre of a camera.
     #[must_use]
     pub fn at(self, point: [R; 3]) -> Self {
         Self { point, ..self }
     }
 
-    /// The same goal with one weight for the whole rotation and one for the whole position. Weight
-    /// zero leaves them free.
+    /// Returns this goal with one weight for the whole rotation and one weight for the whole
+    /// position. The weight zero leaves the rotation or the position free.
     #[must_use]
     pub fn weighing(self, rotation: R, position: R) -> Self {
         Self { angular: [rotation; 3], linear: [position; 3], ..self }
     }
 
-    /// The same goal in other numbers, by way of `f64`.
+    /// Returns this goal with another element type; values are converted to `f64` in between.
     #[must_use]
     pub fn cast<S: Real>(&self) -> Goal<S> {
         let [angular, linear, point] = [self.angular, self.linear, self.point]
@@ -65,13 +66,13 @@ impl<R: Real> Goal<R> {
         Goal { link: self.link, angular, linear, point }
     }
 
-    /// The same goal with other weights of the rotation.
+    /// Returns this goal with other weights of the rotation.
     #[must_use]
     pub fn with_angular(self, angular: [R; 3]) -> Self {
         Self { angular, ..self }
     }
 
-    /// The same goal with other weights of the position.
+    /// Returns this goal with other weights of the position.
     #[must_use]
     pub fn with_linear(self, linear: [R; 3]) -> Self {
         Self { linear, ..self }
@@ -79,7 +80,7 @@ impl<R: Real> Goal<R> {
 }
 
 impl<R: Real> Goal<R> {
-    /// The number of components with a weight.
+    /// Returns the number of components with a weight.
     pub(super) fn rows(&self) -> usize {
         let mut rows = 0;
         for weight in self.angular.into_iter().chain(self.linear) {
@@ -88,40 +89,40 @@ impl<R: Real> Goal<R> {
         rows
     }
 
-    /// `true` if the goal is for another point than the link's origin.
+    /// Returns `true` if the goal is for another point than the link's origin.
     pub(super) fn is_off(&self) -> bool {
         self.point != [R::ZERO; 3]
     }
 
-    /// `true` if some component of the rotation has a weight.
+    /// Returns `true` if some component of the rotation has a weight.
     pub(super) fn asks_rotation(&self) -> bool {
         let [x, y, z] = self.angular;
         x + y + z > R::ZERO
     }
 
-    /// `true` if some components of the rotation have a weight and others are free.
+    /// Returns `true` if some components of the rotation have a weight and others are free.
     pub(super) fn asks_part_of_rotation(&self) -> bool {
         let [x, y, z] = self.angular;
         let all = x > R::ZERO && y > R::ZERO && z > R::ZERO;
         self.asks_rotation() && !all
     }
 
-    /// `true` if all six components have a weight. Then the error is one screw.
+    /// Returns `true` if all six components have a weight. Then the error is one screw.
     pub(super) fn is_pose(&self) -> bool {
         let [x, y, z] = self.linear;
         let all = x > R::ZERO && y > R::ZERO && z > R::ZERO;
         all && self.asks_rotation() && !self.asks_part_of_rotation()
     }
 
-    /// `true` if the weights are the same for all axes, so that the frame of the error does not
-    /// matter.
+    /// Returns `true` if the weights are the same for all axes, so that the frame of the error does
+    /// not matter.
     pub(super) fn is_even(&self) -> bool {
         let ([a, b, c], [x, y, z]) = (self.angular, self.linear);
         a == b && b == c && x == y && y == z
     }
 }
 
-/// A list of one goal.
+/// Makes a list of one goal.
 #[cfg(feature = "alloc")]
 impl<R> From<Goal<R>> for alloc::vec::Vec<Goal<R>> {
     fn from(goal: Goal<R>) -> Self {
@@ -130,7 +131,7 @@ impl<R> From<Goal<R>> for alloc::vec::Vec<Goal<R>> {
 }
 
 errors! {
-    /// An error of a problem: goals or limits that cannot be searched for.
+    /// The error of goals or limits for which there can be no search.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     ReachError {
@@ -153,8 +154,8 @@ errors! {
             => "component {component} of the point of goal {goal} is not finite: {value}";
         /// All weights of a goal are zero.
         NoWeight { goal: usize = "The goal." } => "all weights of goal {goal} are zero";
-        /// A goal for a link that nothing moves: only fixed joints carry it, or such that mimic
-        /// others zero times.
+        /// A goal for a link that no joint moves: all joints that carry it are fixed, or mimic
+        /// others with the multiplier zero.
         Unmoved { goal: usize = "The goal.", link: usize = "The link that it names." }
             => "goal {goal} is for link {link}, which no joint moves";
         /// Too little memory for the freedoms.

@@ -22,8 +22,8 @@ where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
     /// Changes the values of one configuration until each goal is at its target: `targets[i]`
-    /// belongs to `goals[i]`. Nothing is allocated; `scratch` has
-    /// [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
+    /// belongs to `goals[i]`. Nothing is allocated. `scratch` must have at least the length
+    /// [`scratch_len`](Self::scratch_len), and may hold anything.
     ///
     /// Targets are normalized. The outcome is [`Outcome::Invalid`](super::Outcome::Invalid), and
     /// `values` is untouched, if a target is farther than 10⁻³ from unit, a number is not finite
@@ -40,8 +40,8 @@ where
     /// values, and set `restarts` to false.
     ///
     /// # Errors
-    /// If there are not as many targets as goals and values as the mechanism has, or too little
-    /// scratch; `values` is untouched.
+    /// If the numbers of targets and goals differ, if `values` has not the length that the
+    /// mechanism needs, or if `scratch` is too short; `values` is untouched.
     pub fn solve(
         &self,
         targets: &[DualQuat<R>],
@@ -52,12 +52,13 @@ where
         self.search::<true, false>(targets, values, scratch, options.into())
     }
 
-    /// [`solve`](Self::solve) without [restarts](Options::restarts), even if the options ask for
-    /// them: for a target that moves, from the last values. A program that only calls this does not
-    /// contain restarts, so a controller holds a third less code.
+    /// Solves as [`solve`](Self::solve) does, but without [restarts](Options::restarts), even if
+    /// the options ask for them. This is for a target that moves, with the last values as the
+    /// start. A program that calls no other search does not contain restarts, which saves a third
+    /// of the code.
     ///
     /// # Errors
-    /// As [`solve`](Self::solve).
+    /// The errors of [`solve`](Self::solve).
     pub fn follow(
         &self,
         targets: &[DualQuat<R>],
@@ -68,17 +69,17 @@ where
         self.search::<false, false>(targets, values, scratch, options.into())
     }
 
-    /// [`follow`](Self::follow) for many goals. Steps are of first order. If the goals have more
-    /// components than a pose, they solve normal equations in the shape of the tree, in a fifth of
-    /// the time or less. Weights stay what they are however far a floating joint has gone, unless a
-    /// length per radian is [given](Options::length_per_radian). Steps are damped by half of the
-    /// squared error (λ² = ½|e|², Sugihara 2011; of many goals, of its mean), unless a posture
-    /// or the start has a weight. The last values are returned, not the best: in front of a target
-    /// that it cannot reach, an arm goes on with the target in every frame.
+    /// Follows moving targets of many goals. Steps are of first order. If the goals have more than
+    /// six components, steps solve normal equations that are sparse like the tree of joints, in a
+    /// fifth of the time or less. Weights stay what they are however far a floating joint has gone,
+    /// unless a length per radian is [given](Options::length_per_radian). Steps are damped by half
+    /// of the squared error (λ² = ½|e|², Sugihara 2011; of many goals, of its mean), unless a
+    /// posture or the start has a weight. The last values are returned, not the best: in front of a
+    /// target that it cannot reach, an arm goes on with the target in every frame.
     /// [`ReachJob::sequence`](super::ReachJob::sequence) does the same for clips, on lanes.
     ///
     /// # Errors
-    /// As [`solve`](Self::solve).
+    /// The errors of [`solve`](Self::solve).
     pub fn track(
         &self,
         targets: &[DualQuat<R>],
@@ -110,7 +111,8 @@ where
 }
 
 impl<R: Copy> Work<'_, R> {
-    /// The work, once all of its lengths fit each other and the problem.
+    /// Returns the work if all of its lengths fit each other and the problem, and otherwise an
+    /// error.
     fn checked(self, reach: &Reach<'_, R>) -> Result<Self, ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
@@ -166,9 +168,8 @@ impl<R> ReachJob<'_, R> {
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// [`Reach::solve`] for many configurations. Allocates
-    /// [`batch_scratch_len`](Reach::batch_scratch_len) numbers for each task that runs at the same
-    /// time.
+    /// Solves many configurations as [`Reach::solve`] does one. Allocates scratch of the length
+    /// [`batch_scratch_len`](Reach::batch_scratch_len) for each task that runs at the same time.
     ///
     /// `targets` is `[configuration][goal]`, `values` is `[configuration][value]`, and there is a
     /// report for each configuration.
@@ -198,8 +199,8 @@ impl<R: Scalar> ReachJob<'_, R> {
         Ok(())
     }
 
-    /// [`solve`](Self::solve) in memory of the caller, without allocation, on the thread that
-    /// calls: `scratch` has [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more, and
+    /// Solves as [`solve`](Self::solve) does, without allocation and on the calling thread.
+    /// `scratch` must have at least the length [`batch_scratch_len`](Reach::batch_scratch_len), and
     /// may hold anything.
     ///
     /// # Errors
@@ -220,7 +221,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         Ok(())
     }
 
-    /// Runs work that has been checked.
+    /// Runs the searches of work whose lengths have been checked.
     pub(super) fn run<const RESTARTS: bool, const TRACK: bool>(
         &self,
         backend: Backend,
@@ -265,17 +266,17 @@ impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel for Batch<'_, R,
 
 impl<R: Scalar> ReachJob<'_, R> {
     /// Searches for clips of frames; `clips` has the number of frames of each. Each frame starts
-    /// from the values that the one before ended with, and the first frame of a clip from its own
-    /// in `values`; those of the other frames may be anything. A lane holds a clip and takes the
-    /// next one when it is done, so clips may have any lengths; with as many clips as lanes or
+    /// from the result of the frame before it. The first frame of a clip starts from its own entry
+    /// in `values`; the entries of the other frames may be anything. A lane holds a clip and takes
+    /// the next one when it is done, so clips may have any lengths; with as many clips as lanes or
     /// more, the whole CPU is used. Each frame is one call of
     /// [`Reach::track`](super::Reach::track). A frame with an invalid target keeps the values of
-    /// the one before, and is reported as [`Invalid`](super::Outcome::Invalid).
+    /// the frame before it, and is reported as [`Invalid`](super::Outcome::Invalid).
     ///
     /// `targets` is `[frame][goal]`, `values` is `[frame][value]`, and there is a report for each
-    /// frame. Allocates [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers for each
-    /// task that runs at the same time. For a single clip, one call of `track` per frame is
-    /// quicker.
+    /// frame. Allocates scratch of the length
+    /// [`batch_scratch_len`](super::Reach::batch_scratch_len) for each task that runs at the same
+    /// time. For a single clip, one call of `track` per frame is quicker.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -321,7 +322,8 @@ impl<R: Scalar> ReachJob<'_, R> {
             self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
         let all = Clips { clips, values, reports };
-        // The feature of this crate, not that of dq8: another crate may ask that one for threads.
+        // This tests the feature of this crate and not dq8's, because another crate may switch on
+        // threads in dq8.
         #[cfg(feature = "rayon")]
         backend.share(MAX_LANES, all, &run);
         #[cfg(not(feature = "rayon"))]
@@ -329,12 +331,13 @@ impl<R: Scalar> ReachJob<'_, R> {
         Ok(())
     }
 
-    /// [`sequence`](Self::sequence) in memory of the caller, without allocation, on the thread that
-    /// calls: `scratch` has [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers or more,
-    /// and may hold anything.
+    /// Searches for clips as [`sequence`](Self::sequence) does, without allocation and on the
+    /// calling thread. `scratch` must have at least the length
+    /// [`batch_scratch_len`](super::Reach::batch_scratch_len), and may hold anything.
     ///
     /// # Errors
-    /// As there, or if there is too little scratch; nothing is written.
+    /// The errors of [`sequence`](Self::sequence), and an error if `scratch` is too short. Nothing
+    /// is written then.
     pub fn sequence_in(
         &self,
         scratch: &mut [R],
@@ -352,7 +355,7 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-/// Clips with the values and reports of their frames, to be split between two clips.
+/// Clips with the values and reports of their frames, which threads split between two clips.
 #[cfg(feature = "alloc")]
 struct Clips<'s, R> {
     clips: &'s [usize],

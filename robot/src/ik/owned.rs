@@ -1,4 +1,4 @@
-//! Problems and arms with memory of their own.
+//! [`OwnedReach`] and [`OwnedSixAxisArm`]: a problem and an arm that own their memory.
 
 use super::family::{Family, Geometry, SolutionsError};
 use super::freedom::Freedom;
@@ -16,7 +16,8 @@ use dq8::internal::brief;
 use dq8::{DualQuat, Real, Scalar, ShapeError, Twist};
 use dq8_simd::{Lanes, Portable};
 
-/// A [`Reach`] with memory of its own, the robot and its goals included, for a program to keep.
+/// A [`Reach`] that owns its memory, including the robot and its goals, so that a program can keep
+/// it in a struct.
 ///
 /// ```
 /// use dq8_robot::ik::{Goal, Options, OwnedReach};
@@ -48,10 +49,10 @@ pub struct OwnedReach<R> {
 brief!([R] OwnedReach<R>: OwnedReach |it| { mechanism: it.mechanism, goals: it.goals.len() });
 
 impl<R: Real> OwnedReach<R> {
-    /// See [`Reach::new`].
+    /// Makes a problem as [`Reach::new`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn new(
         mechanism: OwnedMechanism<R>,
         goals: impl Into<Vec<Goal<R>>>,
@@ -70,22 +71,22 @@ impl<R: Real> OwnedReach<R> {
         self.mechanism.view()
     }
 
-    /// See [`Reach::with_posture`].
+    /// Returns this problem with a preferred configuration, as [`Reach::with_posture`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn with_posture(self, values: impl Into<Vec<R>>) -> Result<Self, ReachError> {
         let values = values.into();
         self.view().with_posture(&values)?;
         Ok(Self { posture: Some(values), ..self })
     }
 
-    /// A search for many configurations: [`Reach::job`].
+    /// Returns a search for many configurations, as [`Reach::job`] does.
     pub fn job(&self) -> ReachJob<'_, R> {
         self.view().job()
     }
 
-    /// The borrowed form, which has all other methods.
+    /// Returns the borrowed form, which has all other methods.
     #[must_use]
     pub fn view(&self) -> Reach<'_, R> {
         Reach {
@@ -103,10 +104,10 @@ impl<R> OwnedReach<R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// See [`Reach::solve`]. The scratch is its own, allocated by the first call.
+    /// Solves one configuration as [`Reach::solve`] does. The first call allocates the scratch.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn solve(
         &mut self,
         targets: &[DualQuat<R>],
@@ -116,10 +117,10 @@ where
         self.with_scratch(|reach, scratch| reach.solve(targets, values, scratch, options))
     }
 
-    /// See [`Reach::follow`]. The scratch is its own.
+    /// Follows a target as [`Reach::follow`] does, with its own scratch.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn follow(
         &mut self,
         targets: &[DualQuat<R>],
@@ -129,10 +130,10 @@ where
         self.with_scratch(|reach, scratch| reach.follow(targets, values, scratch, options))
     }
 
-    /// See [`Reach::track`]. The scratch is its own.
+    /// Tracks targets as [`Reach::track`] does, with its own scratch.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn track(
         &mut self,
         targets: &[DualQuat<R>],
@@ -142,10 +143,10 @@ where
         self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
     }
 
-    /// See [`Reach::rates`]. The scratch is its own.
+    /// Solves for rates as [`Reach::rates`] does, with its own scratch.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn rates(
         &mut self,
         values: &[R],
@@ -165,7 +166,8 @@ where
     }
 }
 
-/// A [`SixAxisArm`] with memory of its own, for a program to keep beside a search.
+/// A [`SixAxisArm`] that owns its memory, so that a program can keep it in a struct beside a
+/// search.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -214,33 +216,33 @@ pub struct OwnedSixAxisArm<R> {
 brief!([R] OwnedSixAxisArm<R>: OwnedSixAxisArm |it| { reach: it.reach });
 
 impl<R: Real> OwnedSixAxisArm<R> {
-    /// See [`SixAxisArm::new`].
+    /// Makes an arm as [`SixAxisArm::new`] does.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn new(reach: OwnedReach<R>) -> Result<Self, SolutionsError> {
         let SixAxisArm { geometry, .. } = SixAxisArm::new(reach.view())?;
         Ok(Self { reach, geometry })
     }
 
-    /// See [`SixAxisArm::family`].
+    /// Returns the family of the arm.
     #[must_use]
     pub fn family(&self) -> Family {
         self.view().family()
     }
 
-    /// See [`SixAxisArm::values`].
+    /// Returns the indices of the six hinges' values among the values of the mechanism.
     #[must_use]
     pub fn values(&self) -> [usize; 6] {
         self.view().values()
     }
 
-    /// Many targets at a time: [`SixAxisArm::job`].
+    /// Returns a job that solves many targets at a time, as [`SixAxisArm::job`] does.
     pub fn job(&self) -> SolutionsJob<'_, R> {
         self.view().job()
     }
 
-    /// The borrowed form, which has all other methods.
+    /// Returns the borrowed form, which has all other methods.
     #[must_use]
     pub fn view(&self) -> SixAxisArm<'_, R> {
         let reach = Reach { posture: None, ..self.reach.view() };
@@ -252,10 +254,11 @@ impl<R> OwnedSixAxisArm<R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// See [`SixAxisArm::solutions`]. Memory is allocated if the arm needs searches.
+    /// Finds all solutions as [`SixAxisArm::solutions`] does. It allocates memory if the arm needs
+    /// searches.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of the method of the same name that borrows its memory.
     pub fn solutions(
         &self,
         target: DualQuat<R>,

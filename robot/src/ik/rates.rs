@@ -1,4 +1,4 @@
-//! Resolved rates: the rates that give links the velocities that they should have.
+//! Resolved rates: the rates of joints that give links the velocities that are asked for.
 
 use super::freedom::{Freedom, Kind};
 use super::job::ReachJob;
@@ -17,14 +17,14 @@ impl<R> Reach<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// The rates at which goals have given velocities, as nearly as possible: those that make
-    /// |W(Jq̇ − v)|² + λ²|q̇|² least, with the `damping` λ, which keeps them small near
-    /// singular poses (Nakamura & Hanafusa 1986). A joint at a limit does not go farther, and the
-    /// others make up for it. `twists[i]` is the velocity for goal i: the angular velocity of its
-    /// link and the velocity of its point, in the axes of the base
+    /// Computes the rates that give goals their velocities as nearly as possible: they
+    /// minimise |W(Jq̇ − v)|² + λ²|q̇|², where λ is the `damping`, which keeps rates small
+    /// near singular poses (Nakamura & Hanafusa 1986). A joint at a limit does not go beyond it,
+    /// and the other joints make up for it. `twists[i]` is the velocity for goal i: the angular
+    /// velocity of its link and the velocity of its point, in the axes of the base
     /// ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal, in the axes of its
-    /// link. An eighth of the longest way to a goal weighs as much as a radian. Rates of joints
-    /// that move no goal are zero.
+    /// link. An eighth of the longest distance along the links to a goal weighs as much as a
+    /// radian. Rates of joints that move no goal are zero.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -45,8 +45,8 @@ where
     /// ```
     ///
     /// # Errors
-    /// If lengths do not fit, a number is not finite, or the damping is negative; nothing is
-    /// written.
+    /// If a slice has the wrong length, an input is not finite, or the damping is negative; nothing
+    /// is written.
     pub fn rates(
         &self,
         values: &[R],
@@ -63,13 +63,13 @@ where
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// [`Reach::rates`] for many configurations on the lanes of the CPU, without allocation, on the
-    /// thread that calls: `values` is `[configuration][value]`, `twists` `[configuration][goal]`,
-    /// `rates` `[configuration][rate]`, and `scratch` has
-    /// [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more.
+    /// Computes the rates of many configurations as [`Reach::rates`] does of one, on the lanes of
+    /// the CPU, without allocation and on the calling thread. `values` is `[configuration][value]`,
+    /// `twists` is `[configuration][goal]`, `rates` is `[configuration][rate]`, and `scratch` must
+    /// have at least the length [`batch_scratch_len`](Reach::batch_scratch_len).
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`Reach::rates`].
     pub fn rates_in(
         &self,
         scratch: &mut [R],
@@ -87,7 +87,8 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-/// Velocities of goals, and the place of the rates that give them.
+/// The inputs and outputs of a solution for rates: values, the velocities of the goals, and the
+/// slice for the rates.
 struct Velocities<'s, R> {
     reach: &'s Reach<'s, R>,
     values: &'s [R],
@@ -98,7 +99,8 @@ struct Velocities<'s, R> {
 }
 
 impl<R: Real> Velocities<'_, R> {
-    /// The same, once lengths are those of `count` configurations and all numbers are finite.
+    /// Returns the work if all lengths fit `count` configurations and all inputs are finite, and
+    /// otherwise an error.
     fn checked(self, count: usize, scratch: usize) -> Result<Self, RatesError> {
         let (goals, values) = (self.reach.goals.len(), self.reach.mechanism.values);
         check_scratch(self.scratch.len(), scratch)?;
@@ -133,10 +135,10 @@ impl<R: Scalar> Kernel for Velocities<'_, R> {
 }
 
 impl<R: Scalar> Velocities<'_, R> {
-    /// The rates of all configurations, of as many at a time as there are lanes.
+    /// Computes the rates of all configurations, with a configuration in each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn solve<L: Lanes<Real = R>>(self, level: L::Level) {
-        // A posture is ignored: it is a pose, not a velocity.
+        // The posture is ignored, because it is a pose and not a velocity.
         let Self { values, twists, rates, .. } = self;
         let reach = &Reach { posture: None, ..*self.reach };
         let options = Options { damping: self.damping, ..Options::track() };
@@ -164,7 +166,7 @@ impl<R: Scalar> Velocities<'_, R> {
                 let unit =
                     if freedom.is_some_and(Freedom::is_slide) { length } else { L::Real::ONE };
                 for lane in 0..L::LANES {
-                    // Zero if the rate moves no goal.
+                    // The change is zero for a rate that moves no goal.
                     let radians = model.scratch.radians.number(reach.column(rate), lane);
                     if let Some(slot) = rates.get_mut((first + lane) * rate_count + rate) {
                         *slot = radians * unit;
@@ -176,7 +178,7 @@ impl<R: Scalar> Velocities<'_, R> {
 }
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
-    /// Puts the velocities in the place of the errors.
+    /// Writes the velocities to the memory of the errors, so that a step solves for them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn set_velocities(&mut self, twists: &[Twist<L::Real>], first: usize, configurations: usize) {
         let (level, reach) = (self.level, self.reach);
@@ -216,7 +218,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
         }
     }
 
-    /// Solves for the rates, in radians, of which none leads beyond a limit.
+    /// Solves for the rates in radians, such that no rate leads beyond a limit.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn rates(&mut self) {
         let (level, zero) = (self.level, self.scales.least_damping.constant(0.0));
@@ -258,7 +260,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
 }
 
 errors! {
-    /// An error of velocities.
+    /// The error of inputs from which no rates can be computed.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     RatesError {

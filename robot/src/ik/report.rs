@@ -1,4 +1,4 @@
-//! The options of a search, and its report.
+//! [`Options`] and [`Tracking`], the options of a search, and [`Report`], its result.
 
 use dq8::Real;
 
@@ -15,11 +15,11 @@ pub struct Options<R> {
     /// humanoid with four goals reached 93 % of random reachable targets with 100, and all of 200
     /// with 1000.
     pub max_iterations: u32,
-    /// The length that weighs as much as a radian, more than zero. `None` is an eighth of the
-    /// longest way to a goal; if something floats or slides without end, an eighth of the longer
-    /// way that it has to go, except in searches that [track](super::Reach::track). It decides
-    /// which pose is nearest to a target that cannot be reached, and how fast the others are
-    /// reached.
+    /// The length that weighs as much as a radian, more than zero. `None` means an eighth of the
+    /// longest distance along the links to a goal. If a joint floats or slides without limits, the
+    /// distance that it has to go counts if that is longer, except in searches that
+    /// [track](super::Reach::track). The length decides which pose is nearest to a target that
+    /// cannot be reached, and how fast other targets are reached.
     pub length_per_radian: Option<R>,
     /// The largest change of a hinge in one step, radians, more than zero; more than a turn counts
     /// as a turn. Slides are not limited.
@@ -38,8 +38,8 @@ pub struct Options<R> {
     pub least_gain: R,
 }
 
-/// Tolerances of 10⁻⁵ rad and 10⁻⁵ lengths, 100 iterations, steps of at most 1.5 rad,
-/// restarts.
+/// Sets tolerances of 10⁻⁵ rad and 10⁻⁵ lengths, 100 iterations, steps of at most 1.5 rad,
+/// and restarts.
 impl<R: Real> Default for Options<R> {
     fn default() -> Self {
         Self {
@@ -56,15 +56,15 @@ impl<R: Real> Default for Options<R> {
 }
 
 impl<R: Real> Options<R> {
-    /// Options to reach a target from anywhere: the default.
+    /// Returns options for reaching a target from anywhere, which are the default.
     #[must_use]
     pub fn solve() -> Self {
         Self::default()
     }
 
-    /// Options to follow moving targets ([`Reach::track`](super::Reach::track)) from the last
-    /// values: tolerances of 10⁻⁴ rad and lengths, at most 3 steps, of which each must gain a
-    /// hundredth, a damping of 0.1 rad, and no restarts.
+    /// Returns options for following moving targets ([`Reach::track`](super::Reach::track)) from
+    /// the last values: tolerances of 10⁻⁴ rad and lengths, at most 3 steps, of which each must
+    /// gain a hundredth, a damping of 0.1 rad, and no restarts.
     #[must_use]
     pub fn track() -> Self {
         let fine = R::from(1e-4);
@@ -79,7 +79,7 @@ impl<R: Real> Options<R> {
         }
     }
 
-    /// The same options in other numbers, by way of `f64`.
+    /// Returns these options with another element type; values are converted to `f64` in between.
     #[must_use]
     pub fn cast<S: Real>(&self) -> Options<S> {
         let cast = |number: R| S::from_f64(number.into());
@@ -95,15 +95,15 @@ impl<R: Real> Options<R> {
         }
     }
 
-    /// The largest change of a hinge in one step. A turn brings a hinge through all of its poses,
-    /// so it is never more than that.
+    /// Returns the largest change of a hinge in one step. It is never more than a turn, which
+    /// brings a hinge through all of its poses.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn longest_step(&self) -> R {
         let turn = R::TWO * R::PI;
         if self.max_step < turn { self.max_step } else { turn }
     }
 
-    /// `true` if every option is within its range.
+    /// Returns `true` if every option is within its range.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn is_valid(&self) -> bool {
         let length = self.length_per_radian.unwrap_or(R::ONE);
@@ -119,8 +119,8 @@ impl<R: Real> Options<R> {
     }
 }
 
-/// The options of a search that [tracks](super::Reach::track): those of any search, and what weighs
-/// beside the goals in every step.
+/// The options of a search that [tracks](super::Reach::track): the options of any search, and the
+/// weights that act beside the goals in every step.
 ///
 /// ```
 /// use dq8_robot::ik::{Options, Tracking};
@@ -132,25 +132,26 @@ impl<R: Real> Options<R> {
 pub struct Tracking<R> {
     /// The options of any search, [`Options::track`] by default; `restarts` has no effect.
     pub options: Options<R>,
-    /// The weight of a radian from the [posture](super::Reach::with_posture) against one from a
-    /// target, everywhere and always. With zero, the default, the posture takes what the goals
-    /// leave free, after they are reached.
+    /// The weight of a radian of distance from the [posture](super::Reach::with_posture), relative
+    /// to a radian of distance from a target. It acts in every step. With zero, the default, the
+    /// posture uses only the freedom that the goals leave, after the targets are reached.
     pub posture_weight: R,
-    /// The weight of a radian from the start, which is the last frame of a target that moves. It
-    /// takes the shaking out of joints that the goals hardly determine, for a lag of its square
-    /// times the way in a frame: √(rate/480) for frames per second makes that two milliseconds.
-    /// Zero by default; without effect on joints that float, which it would only slow down.
+    /// The weight of a radian of distance from the start, which is the last frame of a target that
+    /// moves. It keeps joints from shaking that the goals hardly determine. The price is a lag of
+    /// its square times the motion in a frame: a weight of √(rate/480), with the rate in frames
+    /// per second, makes the lag two milliseconds. The default is zero. It has no effect on joints
+    /// that float, which it would only slow down.
     pub start_weight: R,
 }
 
-/// [`Options::track`] and no weights.
+/// Sets [`Options::track`] and no weights.
 impl<R: Real> Default for Tracking<R> {
     fn default() -> Self {
         Options::track().into()
     }
 }
 
-/// These options and no weights.
+/// Sets these options and no weights.
 impl<R: Real> From<Options<R>> for Tracking<R> {
     fn from(options: Options<R>) -> Self {
         Self { options, posture_weight: R::ZERO, start_weight: R::ZERO }
@@ -158,7 +159,7 @@ impl<R: Real> From<Options<R>> for Tracking<R> {
 }
 
 impl<R: Real> Tracking<R> {
-    /// The same options in other numbers, by way of `f64`.
+    /// Returns these options with another element type; values are converted to `f64` in between.
     #[must_use]
     pub fn cast<S: Real>(&self) -> Tracking<S> {
         let [posture_weight, start_weight] =
@@ -167,8 +168,8 @@ impl<R: Real> Tracking<R> {
     }
 }
 
-/// Options by reference, and the weights of [`Tracking`], which are zero in searches that do not
-/// track.
+/// The options of a search by reference, and the weights of [`Tracking`], which are zero in
+/// searches that do not track.
 #[derive(Clone, Copy)]
 pub(super) struct Settings<'s, R> {
     pub(super) options: &'s Options<R>,
@@ -192,7 +193,7 @@ impl<'s, R: Real> From<&'s Tracking<R>> for Settings<'s, R> {
 }
 
 impl<R: Real> Settings<'_, R> {
-    /// `true` if both weights are finite and not negative.
+    /// Returns `true` if both weights are finite and not negative.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn has_valid_weights(&self) -> bool {
         let is_valid = |weight: R| weight >= R::ZERO && weight.is_finite();
@@ -218,7 +219,7 @@ pub struct Report<R> {
 }
 
 impl<R: Real> Report<R> {
-    /// The report of a search that cannot be made.
+    /// The report of a search with an invalid input.
     pub(super) const INVALID: Self = Self {
         outcome: Outcome::Invalid,
         iterations: 0,
@@ -229,7 +230,7 @@ impl<R: Real> Report<R> {
 }
 
 impl<R> Report<R> {
-    /// `true` if both errors are within the tolerances.
+    /// Returns `true` if both errors are within the tolerances.
     #[must_use]
     pub fn is_converged(&self) -> bool {
         self.outcome == Outcome::Converged
@@ -238,7 +239,7 @@ impl<R> Report<R> {
 
 /// The end of a search. The joint values are the best that were found, or the last ones of a search
 /// that [tracks](super::Reach::track), within the limits; only [`Invalid`](Self::Invalid) leaves
-/// them as they were. C and Python have the same numbers.
+/// them as they were. The discriminants are the same in C and Python.
 ///
 /// A search with [`restarts`](Options::restarts) that does not converge goes on until the
 /// iterations run out. Then [`AtLimits`](Self::AtLimits) and [`Stalled`](Self::Stalled) say what
