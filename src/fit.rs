@@ -27,13 +27,13 @@ use crate::scalar::{DualQuat, Quat, vector};
 #[derive(Clone, Copy, Debug)]
 pub struct PointPairs<'a, R> {
     pairs: Weighted<'a, R>,
-    /// The weighted means of x and of y.
+    /// The weighted means of the points x and of the moved points y.
     centers: [[R; 3]; 2],
-    /// Σ w y xᵀ, each from its mean.
+    /// Σ w y xᵀ, with x and y relative to their means.
     products: [[R; 3]; 3],
-    /// Σ w|x|², from the mean.
+    /// Σ w|x|², with x relative to its mean.
     squares: R,
-    /// The most that rounding adds to a sum of elements of `products`.
+    /// The largest rounding error of a sum of elements of `products`.
     rounding: R,
 }
 
@@ -60,7 +60,7 @@ impl<R: Real> Fit<R> {
         vector::add(self.to, self.turned(point))
     }
 
-    /// s·r (p − c) r*
+    /// Returns s·r (p − c) r*, the point turned and scaled about the centre.
     fn turned(&self, point: [R; 3]) -> [R; 3] {
         let point = vector::scale(vector::sub(point, self.from), self.scale);
         self.motion.rotation().rotate(point)
@@ -155,8 +155,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
             squares =
                 [squares[0] + vector::dot(x, heavy[0]), squares[1] + vector::dot(y, heavy[1])];
         }
-        // Coordinates are rounded by as much as they are far from the origin, and sums as often as
-        // there are pairs; the last term is for squares that are no normal numbers in `f32`.
+        // A coordinate is rounded in proportion to its distance from the origin, and a sum is
+        // rounded once for each pair. The last term is for squares that are subnormal in `f32`.
         let lengths = squares.map(Real::sqrt);
         let of_points = furthest[0] * lengths[1] + furthest[1] * lengths[0];
         let of_sums = R::from(8.0) * count.sqrt() * lengths[0] * lengths[1];
@@ -257,7 +257,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
         Quality { rms: (sum / total).sqrt(), rank: self.rank(values), condition }
     }
 
-    /// `None` where the products vanish or are not finite.
+    /// Returns `None` if the products are zero or not finite.
     fn spectrum(&self) -> Option<Spectrum<R>> {
         Spectrum::of(self.products).ok()
     }
@@ -276,15 +276,17 @@ impl<'a, R: Real> PointPairs<'a, R> {
         spectrum: Option<&Spectrum<R>>,
         scaled: bool,
     ) -> Result<Fit<R>, FitError> {
-        // Only the mixed term of Σ w|y − s·r x r*|² depends on the rotation: the sum of the
-        // products of its elements and these, which is to be largest.
+        // Only the mixed term of Σ w|y − s·r x r*|² depends on the rotation. It is the sum of
+        // the products of the rotation's elements and the elements of `products`, which must become
+        // as large as possible.
         let best = spectrum.and_then(|spectrum| spectrum.best_rotation().ok());
         let (rotation, [sum, gap]) = best.ok_or_else(|| self.ambiguous(spectrum))?;
         let scale = if scaled { sum / self.squares } else { R::ONE };
         self.fit(rotation, gap, scale, || self.ambiguous(spectrum))
     }
 
-    /// The map with the rotation, if others fit less by the gap.
+    /// Returns the map with this rotation, if every other rotation fits worse by more than
+    /// rounding: `gap` says by how much.
     fn fit(
         &self,
         rotation: Quat<R>,
@@ -292,7 +294,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
         scale: R,
         ambiguous: impl FnOnce() -> FitError,
     ) -> Result<Fit<R>, FitError> {
-        // False for NaN too.
+        // The comparison is false if the gap is NaN.
         let clear = gap > self.rounding;
         if !clear {
             return Err(ambiguous());
@@ -312,7 +314,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
     }
 }
 
-/// The pairs and weights that were given.
+/// The pairs of points and their weights, as the caller gave them.
 #[derive(Clone, Copy, Debug)]
 struct Weighted<'a, R> {
     points: &'a [[R; 3]],
@@ -322,8 +324,8 @@ struct Weighted<'a, R> {
 }
 
 impl<R: Real> Weighted<'_, R> {
-    /// The pairs with a weight, and it as a share of the largest one, so that no sum of weights
-    /// overflows or vanishes.
+    /// Returns the pairs whose weight is not zero, each with its weight divided by the largest
+    /// weight, so that no sum of weights overflows or becomes zero.
     fn iter(&self) -> impl Iterator<Item = ([[R; 3]; 2], R)> {
         let pairs = self.points.iter().zip(self.moved).enumerate();
         let weight = |index| match self.weights {

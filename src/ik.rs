@@ -1,6 +1,6 @@
-//! Inverse kinematics of two bones: hip, knee and ankle to a point, by the triangle of the bones
-//! and the way to the target. For robots and other chains of joints there is `Reach` of the crate
-//! `dq8-robot`.
+//! Inverse kinematics of limbs of two bones, such as hip, knee and ankle. The two bones and the
+//! line from the root to the target form a triangle, which gives the angles. For robots and other
+//! chains of joints there is `Reach` of the crate `dq8-robot`.
 
 pub use crate::scalar::two_bone::{LimbError, Span, TwoBone};
 
@@ -24,7 +24,7 @@ pub struct Limb<R> {
 }
 
 impl<R: Real> Limb<R> {
-    /// Checks that each joint is a child of the one before.
+    /// Checks that the second joint is a child of the first, and the third a child of the second.
     pub(crate) fn check(&self, parent: impl Fn(usize) -> Option<usize>) -> Result<(), LimbsError> {
         let [hip, knee, foot] = self.joints;
         for (joint, before) in [(knee, hip), (foot, knee)] {
@@ -41,11 +41,12 @@ impl<R: Real> Limb<R> {
     }
 }
 
-/// Roots, lengths, targets and poles on lanes.
+/// The roots, lengths of bones, targets and poles of limbs, one limb in each lane.
 pub(crate) type Asked<L> = ([L; 3], [L; 2], [L; 3], [L; 3]);
 
-/// The first of these limbs that is refused, and why; `first` is the number of the one in the first
-/// lane. Lanes ask, and what they find is looked at once more one by one, which says what is wrong.
+/// Returns the error of the first limb that cannot be bent. `first` is the index of the limb in the
+/// first lane. The check on lanes finds out whether there is such a limb; then the limbs are
+/// checked again one by one to find the error.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn fault<L: Lanes<Real: Scalar>>(asked: Asked<L>, first: usize) -> Option<LimbsError> {
     let (root, lengths, target, pole) = asked;

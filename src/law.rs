@@ -1,4 +1,4 @@
-//! [`Law`]: how a pose lies between two others, and what a difference adds to a pose.
+//! [`Law`], a rule for interpolating between two poses and for adding a difference to a pose.
 
 use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
@@ -6,13 +6,13 @@ use dq8_simd::Lanes;
 /// A law by which poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions,
 /// [`NlerpLerp`] for rotations and translations. Sealed.
 pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::Sealed {
-    /// From `a` (t = 0) to `b` (t = 1).
+    /// Interpolates from `a` (t = 0) to `b` (t = 1).
     #[must_use]
     fn between<L: Lanes>(self, a: [L; C], b: [L; C], t: L) -> [L; C];
-    /// `base`, changed by `weight` times the difference `delta`.
+    /// Returns `base` changed by `weight` times the difference `delta`.
     #[must_use]
     fn add<L: Lanes>(self, base: [L; C], delta: [L; C], weight: L) -> [L; C];
-    /// The pose as a motion.
+    /// Returns the pose as a motion.
     fn motion<L: Lanes>(self, pose: [L; C]) -> DualQuat<L>;
     /// parent · pose
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -1,8 +1,8 @@
 //! Macros that write implementations from a list: errors, conversions, and a short `Debug`.
 
-/// An enum of errors: for each variant its documentation, its fields with theirs, the message, and
-/// the source. The source is an error that the variant holds and is made from, or the field that
-/// `from` names.
+/// Defines an enum of errors. The list has the documentation of each variant and of its fields, its
+/// message, and its source. The source is an error that the variant wraps and is converted from, or
+/// the field that `from` names.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __errors {
@@ -48,7 +48,7 @@ macro_rules! __errors {
 }
 pub use __errors as errors;
 
-/// A number of things, by their name: "1 element", "2 elements".
+/// A count of things with their name, which is written as "1 element" or "2 elements".
 pub(crate) struct Count(pub(crate) usize, pub(crate) &'static str);
 
 impl core::fmt::Display for Count {
@@ -58,8 +58,10 @@ impl core::fmt::Display for Count {
     }
 }
 
-/// [`From`] as a list, one conversion a line: `from => to: |value| made`, where `Self` in `made` is
-/// the type behind the arrow.
+/// to: |value|
+/// made`, where `Self` in `made` is the type behind the arrow. => Implements [`From`] for a list of conversions, one in each line: `from
+/// => to: |value| made`. `Self` in `made` is the type behind the arrow. => to: |value| made`, where
+/// `Self` in `made` is the type behind the arrow.
 macro_rules! conversions {
     ($($(#[$of:meta])* [$($number:tt)*] $from:ty => $to:ty: |$value:pat_param| $made:expr;)*) => {$(
         $(#[$of])*
@@ -73,7 +75,8 @@ macro_rules! conversions {
 }
 pub(crate) use conversions;
 
-/// `Debug` of what holds many numbers: one line that says how many there are, and of what.
+/// Implements `Debug` for types that hold many values: it writes one line with the count and the
+/// kind of the values.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __brief {
@@ -90,7 +93,7 @@ macro_rules! __brief {
 }
 pub use __brief as brief;
 
-/// The promise that a struct is numbers and nothing else, which makes it `bytemuck::Pod`. Its proof
-/// and its `unsafe` are in `dq8_simd`; the rooms that hold such structs know no more of the lanes
-/// than this.
+/// The macro that implements `bytemuck::Pod` for structs that consist of numbers only. Its proof
+/// and its `unsafe` code are in `dq8_simd`; the modules with such structs import nothing else of
+/// that crate.
 pub(crate) use dq8_simd::pod;

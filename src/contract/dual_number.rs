@@ -1,4 +1,5 @@
-//! [`DualNumber`]: what the dual numbers of the scalar reference and of the lanes share.
+//! [`DualNumber`], the contract that the dual numbers of the scalar reference and of the lanes
+//! share.
 
 use crate::contract::shared_trait;
 use core::fmt::Debug;
@@ -74,7 +75,7 @@ shared_trait! {
     }
 }
 
-/// xⁿ for whole n, by squaring.
+/// Returns xⁿ for an integer n, by repeated squaring.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn power<D: DualNumber>(x: D, one: D, n: i32) -> D {
     let (mut power, mut square, mut left) = (one, x, n.unsigned_abs());
@@ -83,7 +84,7 @@ pub(crate) fn power<D: DualNumber>(x: D, one: D, n: i32) -> D {
             power = power * square;
         }
         left /= 2;
-        // One more might overflow, and ∞·0 would be NaN.
+        // One more squaring might overflow, and ∞·0 would be NaN.
         if left > 0 {
             square = square * square;
         }

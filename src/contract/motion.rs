@@ -91,8 +91,8 @@ shared_trait! {
     delegate by delegate_motion;
 
     types {
-        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has
-        /// the lanes.
+        /// The value from which constants are made: `()` for scalars, and for lanes the proof that
+        /// the CPU has their instructions.
         type Level: Copy;
         /// A real number, or one per lane.
         type Real: Copy

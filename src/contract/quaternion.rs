@@ -1,4 +1,5 @@
-//! [`Quaternion`]: what the quaternions of the scalar reference and of the lanes share.
+//! [`Quaternion`], the contract that the quaternions of the scalar reference and of the lanes
+//! share.
 
 use crate::contract::shared_trait;
 use core::fmt::Debug;
@@ -32,8 +33,8 @@ shared_trait! {
     delegate by delegate_quaternion;
 
     types {
-        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has
-        /// the lanes.
+        /// The value from which constants are made: `()` for scalars, and for lanes the proof that
+        /// the CPU has their instructions.
         type Level: Copy;
         /// A real number, or one per lane.
         type Real: Copy + Debug;

@@ -1,8 +1,9 @@
-//! The macro that writes a trait of both implementations: one list of methods makes the trait, and
-//! the delegation to the inherent methods of each type.
+//! The macro that defines a trait for scalars and lanes. One list of methods makes the trait and,
+//! for each type, an `impl` that calls its inherent methods.
 
-/// Writes the trait, and the macro `$delegate` for the types that have every method of the list as
-/// an inherent one: there `Self::name` finds that one first.
+/// Defines the trait and the macro `$delegate`, which implements it for a type that has every
+/// method of the list as an inherent method. `Self::name` in the `impl` resolves to the inherent
+/// method.
 macro_rules! shared_trait {
     (
         $(#[$about:meta])*
@@ -39,8 +40,8 @@ macro_rules! shared_trait {
             )*
         }
 
-        /// The methods of the list for an `impl` of the trait, where the types of `geometry` that
-        /// it names must be imported.
+        /// Writes the methods of the list for an `impl` of the trait. The types of `geometry` that
+        /// the list names must be imported there.
         macro_rules! $delegate {
             () => { $(
                 #[inline(always)]
@@ -59,7 +60,7 @@ pub(crate) mod sealed {
     pub trait Sealed {}
 }
 
-/// Sums, differences and negatives of what is two parts, a real and a dual one: part by part.
+/// Implements sums, differences and negation for types with a real and a dual part, part by part.
 macro_rules! sums_by_part {
     ($(#[$of_sum:meta])* [$($number:tt)+] #[$inlined:meta] $Thing:ty: ($($real:tt)+) ($($dual:tt)+)) => {
         $(#[$of_sum])*

@@ -1,8 +1,8 @@
 //! Plain data that motions act on or that describe motions, the same for one motion (`T` a float)
 //! and for many (`T` a vector of lanes). Points and directions are plain `[T; 3]`.
 
-/// Sums, differences and negatives of what is two vectors, which have no operators
-/// (`contract::sums_by_part` is for parts that have).
+/// Implements sums, differences and negation for types that consist of two vectors. Vectors are
+/// arrays without operators; `contract::sums_by_part` is for parts with operators.
 macro_rules! sums_of_vectors {
     ($Pair:ident { $first:ident, $second:ident }) => {
         impl<T: Copy + Add<Output = T>> Add for $Pair<T> {

@@ -101,8 +101,8 @@ impl<R: Real> Line<R> {
         Ok(distance)
     }
 
-    /// The unit line without the part of m along l, which may be one of rounding: p × l is wrong
-    /// by a rounding of |p|, however near to the origin the line passes.
+    /// Returns the unit line without the part of m along l, which is a rounding error: the error of
+    /// p × l is a rounding of |p|, however near to the origin the line passes.
     pub(super) fn orthogonal(self) -> Result<Self, IncidenceError> {
         let Self { direction, moment } = self;
         let moment = finite(vector::across(direction, moment), "the moment of a line")?;
@@ -197,7 +197,7 @@ impl<R: Real> Line<R> {
         let (a, b) = (self.try_normalize()?, other.try_normalize()?);
         let normal = vector::cross(a.direction, b.direction);
         let sine = vector::norm(normal);
-        // An arccosine would lose angles below √u.
+        // An arccosine would lose angles below √u, where u is the roundoff.
         let theta = sine.atan2(vector::dot(a.direction, b.direction));
         let parallel = sine <= parallel_sine();
         let (direction, feet, distance) =
@@ -241,10 +241,11 @@ impl<R: Real> Line<R> {
     }
 }
 
-/// Direction, feet and length of a perpendicular.
+/// The direction, the two feet and the length of a common perpendicular.
 type Perpendicular<R> = ([R; 3], [[R; 3]; 2], R);
 
-/// The one between unit lines, given l₁ × l₂ and its length.
+/// Returns the common perpendicular of two skew unit lines. `normal` is l₁ × l₂, and `sine` is
+/// its length.
 fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Perpendicular<R> {
     let n = vector::over_norm(normal, sine);
     // From the way between two points: the other formula, −(l₁·m₂ + m₁·l₂)/sin θ,
@@ -259,7 +260,8 @@ fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Per
     (n, [first, second], vector::dot(way, n))
 }
 
-/// The perpendicular of parallel unit lines that lies in the plane through the origin.
+/// Returns the common perpendicular of two parallel unit lines that lies in the plane through the
+/// origin at right angles to them.
 fn between_parallel<R: Real>(a: Line<R>, b: Line<R>) -> Result<Perpendicular<R>, IncidenceError> {
     let feet = [a, b].map(Line::closest_point_to_origin);
     let way = vector::sub(feet[1], feet[0]);

@@ -1,11 +1,10 @@
-//! Lines, planes and points together: which pass through which, and how far apart they are.
+//! Lines, planes and points together: joins, intersections and distances.
 //!
 //! Directions and normals may have any length but zero; what is returned has length 1. Numbers may
 //! be of any size as long as the answer is finite: no square of a coordinate is taken.
 //!
-//! Two directions whose sine is at most eight units of roundoff are parallel, and so are treated:
-//! the rounding of unit vectors alone makes such a sine, and an answer divided by it would be
-//! noise.
+//! Two directions count as parallel if the sine of their angle is at most eight roundoffs. Rounding
+//! of unit vectors alone can make such a sine, and a result divided by it would be noise.
 
 mod line;
 mod plane;
@@ -35,14 +34,14 @@ errors! {
             /// Its value.
             value: f64,
         } => "{what} is {value}";
-        /// Three points lie on one line: through it go many planes.
+        /// Three points lie on one line, so many planes contain them.
         Collinear {
             /// The sine of the angle at the first point.
             sine: f64,
         } => "the three points are on one line: the sine of their angle is {sine}";
-        /// A point lies on a line, within rounding: through both go many planes.
+        /// A point lies on a line within rounding, so many planes contain both.
         PointOnLine {
-            /// The distance of the two.
+            /// The distance between the point and the line.
             distance: f64,
         } => "the point is on the line, {distance} from it";
         /// Two planes are parallel, or the same.
@@ -68,12 +67,12 @@ errors! {
     }
 }
 
-/// Eight units of roundoff: two of each direction, doubled.
+/// Returns eight roundoffs: two roundoffs of each direction, times two as a margin.
 fn parallel_sine<R: Real>() -> R {
     R::EPSILON * R::from(4.0)
 }
 
-/// The vector with length 1, and the length that it had.
+/// Returns the vector scaled to length 1, and the length that it had.
 fn unit<R: Real>(
     vector: [R; 3],
     what: &'static str,
@@ -87,7 +86,7 @@ fn unit<R: Real>(
     }
 }
 
-/// The numbers, if all are finite.
+/// Returns the values if all of them are finite.
 fn finite<R: Real, const N: usize>(
     numbers: [R; N],
     what: &'static str,
@@ -98,7 +97,7 @@ fn finite<R: Real, const N: usize>(
     }
 }
 
-/// The larger of two lengths: what the rounding of a distance is relative to.
+/// Returns the larger of two lengths. The rounding error of a distance is proportional to it.
 fn size<R: Real>(a: [R; 3], b: [R; 3]) -> R {
     vector::norm(a).max_or_nan(vector::norm(b))
 }

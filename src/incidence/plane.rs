@@ -63,18 +63,19 @@ impl<R: Real> Plane<R> {
         Self { normal, offset }.checked()
     }
 
-    /// The plane, if its offset is finite.
+    /// Returns the plane if its offset is finite.
     fn checked(self) -> Result<Self, IncidenceError> {
         finite([self.offset], "the offset of a plane")?;
         Ok(self)
     }
 }
 
-/// The place of a line, as a plane sees it.
+/// The position of a line relative to a plane.
 enum Crossing<R> {
-    /// The line goes through the plane here.
+    /// The line crosses the plane at this point.
     At([R; 3]),
-    /// It runs at this signed distance; in the plane, if that is zero.
+    /// The line is parallel to the plane at this signed distance. It lies in the plane if the
+    /// distance is zero.
     Parallel(R),
 }
 

@@ -10,7 +10,7 @@ use core::ops::{
     Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
 };
 
-// `a *= b` is a = ab, so b comes first.
+// `a *= b` sets a to the product ab, in which the motion b acts first.
 macro_rules! assign {
     ($($thing:ident: $($trait:ident $method:ident $operator:tt),*;)*) => {$($(
         impl<R: Real> $trait for $thing<R> {
@@ -179,7 +179,7 @@ fold! {
     DualVector: Sum sum from Self::default(), +;
 }
 
-// In the order of memory. Like those of arrays, a number that is too large panics.
+// Components are indexed in the order of memory. An index that is too large panics, as with arrays.
 macro_rules! index {
     ($($thing:ident: $order:literal;)*) => {$(
         #[doc = $order]

@@ -35,12 +35,12 @@ conversions! {
     [R: Real] (Quat<R>, [R; 3]) => DualQuat<R>: |(r, t)| Self::from_rotation_translation(r, t);
     /// The rotation and the translation of a unit σ.
     [R: Real] DualQuat<R> => (Quat<R>, [R; 3]): |motion| (motion.rotation(), motion.translation());
-    /// Rotation and translation, side by side.
+    /// Puts a rotation and a translation side by side.
     [R: Real] (Quat<R>, [R; 3]) => RotationTranslation<R>: |(rotation, translation)| Self { rotation, translation };
     /// r + ½εtr
     [R: Real] RotationTranslation<R> => DualQuat<R>: |pose| (pose.rotation, pose.translation).into();
     /// r = p, t = 2qp* of a unit σ.
     [R: Real] DualQuat<R> => RotationTranslation<R>: |motion| <(Quat<R>, [R; 3])>::from(motion).into();
-    /// p + εq of its two quaternions.
+    /// Makes p + εq from its two quaternions, the real part first.
     [R: Real] [Quat<R>; 2] => DualQuat<R>: |[real, dual]| Self::new(real, dual);
 }

@@ -10,7 +10,7 @@ use core::fmt;
 use core::str::FromStr;
 
 errors! {
-    /// Text that is not a list of so many numbers.
+    /// The error of text that is not a list of the expected number of numbers.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     ParseError {
@@ -29,7 +29,8 @@ errors! {
     }
 }
 
-/// Numbers between single commas, white space or both; brackets around them may be left out.
+/// Parses a list of numbers that are separated by single commas, white space or both. The brackets
+/// around the list may be left out.
 fn parse<R: Real + FromStr, const N: usize>(text: &str) -> Result<[R; N], ParseError> {
     let text = text.trim();
     let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')).unwrap_or(text);
@@ -53,7 +54,8 @@ fn parse<R: Real + FromStr, const N: usize>(text: &str) -> Result<[R; N], ParseE
     Ok(numbers)
 }
 
-/// Width and precision hold for every number: `{:.3}` writes three digits after the point.
+/// Writes a list of numbers. Width and precision apply to every number: `{:.3}` writes three digits
+/// after the point.
 fn write<R: Real>(numbers: &[R], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     f.write_str("[")?;
     for (index, number) in numbers.iter().enumerate() {
@@ -68,7 +70,7 @@ fn write<R: Real>(numbers: &[R], f: &mut fmt::Formatter<'_>) -> fmt::Result {
 macro_rules! text {
     ($($thing:ident: $order:literal;)*) => {$(
         #[doc = $order]
-        /// A precision holds for every number.
+        /// Writes the components as a list. A precision applies to every component.
         impl<R: Real> fmt::Display for $thing<R> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 write(&self.to_array(), f)

@@ -27,7 +27,7 @@ impl<R: Real> Quat<R> {
         let short = if self.points_back() { -self } else { self };
         let sine = vector::norm(short.xyz());
         if sine == R::ZERO {
-            // Zero, but for a w that is no number.
+            // The angle is zero if there is no turn, and NaN if w is NaN.
             return ([R::ONE, R::ZERO, R::ZERO], R::ZERO * short.w());
         }
         (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
@@ -121,7 +121,8 @@ impl<R: Real> Quat<R> {
         let length = vector::norm(across);
         let (cosine, sine) = (vector::norm(sum), vector::norm(difference));
         let axis = if length == R::ZERO {
-            // Exactly opposite, or the same: then the sine is zero and the axis does not matter.
+            // The directions are exactly opposite or the same. The sine is then zero, and any axis
+            // across will do.
             vector::any_across(a)
         } else {
             vector::direction(across, length)

@@ -130,7 +130,7 @@ impl<R: Real> Quat<R> {
     pub fn to_euler(self, order: EulerOrder) -> EulerSolution<R> {
         crate::scalar::must_be_unit::rotations("Quat::to_euler", [self]);
         let [first, j, last] = order.axes.indices();
-        // Intrinsic turns are extrinsic ones in the opposite order.
+        // Intrinsic turns are the same as extrinsic turns in the opposite order.
         let (i, reversed) = match order.frame {
             EulerFrame::Intrinsic => (last, true),
             EulerFrame::Extrinsic => (first, false),
@@ -145,12 +145,14 @@ impl<R: Real> Quat<R> {
         let [a, b, c, d] =
             if proper { [w, x_i, x_j, x_k] } else { [w - x_j, x_i + x_k, w + x_j, x_k - x_i] };
         let (cosine, sine) = (vector::norm([a, b]), vector::norm([c, d]));
-        // Below this the direction of a vanishing number is nothing but the rounding of q.
+        // A complex number that is shorter than this has no direction but that of the rounding of
+        // q.
         let least = R::TWO * R::EPSILON;
         let (lowest, highest) = (sine <= least * cosine, cosine <= least * sine);
         let quarter = R::PI * R::HALF;
         let [low, high] = if proper { [R::ZERO, R::PI] } else { [-quarter, quarter] };
-        // A zero of either sign is a positive one here: which it is may depend on the sign of q.
+        // Adding +0 makes a zero of either sign positive, because the sign of a zero may depend on
+        // the sign of q.
         let argument = |sine: R, cosine: R| (sine + R::ZERO).atan2(cosine);
         let [alpha, middle, gamma] = if lowest {
             let sum = argument(R::TWO * a * b, a * a - b * b);

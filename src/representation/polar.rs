@@ -1,4 +1,5 @@
-//! The rotation of a matrix: the nearest one, by polar decomposition, and that of Gram and Schmidt.
+//! The rotation of a matrix: the nearest rotation by polar decomposition, and the rotation of the
+//! Gram–Schmidt process.
 
 use super::OrthonormalError;
 use crate::number::Real;
@@ -32,7 +33,7 @@ pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], Orthonorm
         if largest == R::ZERO {
             return Err(OrthonormalError::Dependent { column: index, sine: 0.0 });
         }
-        // First by the largest element: the length itself may overflow.
+        // The column is divided by its largest element first, because its length may overflow.
         Ok(direction(column.map(|c| c / largest)))
     };
     let x = column(0)?;
@@ -119,7 +120,7 @@ impl<R: Real> Polar<R> {
         let mirrors = -values[least] > values[most] * (R::ONE + rounding);
         let (best, sign) = if mirrors { (least, -R::ONE) } else { (most, R::ONE) };
         let (rotation, _) = rotation(values.map(|value| sign * value), vectors, best)?;
-        // Near the top of the range the sums on the way may overflow where S does not.
+        // Near the largest floats, intermediate sums may overflow although S does not.
         let scale = if largest > R::from(1e30) { R::from(0.25) } else { R::ONE };
         let stretch = stretch(rotation, rows.map(|row| row.map(|c| c * scale)));
         let stretch = stretch.map(|row| row.map(|c| c / scale));
@@ -168,7 +169,7 @@ impl<R: Real> Spectrum<R> {
     /// with each of the others.
     pub(crate) fn singular_values(&self) -> [R; 3] {
         let Self { largest, values: [a, b, c, d], .. } = *self;
-        // Not by `sort`, which has code for orders that contradict themselves, and panics there.
+        // This does not call `sort`, which contains a panic for inconsistent orders.
         let order = |a: R, b: R| if a < b { [b, a] } else { [a, b] };
         let ([a, b], [c, d]) = (order(a, b), order(c, d));
         let ([first, c], [b, fourth]) = (order(a, c), order(b, d));
@@ -177,7 +178,7 @@ impl<R: Real> Spectrum<R> {
     }
 }
 
-/// A number smaller than this, next to one, may be rounding.
+/// Returns the size below which a difference of values around one may be rounding.
 fn rounding<R: Real>() -> R {
     R::from(32.0) * R::EPSILON
 }
@@ -223,7 +224,8 @@ fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
     core::array::from_fn(|row| {
         core::array::from_fn(|column| {
             let (i, j) = (row.min(column), row.max(column));
-            // Half of the difference: half of the sum may overflow, a sum of halves vanish.
+            // The mean is computed by half of the difference, because the sum may overflow and
+            // halves may become zero.
             let above = product(i, j);
             above + (product(j, i) - above) * R::HALF
         })

@@ -183,7 +183,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// A sum of n logarithms is rounded n times, so no step becomes shorter than that.
+/// A sum of n logarithms is rounded n times, so the tolerance grows with n: no step can become
+/// shorter than this rounding.
 fn mean<R: Real>(poses: impl ExactSizeIterator<Item = DualQuat<R>> + Clone) -> Option<DualQuat<R>> {
     let roundings = i32::try_from(poses.len()).unwrap_or(i32::MAX).saturating_add(64);
     let influences = poses.map(|pose| (pose, R::ONE));

@@ -196,7 +196,8 @@ pub fn dib<R: Real>(
         let turn = R::TWO * vector::norm(step.real);
         let slide = vector::norm(step.dual);
         let converged = turn <= tolerance && slide <= tolerance * longest;
-        // Not the opposite of `converged`: with NaN there is nothing to go on for.
+        // This is not the negation of `converged`: both are false for NaN, which needs no further
+        // step.
         let goes_on = turn > tolerance || slide > tolerance * longest;
         if !goes_on || made == max_iterations {
             return Some(Mean { motion, iterations, converged });

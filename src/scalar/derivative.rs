@@ -191,13 +191,13 @@ fn pure<R: Real>(twist: Twist<R>) -> DualQuat<R> {
     DualQuat::from_dual_parts(Dual::ZERO, vector)
 }
 
-/// The vector parts; the scalar parts of σ̇σ* are zero for unit σ.
+/// Returns the vector parts as a twist. The scalar parts of σ̇σ* are zero for unit σ.
 #[inline]
 fn of_pure<R: Real>(sigma: DualQuat<R>) -> Twist<R> {
     Twist { angular: sigma.real().xyz(), linear: sigma.dual().xyz() }
 }
 
-/// Quaternions carry half the angle.
+/// Returns half the twist, because quaternions carry half the angle.
 #[inline]
 fn half<R: Real>(twist: Twist<R>) -> DualVector<R> {
     DualVector {

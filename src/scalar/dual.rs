@@ -61,7 +61,7 @@ impl<R: Real> Dual<R> {
     /// ```
     #[inline]
     pub fn inverse(self) -> Result<Self, InverseError> {
-        // What cannot divide zero is zero itself, or 0 + bε, which has no inverse either.
+        // A real part that gives no finite 0/a is zero, and 0 + bε has no inverse for any b.
         if !self.real.is_finite() || !(R::ZERO / self.real).is_finite() {
             return Err(InverseError { real_norm: self.real.abs().into(), of: Normed::DualNumber });
         }
@@ -249,7 +249,8 @@ impl<R: Real> Real for Dual<R> {
         self.real.is_finite() && self.dual.is_finite()
     }
     fn abs(self) -> Self {
-        // As the numbers are ordered, +0 − ε is negative.
+        // Dual numbers are ordered by their dual part where the real parts are equal, so +0 − ε
+        // is negative.
         let dual = if self < <Self as Real>::ZERO { -self.dual } else { self.dual };
         Self::new(self.real.abs(), dual)
     }

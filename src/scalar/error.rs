@@ -46,7 +46,7 @@ impl fmt::Display for InverseError {
 
 impl core::error::Error for InverseError {}
 
-/// The thing whose norm an error tells.
+/// The kind of value whose norm an error names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) enum Normed {
@@ -56,7 +56,7 @@ pub(super) enum Normed {
 }
 
 impl Normed {
-    /// A norm that is neither zero nor infinite is no fault: then the dual part has it.
+    /// Writes the fault. If the norm is neither zero nor infinite, the fault is in the dual part.
     fn write(self, norm: f64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let part = match self {
             Self::Quaternion => "norm of the quaternion",

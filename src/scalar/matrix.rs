@@ -39,7 +39,7 @@ impl<R: Real> Quat<R> {
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
         let one = R::ONE;
-        // Each is four times the square of a component.
+        // Each of these values is four times the square of a component.
         let x2 = one + m00 - m11 - m22;
         let y2 = one - m00 + m11 - m22;
         let z2 = one - m00 - m11 + m22;
@@ -74,7 +74,7 @@ impl<R: Real> Quat<R> {
             for column in row..3 {
                 let value = vector::dot(rows[row], rows[column]);
                 let wanted = if row == column { R::ONE } else { R::ZERO };
-                // An infinite tolerance forgives all but what is not finite.
+                // An infinite tolerance accepts every finite value.
                 let close = value.is_finite() && (value - wanted).abs() <= tolerance;
                 if !close {
                     return Err(uniform_scale(rows, tolerance).map_or(
@@ -274,7 +274,7 @@ fn uniform_scale<R: Real>(rows: [[R; 3]; 3], tolerance: R) -> Option<R> {
     Some(if mirrors { -size[0] } else { size[0] })
 }
 
-/// The other order of the numbers of a matrix.
+/// Transposes a matrix.
 #[inline]
 fn transpose<R: Real, const N: usize>(matrix: [[R; N]; N]) -> [[R; N]; N] {
     let mut other = matrix;
@@ -286,7 +286,7 @@ fn transpose<R: Real, const N: usize>(matrix: [[R; N]; N]) -> [[R; N]; N] {
     other
 }
 
-/// The left 3×3 part and the last column.
+/// Splits a 3×4 matrix into its left 3×3 part and its last column.
 #[inline]
 fn rotation_and_translation<R: Real>(rows: [[R; 4]; 3]) -> ([[R; 3]; 3], [R; 3]) {
     (rows.map(|[x, y, z, _]| [x, y, z]), rows.map(|[.., t]| t))

@@ -1,12 +1,12 @@
-//! The precondition "must be unit", judged where it is plainly broken: what operations of
-//! `scalar::Quat` and `scalar::DualQuat` call first. Debug builds with
+//! The check of the precondition "must be unit", which operations of `scalar::Quat` and
+//! `scalar::DualQuat` call first. It panics where the input is plainly not unit. Debug builds with
 //! `--cfg dq8_debug_assert_unit` judge; in all others these functions do nothing. A number that is
 //! not finite passes, because it shows by itself.
 
 use crate::number::Real;
 
-/// The error that |p|², and p·q relative to max(1, |q|), may have. Drift does not come near it, a
-/// forgotten normalization does.
+/// The largest error of |p|², and of p·q relative to max(1, |q|), that the check accepts. Drift
+/// stays far below it, and a forgotten normalization exceeds it.
 const PLAINLY: f64 = 0.1;
 const JUDGES: bool = cfg!(all(dq8_debug_assert_unit, debug_assertions));
 

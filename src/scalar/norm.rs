@@ -49,7 +49,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     pub fn norm(self) -> Dual<R> {
         let norm = self.real().norm();
-        // p/|p| first: p·q itself may overflow where the quotient does not.
+        // p/|p| is computed first, because p·q itself may overflow where the quotient does not.
         Dual::new(norm, self.real().normalize().dot(self.dual()))
     }
 
@@ -84,8 +84,9 @@ impl<R: Real> DualQuat<R> {
             .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
-    /// The same, or the norm of the real part: an error holds it as `f64`, which would cost a
-    /// target without double precision a library call even where nobody asks.
+    /// Returns the unit motion, or the norm of the real part if there is none. The norm is
+    /// converted to the `f64` of an error by the caller, because the conversion costs a library
+    /// call on targets without double precision.
     #[inline]
     fn unit(self) -> Result<Self, R> {
         if let Some(unit) = R::quick(quick::Unit(self.to_array())) {
@@ -95,7 +96,8 @@ impl<R: Real> DualQuat<R> {
         self.spilled_copy().unit_of_any_size()
     }
 
-    /// Out of line, because floats come here only if they are very large, very small or no numbers.
+    /// This function is not inlined, because floats come here only if they are very large, very
+    /// small or NaN.
     #[inline(never)]
     fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.real().norm();
@@ -159,7 +161,7 @@ impl<R: Real> DualQuat<R> {
             .map_err(|norm| InverseError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
-    /// The same, or the norm of the real part: see `unit`.
+    /// Returns the inverse, or the norm of the real part if there is none.
     #[inline]
     fn reciprocal(self) -> Result<Self, R> {
         if let Some(inverse) = R::quick(quick::Inverse(self.to_array())) {

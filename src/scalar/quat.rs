@@ -75,7 +75,8 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
     }
 
-    /// As [`DualQuat::spilled_copy`](super::DualQuat).
+    /// Returns a copy in memory, so that the original stays in registers, as
+    /// `DualQuat::spilled_copy` does.
     #[inline(always)]
     pub(super) fn spilled_copy(self) -> Self {
         let [x, y, z, w] = self.0;
@@ -209,7 +210,7 @@ impl<R: Real> Quat<R> {
             .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::Quaternion })
     }
 
-    /// The same, or |q|.
+    /// Returns the unit quaternion, or |q| if there is none.
     #[inline]
     pub(super) fn unit(self) -> Result<Self, R> {
         if let Some(unit) = R::quick(quick::QuaternionUnit(self.0)) {
@@ -289,7 +290,8 @@ impl<R: Real> Mul for Quat<R> {
         }
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
-        // In these pairs the vector part of σ*σ is zero to the last bit, whatever σ is.
+        // The terms are added in pairs such that the vector part of σ*σ is exactly zero for every
+        // σ.
         Self([
             (aw * bx + ax * bw) + (ay * bz - az * by),
             (aw * by - ax * bz) + (ay * bw + az * bx),

@@ -91,7 +91,7 @@ impl<R: Real> DualQuat<R> {
         self.canonical().log_without_flip()
     }
 
-    /// The logarithm of this very σ, not of −σ: 0 ≤ |a| ≤ π.
+    /// Returns the logarithm of σ itself and not of −σ: 0 ≤ |a| ≤ π.
     #[inline]
     fn log_without_flip(self) -> DualVector<R> {
         let t = self.translation();
@@ -219,8 +219,8 @@ impl<R: Real> DualQuat<R> {
     #[inline(never)]
     fn sclerp_by_the_book(self, other: Self, t: R) -> Self {
         let between = self.conjugate() * other;
-        // At half a turn a power is about the canonical axis; this is about the one that `other` as
-        // it stands has.
+        // At half a turn `pow` would turn about the canonical axis. Here the axis must be the one
+        // of `other` as it is given.
         if between.real().w() == R::ZERO && between.real().points_back() {
             return self * between.conjugate().pow(t).conjugate();
         }

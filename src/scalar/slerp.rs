@@ -42,19 +42,20 @@ impl<R: Real> Quat<R> {
         let (sum, difference) = (near + self, near - self);
         let sum_length = sum.norm();
         let middle = sum.scale(R::ONE / sum_length);
-        // Without what the ends differ in length: little, but of close ends it is much of the
-        // difference.
+        // The part of the difference along the middle is removed. It comes from ends of unequal
+        // length; it is small, but for close ends it is a large part of the difference.
         let across = difference - middle.scale(difference.dot(middle));
         let length = across.norm();
         let angle = R::TWO * length.atan2(sum_length);
         let part = t - R::HALF;
         let reach = angle * (R::ONE + part.abs());
         if reach * reach < R::EPSILON {
-            // Every angle here is its own sine, and Θ itself may be subnormal, with no ratio left.
+            // Every angle here equals its sine, and Θ itself may be subnormal, so that ratios of
+            // it have lost their digits.
             return middle + across.scale(part);
         }
         let turned = part * angle;
-        // Known to 2⁻⁸ rad, as `DualQuat::exp` has it; not a number, nor is its sine.
+        // An angle that is known to no more than 2⁻⁸ rad gives NaN, as in `DualQuat::exp`.
         let known = (turned * R::EPSILON).abs() * R::from(128.0) <= R::ONE;
         let turned = if known { turned } else { R::NAN };
         middle.scale(turned.cos()) + across.scale(turned.sin() / length)

@@ -65,7 +65,7 @@ impl<R: Real> DualQuat<R> {
         Plane { normal, offset }
     }
 
-    /// Ra, and Rb + t × Ra: what becomes of a vector, and of its moment.
+    /// Returns Ra and Rb + t × Ra: the images of a vector a and of its moment b.
     #[inline]
     pub(super) fn carry(self, a: [R; 3], b: [R; 3]) -> ([R; 3], [R; 3]) {
         let (a, b) = (self.real().rotate(a), self.real().rotate(b));

@@ -18,7 +18,7 @@ errors! {
         } => "bone {bone} cannot have the length {value}";
         /// A coordinate that is not finite.
         NotFinite {
-            /// Of what.
+            /// The name of the vector.
             what: &'static str,
             /// The axis.
             index: usize,
@@ -66,12 +66,13 @@ pub struct TwoBone<R> {
 /// The distance of a target from the root, as the limb can reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Span {
-    /// As far as the bones can reach.
+    /// The target is as near as the bones can reach.
     Within,
-    /// Farther: the limb is stretched toward it.
+    /// The target is farther: the limb is stretched toward it.
     Stretched,
-    /// Nearer than the bones differ in length: the limb is folded, its longer bone toward the
-    /// target if it is the one at the root, and away from it if not.
+    /// The target is nearer than the difference of the bones' lengths: the limb is folded. The bone
+    /// at the root points toward the target if it is the longer one, and away from the target if
+    /// not.
     Folded,
 }
 
@@ -120,7 +121,7 @@ impl<R: Real> TwoBone<R> {
         Ok(Self { upper, lower, bend, span, missed: beyond.abs() })
     }
 
-    /// Refuses what [`reach`](Self::reach) does.
+    /// Returns the error that [`reach`](Self::reach) would return.
     #[inline]
     pub(crate) fn check(
         root: [R; 3],
@@ -134,19 +135,20 @@ impl<R: Real> TwoBone<R> {
         for number in [root, pole, way].as_flattened() {
             sum += number.abs();
         }
-        // One question for nearly all.
+        // This one comparison accepts nearly all limbs.
         if a >= R::ZERO && b >= R::ZERO && sum.is_finite() {
             return Ok(());
         }
         check_each(root, lengths, target, pole)
     }
 
-    /// The textbook form: by angles, as the formulas have them.
+    /// Computes the limb by the textbook form, with angles.
     fn by_the_book(root: [R; 3], [a, b]: [R; 2], target: [R; 3], pole: [R; 3]) -> Self {
         let way = vector::sub(target, root);
         let wanted = vector::norm(way);
         let (shortest, longest) = ((a - b).abs(), a + b);
-        // Straight limbs are told apart: the root of a rounding is eight digits, not sixteen.
+        // Straight limbs are a case of their own, because the square root of a rounding error would
+        // leave eight digits of sixteen.
         let (span, d, root_angle, bend) = if wanted > longest {
             (Span::Stretched, longest, R::ZERO, R::ZERO)
         } else if wanted < shortest {
@@ -186,7 +188,7 @@ fn check_each<R: Real>(
         }
     }
     let [a, b] = lengths;
-    // Twice: the sides of the triangle are added up.
+    // The sum is tested with a factor of two, because the formulas add all sides of the triangle.
     if !(R::TWO * (a + b)).is_finite() {
         return Err(LimbError::Length { bone: 1, value: b.into() });
     }
@@ -201,7 +203,8 @@ fn check_each<R: Real>(
     Ok(())
 }
 
-/// 2 arctan √(ab/(cd)); rounding may have left a factor a little below zero.
+/// Returns 2 arctan √(ab/(cd)). Rounding may have made a factor slightly negative, which counts
+/// as zero.
 fn twice_arctangent<R: Real>(over: [R; 2], under: [R; 2]) -> R {
     let root = |[a, b]: [R; 2]| {
         let clipped = |x: R| if x > R::ZERO { x } else { R::ZERO };
@@ -210,8 +213,9 @@ fn twice_arctangent<R: Real>(over: [R; 2], under: [R; 2]) -> R {
     R::TWO * root(over).atan2(root(under))
 }
 
-/// The direction to the target, and the one across it that the knee goes to. A target at the root
-/// leaves the knee on the way to it: behind it if the bone at the root is the shorter.
+/// Returns the direction to the target, and the direction across it in which the knee bends. For a
+/// target at the root, the pole gives the first direction: the knee is on the side of the pole, or
+/// opposite to it if the bone at the root is the shorter.
 fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) {
     let Some(along) = direction(way) else {
         let knee = direction(pole).unwrap_or([R::ONE, R::ZERO, R::ZERO]);
@@ -220,8 +224,8 @@ fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) 
     };
     let across_way = |pole| {
         let left = vector::across(along, pole);
-        // What is left of a pole along the way is rounding; of one nearly so, it is not quite
-        // across.
+        // If the pole is along the way, its part across is rounding. If it is nearly along the way,
+        // its part across is not quite at right angles.
         let least = R::from(16.0) * R::EPSILON;
         let side = if vector::norm(left) > least { direction(left) } else { None };
         side.and_then(|side| direction(vector::across(along, side)))

@@ -4,7 +4,7 @@
 pub use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::number::Real;
 
-/// The largest of the absolute values, NaN if there is one.
+/// Returns the largest of the absolute values, or NaN if a component is NaN.
 #[inline]
 pub(crate) fn largest<R: Real, const N: usize>(components: [R; N]) -> R {
     components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest))
@@ -27,12 +27,13 @@ pub fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     largest * sum.sqrt()
 }
 
-/// The factor by which components of the length `norm` are stretched before they are measured
-/// again: subnormal numbers have few digits, and their length no more; and numbers have a length
-/// that may be none. `None` where that is not needed.
+/// Returns the factor by which components of the length `norm` are multiplied before their length
+/// is measured again, or `None` if that is not needed. Very short vectors need it, because
+/// subnormal numbers have lost digits; vectors of infinite length need it, because their length may
+/// be finite after a factor of ¼.
 #[inline]
 pub(crate) fn stretch<R: Real>(norm: R) -> Option<R> {
-    // 2¹⁰⁰: a power of two rounds nothing.
+    // This is 2¹⁰⁰, because multiplying by a power of two is exact.
     let stretch = R::from(1.267_650_6e30);
     if norm * stretch < R::ONE {
         return Some(stretch);
@@ -40,7 +41,7 @@ pub(crate) fn stretch<R: Real>(norm: R) -> Option<R> {
     (norm == R::ONE / R::ZERO).then_some(R::HALF * R::HALF)
 }
 
-/// The unit vector along `components` of the length `norm`, not zero.
+/// Returns the unit vector along `components`, whose length `norm` is not zero.
 pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
     let Some(stretch) = stretch(norm) else { return components.map(|c| c / norm) };
     let stretched = components.map(|c| c * stretch);
@@ -48,7 +49,8 @@ pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) ->
     stretched.map(|c| c / norm)
 }
 
-/// The length of components, with every digit that it has: theirs times `stretch`.
+/// The length of a vector, without the loss of digits for short vectors: `stretch` is the factor
+/// that was applied before.
 #[derive(Clone, Copy)]
 pub(crate) struct Length<R> {
     stretch: R,
@@ -56,7 +58,7 @@ pub(crate) struct Length<R> {
 }
 
 impl<R: Real> Length<R> {
-    /// The length of components that have the norm `norm`.
+    /// Makes the length of components whose norm is `norm`.
     #[inline]
     pub(crate) fn of<const N: usize>(components: [R; N], norm: R) -> Self {
         match stretch(norm) {
@@ -67,20 +69,21 @@ impl<R: Real> Length<R> {
         }
     }
 
-    /// Numbers over the length, by way of its reciprocal: see [`over_norm`].
+    /// Divides components by the length, by its reciprocal: see [`over_norm`].
     #[inline]
     pub(crate) fn divide<const N: usize>(self, numbers: [R; N]) -> [R; N] {
         over_norm(numbers.map(|c| c * self.stretch), self.stretched)
     }
 }
 
-/// The part of `vector` across the unit vector `along`.
+/// Returns the part of `vector` at right angles to the unit vector `along`.
 #[inline]
 pub(crate) fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
     sub(vector, scale(along, dot(along, vector)))
 }
 
-/// The unit vector across the unit vector `along` that is next to the axis most across it.
+/// Returns a unit vector at right angles to the unit vector `along`, as near as possible to the
+/// coordinate axis that is farthest from `along`.
 #[inline]
 pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
     let [x, y, z] = along.map(Real::abs);
@@ -100,7 +103,7 @@ pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
 #[inline]
 #[must_use]
 pub fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
-    // Outside these the reciprocal is not a normal number, in `f32`.
+    // Outside of these bounds the reciprocal is not a normal number in `f32`.
     let large = R::from(1e30);
     if norm > large || norm * large < R::ONE {
         return components.map(|c| c / norm);
