@@ -58,9 +58,7 @@ impl core::fmt::Display for Count {
     }
 }
 
-/// to: |value|
-/// made`, where `Self` in `made` is the type behind the arrow. => Implements [`From`] for a list of conversions, one in each line: `from
-/// => to: |value| made`. `Self` in `made` is the type behind the arrow. => to: |value| made`, where
+/// Implements [`From`] for a list of conversions, one in each line: `from => to: |value| made`.
 /// `Self` in `made` is the type behind the arrow.
 macro_rules! conversions {
     ($($(#[$of:meta])* [$($number:tt)*] $from:ty => $to:ty: |$value:pat_param| $made:expr;)*) => {$(
