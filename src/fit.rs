@@ -110,8 +110,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// As [`new`](Self::new); or if a weight is negative or not finite, or all are zero. Points
-    /// without weight must be finite too.
+    /// The errors of [`new`](Self::new), and an error if a weight is negative or not finite, or all
+    /// are zero. Points without weight must be finite too.
     pub fn weighted(
         points: &'a [[R; 3]],
         moved: &'a [[R; 3]],
@@ -182,7 +182,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
         self.best_of_all(self.spectrum().as_ref(), false)
     }
 
-    /// The same with a scale, s = (σ₁ + σ₂ ± σ₃)/Σ w|x|² (Umeyama 1991, equation 42).
+    /// Finds the best rigid map with a scale, s = (σ₁ + σ₂ ± σ₃)/Σ w|x|² (Umeyama 1991,
+    /// equation 42).
     ///
     /// ```
     /// use dq8::fit::PointPairs;
@@ -193,7 +194,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// As [`rigid`](Self::rigid).
+    /// The errors of [`rigid`](Self::rigid).
     pub fn similarity(&self) -> Result<Fit<R>, FitError> {
         self.best_of_all(self.spectrum().as_ref(), true)
     }

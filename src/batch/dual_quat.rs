@@ -30,7 +30,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(one, Quat::from_array([zero; 4]))
     }
 
-    /// The same motion in every lane.
+    /// Returns the same motion in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn splat(level: L::Level, motion: impl Into<[L::Real; 8]>) -> Self {
         Self::from_array(vector::splat(level, motion.into()))

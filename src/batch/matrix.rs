@@ -117,8 +117,8 @@ impl<L: Lanes> DualQuat<L> {
         (Self::from_array(vector::select(failed, nan, motion)), failed)
     }
 
-    /// As [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must be 0 0
-    /// 0 1.
+    /// Works like [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must
+    /// be 0 0 0 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix4_checked(rows: [[L; 4]; 4], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c, [x, y, z, w]] = rows;

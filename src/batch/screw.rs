@@ -141,8 +141,8 @@ impl<L: Lanes> DualQuat<L> {
         Arc::between(self, other, opposite).at(t)
     }
 
-    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`. The way from
-    /// σ to −σ has no axis: NaN.
+    /// Interpolates like [`sclerp`](Self::sclerp), but from `self` to `other` and not to
+    /// −`other`. The way from σ to −σ has no axis: NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp_long(self, other: Self, t: L) -> Self {
         let zero = t.constant(0.0);

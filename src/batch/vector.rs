@@ -61,7 +61,7 @@ pub fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     ]
 }
 
-/// `yes` where the mask is set, else `no`.
+/// Returns `yes` in the lanes in which the mask is set, and `no` in the others.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {
@@ -72,7 +72,7 @@ pub fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) 
     picked
 }
 
-/// The same numbers in every lane.
+/// Returns the same vector in every lane.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real; N]) -> [L; N] {

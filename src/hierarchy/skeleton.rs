@@ -326,7 +326,7 @@ impl Skeleton {
         self.hierarchy().subtree(joint)
     }
 
-    /// The same hierarchy, with borrowed parents.
+    /// Returns this hierarchy with borrowed parents.
     #[must_use]
     pub fn hierarchy(&self) -> Hierarchy<'_> {
         Hierarchy::of_checked(&self.parents)

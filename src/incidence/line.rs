@@ -135,9 +135,9 @@ impl<R: Real> Line<R> {
     ///
     /// cos θ̂ = cos θ − ε d sin θ is the inner product of the unit lines, and sin θ̂ times
     /// the common perpendicular their cross product ([`DualVector`](crate::geometry::DualVector)).
-    /// Those lose small angles and the distance of parallel lines; here θ is an arctangent,
-    /// accurate to a few roundings for every angle, and d is right for parallel lines. d is never
-    /// negative for them.
+    /// These two formulas lose small angles and the distance of parallel lines. Here θ is an
+    /// arctangent, accurate to a few roundings for every angle, and d is right for parallel lines.
+    /// d is never negative for them.
     ///
     /// The error of d is a few roundings of how far lines and feet are from the origin, or may be:
     /// the feet of lines that are *almost* parallel are often far away, and have errors over sin²
@@ -160,7 +160,7 @@ impl<R: Real> Line<R> {
     /// The shortest distance between two lines, |d| of [`dual_angle`](Self::dual_angle).
     ///
     /// # Errors
-    /// As [`dual_angle`](Self::dual_angle).
+    /// The errors of [`dual_angle`](Self::dual_angle).
     pub fn distance_to_line(self, other: Self) -> Result<R, IncidenceError> {
         Ok(self.dual_angle(other)?.dual.abs())
     }
@@ -180,7 +180,7 @@ impl<R: Real> Line<R> {
     /// their moments.
     ///
     /// # Errors
-    /// As [`dual_angle`](Self::dual_angle).
+    /// The errors of [`dual_angle`](Self::dual_angle).
     ///
     /// ```
     /// use dq8::Line;

@@ -135,7 +135,7 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation(Quat::from_rotation_z(angle))
     }
 
-    /// The same rotation at another translation. σ must be unit.
+    /// Returns this motion's rotation with another translation. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -151,7 +151,7 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(self.rotation(), translation)
     }
 
-    /// The same translation with another rotation. Both must be unit.
+    /// Returns this motion's translation with another rotation. Both must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -224,7 +224,8 @@ macro_rules! intrinsic {
                 pub const $name: Self = Self { axes: EulerAxes::$name, frame: EulerFrame::Intrinsic };
             )*
 
-            /// The same axes, which stay: glam's `…Ex`, the small letters of SciPy.
+            /// The extrinsic order of the same axes, which stay in place: `…Ex` in glam, small
+            /// letters in SciPy.
             ///
             /// ```
             /// use dq8::{Quat, representation::EulerOrder};

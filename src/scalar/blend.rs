@@ -67,12 +67,13 @@ impl<R: Real> DualQuat<R> {
         Some(weighted_sum(influences.iter().copied())?.normalize())
     }
 
-    /// As [`dlb`](Self::dlb), each sign turned toward the sum of the motions before: for influences
-    /// that do not cluster about the first, or where the first one's weight may be zero. Where the
-    /// two are exactly at right angles (half a turn apart) the sign is kept. The result depends on
-    /// the order of the influences where they span more than half a turn. The weights need not sum
-    /// to one, but no sum on the way should be negative: it would point away from its motions.
-    /// Tarini's slide 127 turns signs for two; for more, this is one way to go on.
+    /// Blends like [`dlb`](Self::dlb), but turns each sign toward the sum of the motions before it.
+    /// This is for influences that do not cluster about the first one, or whose first weight may be
+    /// zero. Where the two are exactly at right angles (half a turn apart) the sign is kept. The
+    /// result depends on the order of the influences where they span more than half a turn. The
+    /// weights need not sum to one, but no sum on the way should be negative: it would point away
+    /// from its motions. Tarini's slide 127 turns signs for two; for more, this is one way to go
+    /// on.
     ///
     /// `None` without influences; every component is NaN if the sum cannot be normalized.
     ///

@@ -209,7 +209,8 @@ impl<R: Real> DualQuat<R> {
         self.0.into_iter().all(Real::is_finite)
     }
 
-    /// The same with numbers of another type, each rounded to the nearest: `f32` to `f64` and back.
+    /// Returns this dual quaternion with another element type, each component rounded to the
+    /// nearest: `f32` to `f64` and back.
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -102,10 +102,12 @@ impl<R: Real> Quat<R> {
         transpose(self.to_matrix3())
     }
 
-    /// [`try_from_matrix3`](Self::try_from_matrix3) of the columns, `[column][row]`.
+    /// Makes the rotation of a matrix from its columns, `[column][row]`, as
+    /// [`try_from_matrix3`](Self::try_from_matrix3) does from its rows.
     ///
     /// # Errors
-    /// As there; rows in the error are those of the matrix.
+    /// The errors of [`try_from_matrix3`](Self::try_from_matrix3); rows in the error are rows of
+    /// the matrix.
     #[inline]
     pub fn try_from_cols_array_2d(cols: [[R; 3]; 3], tolerance: R) -> Result<Self, MatrixError> {
         Self::try_from_matrix3(transpose(cols), tolerance)
@@ -182,13 +184,15 @@ impl<R: Real> DualQuat<R> {
         Ok(Self::from_rotation_translation(rotation, translation))
     }
 
-    /// As [`try_from_matrix3x4`](Self::try_from_matrix3x4). These are rows: for the columns of
+    /// Makes the motion of a 4×4 matrix from its rows, as
+    /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) does from three rows. For the columns of
     /// glam, nalgebra, OpenGL and glTF there is
     /// [`try_from_cols_array_2d`](Self::try_from_cols_array_2d). A pure rotation given the wrong
     /// way round is the inverse rotation, which nothing can notice.
     ///
     /// # Errors
-    /// As there, and if the last row is not 0 0 0 1.
+    /// The errors of [`try_from_matrix3x4`](Self::try_from_matrix3x4), and an error if the last row
+    /// is not 0 0 0 1.
     #[inline]
     #[doc(alias("from_mat4", "from_homogeneous"))]
     pub fn try_from_matrix4(rows: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {
@@ -206,7 +210,7 @@ impl<R: Real> DualQuat<R> {
     /// `[row][column]`, as in mathematics and NumPy.
     ///
     /// # Errors
-    /// As there.
+    /// The errors of [`try_from_matrix4`](Self::try_from_matrix4).
     #[inline]
     pub fn try_from_rows_array_2d(rows: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {
         Self::try_from_matrix4(rows, tolerance)
@@ -216,7 +220,8 @@ impl<R: Real> DualQuat<R> {
     /// which is the translation and a 1: what glam, nalgebra, OpenGL and glTF hold.
     ///
     /// # Errors
-    /// As there; rows and columns in the error are those of the matrix.
+    /// The errors of [`try_from_matrix4`](Self::try_from_matrix4); rows and columns in the error
+    /// are those of the matrix.
     ///
     /// ```
     /// use dq8::DualQuat;

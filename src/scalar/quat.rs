@@ -167,7 +167,8 @@ impl<R: Real> Quat<R> {
         self.0.into_iter().all(Real::is_finite)
     }
 
-    /// The same with numbers of another type, each rounded to the nearest: `f32` to `f64` and back.
+    /// Returns this quaternion with another element type, each component rounded to the nearest:
+    /// `f32` to `f64` and back.
     #[inline]
     pub fn cast<S: Real>(self) -> Quat<S> {
         Quat(self.0.map(|component| S::from_f64(component.into())))

@@ -227,10 +227,10 @@ impl<R: Real> DualQuat<R> {
         self * between.pow(t)
     }
 
-    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer
-    /// way where the two point apart: a exp(t log(a*b)), the logarithm not turned over. Both must
-    /// be unit. The way from σ to −σ itself has no axis: every component is NaN. This is Jia's
-    /// eq. 46 as it is written; he leaves the sign of b open.
+    /// Interpolates like [`sclerp`](Self::sclerp), but from `self` to `other` and not to
+    /// −`other`: the longer way where the two point apart: a exp(t log(a*b)), the logarithm not
+    /// turned over. Both must be unit. The way from σ to −σ itself has no axis: every component
+    /// is NaN. This is Jia's eq. 46 as it is written; he leaves the sign of b open.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]

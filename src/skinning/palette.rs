@@ -140,8 +140,8 @@ pub fn split_palette<R: Real>(
                 split.mirroring += usize::from(determinant(linear) < R::ZERO);
                 linear
             }
-            // What squeezes space onto a plane or less turns it by no rotation in particular: all
-            // of it is stretch.
+            // A matrix that squeezes space onto a plane or less has no rotation of its own, so all
+            // of it becomes stretch.
             Err(_) => {
                 split.squeezing += 1;
                 *motion = DualQuat::from_translation(map.translation);

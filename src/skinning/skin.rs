@@ -228,7 +228,8 @@ pub trait Weight: Copy + Debug + Send + Sync + 'static {
     #[must_use]
     fn value<R: Real>(self) -> R;
 
-    /// The same memory, if weights lie there as the numbers that kernels compute with.
+    /// Returns the weights as a slice of `R` if they lie in memory as the type that kernels compute
+    /// with.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
@@ -304,11 +305,11 @@ impl InfluenceField {
 }
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
-    /// As [`new`](Self::new), of joints and weights that lie between other fields: the attributes
-    /// of a glTF file with a `byteStride`, or the vertex buffer of a GPU. Each is a slice of
-    /// elements of its own type and says where the field is; the slices may be two views of the
-    /// same bytes (`bytemuck::cast_slice`). A stride or an offset in bytes, divided by the size of
-    /// an element, is one in elements.
+    /// Makes a skin as [`new`](Self::new) does, of joints and weights that lie between other
+    /// fields: the attributes of a glTF file with a `byteStride`, or the vertex buffer of a GPU.
+    /// Each is a slice of elements of its own type and says where the field is; the slices may be
+    /// two views of the same bytes (`bytemuck::cast_slice`). A stride or an offset in bytes,
+    /// divided by the size of an element, is one in elements.
     ///
     /// The skin borrows them, so what is posed goes to another buffer.
     ///

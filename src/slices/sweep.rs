@@ -19,7 +19,7 @@ pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
     /// Computes the records of a tile; `output` is the output slice as it is so far.
     fn compute<V: Level>(&self, level: V, output: &[Q], tile: Tile) -> Things<Q, V, D>;
 
-    /// The same computation, for the elements of a range.
+    /// Returns the same computation for the elements of a range alone.
     fn part(&self, elements: Range<usize>) -> Self;
 }
 
