@@ -1,5 +1,5 @@
-//! Dual numbers; as [`Real`] numbers they differentiate: code that is written for [`Real`] computes
-//! its own derivative.
+//! Dual numbers. Code that is generic over [`Real`] computes its own derivative when it is called
+//! with dual numbers.
 
 use super::error::{InverseError, Normed};
 use crate::contract::{power, sums_by_part};
@@ -10,8 +10,8 @@ use core::ops::{Div, Mul};
 crate::macros::pod! {
     /// A dual number a + εb, ε² = 0 (Clifford 1873).
     ///
-    /// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so dual
-    /// numbers differentiate whatever is computed with them:
+    /// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so any
+    /// computation with dual numbers yields the derivative along with the value:
     ///
     /// ```
     /// use dq8::Dual;
@@ -21,8 +21,8 @@ crate::macros::pod! {
     /// assert!((y.dual - (4.0 * 2.0_f64.sin() + 4.0 * 2.0_f64.cos())).abs() < 1e-14);
     /// ```
     ///
-    /// The order is that of ε as an infinitesimal, positive and smaller than every number: real
-    /// parts first, dual parts where these are equal.
+    /// Dual numbers are ordered as if ε were positive and smaller than every positive number: by
+    /// their real parts, and by their dual parts if the real parts are equal.
     #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
@@ -61,7 +61,7 @@ impl<R: Real> Dual<R> {
     /// ```
     #[inline]
     pub fn inverse(self) -> Result<Self, InverseError> {
-        // A real part that gives no finite 0/a is zero, and 0 + bε has no inverse for any b.
+        // If 0/a is not finite, a is zero, and 0 + bε has no inverse for any b.
         if !self.real.is_finite() || !(R::ZERO / self.real).is_finite() {
             return Err(InverseError { real_norm: self.real.abs().into(), of: Normed::DualNumber });
         }
@@ -74,13 +74,15 @@ impl<R: Real> Dual<R> {
         Self::new(self.real * factor, self.dual * factor)
     }
 
-    /// 1 / (a + εb) without a check: infinite or NaN for a = 0, as of floats.
+    /// Returns 1 / (a + εb) without a check. The result is infinite or NaN for a = 0, as with
+    /// floats.
     #[inline]
     pub fn recip(self) -> Self {
         Self::ONE / self
     }
 
-    /// aⁿ + ε b n aⁿ⁻¹ for whole n, by squaring. The zeroth power is 1, of 0 too.
+    /// Returns aⁿ + ε b n aⁿ⁻¹ for a whole n, by repeated squaring. The zeroth power of
+    /// every number is 1, even of 0.
     ///
     /// ```
     /// use dq8::Dual;
@@ -92,7 +94,8 @@ impl<R: Real> Dual<R> {
         power(self, Self::ONE, n)
     }
 
-    /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
+    /// Returns f(a + εb) = f(a) + ε b f′(a) for any function f, given f(a) and f′(a) (Jia eq.
+    /// 10).
     ///
     /// ```
     /// use dq8::Dual;
@@ -104,58 +107,59 @@ impl<R: Real> Dual<R> {
         Self::new(value, self.dual * derivative)
     }
 
-    /// √(a + εb) = √a + ε b/(2√a), by Jia's eq. 10; Fabisch ("Inverse Square Root of a Dual
-    /// Number") has its reciprocal. NaN for a < 0. For a = 0 there is no dual part: it is infinite,
-    /// or NaN where b = 0 too.
+    /// Returns √(a + εb) = √a + ε b/(2√a), by Jia's eq. 10; Fabisch ("Inverse Square Root
+    /// of a Dual Number") gives the reciprocal. The result is NaN for a < 0. For a = 0 its dual part
+    /// is infinite, or NaN if b = 0 too.
     #[inline]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
         self.apply(root, R::HALF / root)
     }
 
-    /// sin a + ε b cos a, radians.
+    /// Returns sin a + ε b cos a, with a in radians.
     #[inline]
     pub fn sin(self) -> Self {
         self.apply(self.real.sin(), self.real.cos())
     }
 
-    /// cos a − ε b sin a, radians.
+    /// Returns cos a − ε b sin a, with a in radians.
     #[inline]
     pub fn cos(self) -> Self {
         self.apply(self.real.cos(), -self.real.sin())
     }
 
-    /// tan a + ε b/cos²a, radians.
+    /// Returns tan a + ε b/cos²a, with a in radians.
     #[inline]
     pub fn tan(self) -> Self {
         let tan = self.real.tan();
         self.apply(tan, R::ONE + tan * tan)
     }
 
-    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at
-    /// ±1.
+    /// Returns arcsin a + ε b/√(1 − a²) in radians for |a| ≤ 1, and NaN for any other a.
+    /// The derivative is infinite at ±1.
     #[inline]
     pub fn asin(self) -> Self {
         let cos = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
         self.apply(self.real.asin(), R::ONE / cos)
     }
 
-    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite
-    /// at ±1.
+    /// Returns arccos a − ε b/√(1 − a²) in radians for |a| ≤ 1, and NaN for any other a.
+    /// The derivative is infinite at ±1.
     #[inline]
     pub fn acos(self) -> Self {
         let sin = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
         self.apply(self.real.acos(), -R::ONE / sin)
     }
 
-    /// arctan a + ε b/(1 + a²), radians.
+    /// Returns arctan a + ε b/(1 + a²), in radians.
     #[inline]
     pub fn atan(self) -> Self {
         self.apply(self.real.atan(), R::ONE / (R::ONE + self.real * self.real))
     }
 
-    /// The angle of the point (`x`, `self`), radians in [−π, π], with the derivative
-    /// (x dy − y dx)/(x² + y²), by ratios to the larger of the two: squares might vanish.
+    /// Returns the angle of the point (`x`, `self`) in radians, in [−π, π], with the derivative
+    /// (x dy − y dx)/(x² + y²). It is computed by ratios to the larger of |x| and |y|, because
+    /// squares might underflow to zero.
     #[inline]
     pub fn atan2(self, x: Self) -> Self {
         let largest = self.real.abs().max_or_nan(x.real.abs());
@@ -193,7 +197,8 @@ impl<R: Real> Mul for Dual<R> {
 }
 
 /// (a + εb)/(c + εd) = a/c + ε(bc − ad)/c² (Kenwright §5.1). For c = 0 the quotient does not
-/// exist: the result is then infinite or NaN, as for floats; [`Dual::inverse`] checks.
+/// exist, and the result is infinite or NaN, as for floats; [`Dual::inverse`] returns an error
+/// instead.
 impl<R: Real> Div for Dual<R> {
     type Output = Self;
     #[inline]
@@ -203,7 +208,7 @@ impl<R: Real> Div for Dual<R> {
     }
 }
 
-/// Functions that dual numbers have anyway.
+/// Implements methods of [`Real`] by the inherent methods of [`Dual`] with the same names.
 macro_rules! functions {
     ($($name:ident($($x:ident)?))*) => {$(
         fn $name(self $(, $x: Self)?) -> Self {
@@ -212,9 +217,10 @@ macro_rules! functions {
     )*};
 }
 
-/// Forward automatic differentiation: a function written for every `R: Real`, computed with x + ε,
-/// gives f(x) + εf′(x) (Jia eq. 10). `Dual<Dual<R>>` are the hyper-dual numbers of Fike & Alonso
-/// (2011), with ε₁ outside and ε₂ inside, and give second derivatives without a difference.
+/// Forward automatic differentiation: a function written for every `R: Real` and called with x + ε
+/// returns f(x) + εf′(x) (Jia eq. 10). `Dual<Dual<R>>` are the hyper-dual numbers of Fike &
+/// Alonso (2011), with ε₁ outside and ε₂ inside; they give second derivatives without finite
+/// differences.
 ///
 /// The operations of [`DualQuat`](crate::DualQuat) and [`Quat`](crate::Quat) are such functions:
 ///
@@ -228,11 +234,12 @@ macro_rules! functions {
 /// assert!((velocity[0] + 0.5_f64.sin()).abs() + (velocity[1] - 0.5_f64.cos()).abs() < 1e-15);
 /// ```
 ///
-/// The derivative at a kink or a pole of f is that of the branch taken, infinite or NaN, as floats
-/// have it. A length is such a function at zero, and the exponential and the logarithm of a motion
-/// begin with a length: without any turn they are NaN, the value included. Joints at rest are best
-/// written with `from_axis_angle` and `from_screw`, which have no such point. `Real::EPSILON` is
-/// the rounding of `R`; the dual unit ε is [`Dual::EPSILON`].
+/// At a kink or a pole of f, the derivative is that of the branch taken, or infinite or NaN, as
+/// with floats. The length of a vector has a kink at zero, and the exponential and the logarithm of
+/// a motion begin with a length: without any turn both their value and their derivative are NaN.
+/// Joints that may be at rest are best written with `from_axis_angle` and `from_screw`, which have
+/// no such point. `Real::EPSILON` is the rounding unit of `R`; the dual unit ε is
+/// [`Dual::EPSILON`].
 impl<R: Real> Real for Dual<R> {
     const ZERO: Self = Self::new(R::ZERO, R::ZERO);
     const ONE: Self = Self::new(R::ONE, R::ZERO);
@@ -263,14 +270,14 @@ impl<R: Real> fmt::Display for Dual<R> {
     }
 }
 
-/// a + ε0
+/// Converts a real number a to a + ε0.
 impl<R: Real> From<f32> for Dual<R> {
     fn from(value: f32) -> Self {
         Self::new(R::from(value), R::ZERO)
     }
 }
 
-/// The real part, for error messages.
+/// Returns the real part, which error messages print.
 impl<R: Real> From<Dual<R>> for f64 {
     fn from(value: Dual<R>) -> Self {
         value.real.into()

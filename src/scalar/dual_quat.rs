@@ -8,9 +8,9 @@ use core::ops::Mul;
 crate::macros::pod! {
     /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
     ///
-    /// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: turn by p, then translate by t = 2qp*.
-    /// Conventions and laws are those of [`Motion`](crate::Motion). What is not unit is not found
-    /// out, but for debug builds with `--cfg dq8_debug_assert_unit`, [which
+    /// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: it rotates by p, then translates by t =
+    /// 2qp*. The conventions and laws are those of [`Motion`](crate::Motion). Operations do not
+    /// check that σ is unit, except for debug builds with `--cfg dq8_debug_assert_unit`, [which
     /// panic](crate::Motion#where-unit-length-is-a-precondition).
     ///
     /// ```
@@ -39,16 +39,18 @@ impl<R: Real> Default for DualQuat<R> {
 impl<R: Real> DualQuat<R> {
     /// 1, the motion that moves nothing.
     pub const IDENTITY: Self = Self::new(Quat::IDENTITY, Quat::ZERO);
-    /// 0, the neutral element of addition; no motion.
+    /// 0, the neutral element of addition. It is not a motion.
     pub const ZERO: Self = Self([R::ZERO; 8]);
-    /// The answer of unchecked operations where the checked ones return an error.
+    /// Returns NaN in every component: the result of an unchecked operation where the checked
+    /// operation returns an error.
     #[inline]
     pub(super) fn nan() -> Self {
         Self([R::NAN; 8])
     }
 
-    /// A spilled copy: a function that is not inlined takes and returns it in memory, and the
-    /// original stays in registers (`docs/measured.md`, *What keeps loops in registers*).
+    /// Returns a copy in memory. A function that is not inlined takes and returns motions in
+    /// memory; because it gets the copy, the compiler can keep the original in registers
+    /// (`docs/measured.md`, *What keeps loops in registers*).
     #[inline(always)]
     pub(super) fn spilled_copy(self) -> Self {
         let [px, py, pz, pw, qx, qy, qz, qw] = self.0;
@@ -64,14 +66,14 @@ impl<R: Real> DualQuat<R> {
         Self([px, py, pz, pw, qx, qy, qz, qw])
     }
 
-    /// From `[px, py, pz, pw, qx, qy, qz, qw]`.
+    /// Makes σ from `[px, py, pz, pw, qx, qy, qz, qw]`, the order of memory.
     #[inline]
     #[must_use]
     pub const fn from_array(components: [R; 8]) -> Self {
         Self(components)
     }
 
-    /// From the order of the literature, `[pw, px, py, pz, qw, qx, qy, qz]`.
+    /// Makes σ from `[pw, px, py, pz, qw, qx, qy, qz]`, the order of the literature.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -84,7 +86,8 @@ impl<R: Real> DualQuat<R> {
         Self([px, py, pz, pw, qx, qy, qz, qw])
     }
 
-    /// From a dual number and a dual vector (Jia eq. 15).
+    /// Makes σ from its scalar part, a dual number, and its vector part, a dual vector (Jia eq.
+    /// 15).
     #[inline]
     #[must_use]
     pub const fn from_dual_parts(scalar: Dual<R>, vector: DualVector<R>) -> Self {
@@ -94,14 +97,14 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// `[px, py, pz, pw, qx, qy, qz, qw]`
+    /// Returns `[px, py, pz, pw, qx, qy, qz, qw]`, the order of memory.
     #[inline]
     #[must_use]
     pub const fn to_array(self) -> [R; 8] {
         self.0
     }
 
-    /// The order of the literature, `[pw, px, py, pz, qw, qx, qy, qz]`.
+    /// Returns `[pw, px, py, pz, qw, qx, qy, qz]`, the order of the literature.
     #[inline]
     #[must_use]
     pub const fn to_wxyz(self) -> [R; 8] {
@@ -123,13 +126,13 @@ impl<R: Real> DualQuat<R> {
         Quat::from_xyzw(x, y, z, w)
     }
 
-    /// The dual number among the four dual components: p_w + εq_w (Jia eq. 15).
+    /// Returns the scalar part of σ, the dual number p_w + εq_w (Jia eq. 15).
     #[inline]
     pub const fn dual_scalar(self) -> Dual<R> {
         Dual::new(self.real().w(), self.dual().w())
     }
 
-    /// The dual vector among the four dual components (Jia eq. 15).
+    /// Returns the vector part of σ, a dual vector (Jia eq. 15).
     #[inline]
     pub const fn dual_vector(self) -> DualVector<R> {
         DualVector { real: self.real().xyz(), dual: self.dual().xyz() }
@@ -157,7 +160,7 @@ impl<R: Real> DualQuat<R> {
         Self::new(self.real().conjugate(), self.dual().conjugate())
     }
 
-    /// σ⋄ = p* − εq* (Jia eq. 19), the one that moves points.
+    /// σ⋄ = p* − εq* (Jia eq. 19), the conjugate that moves points by σ(1 + εv)σ⋄.
     #[inline]
     #[must_use]
     pub fn conjugate_both(self) -> Self {
@@ -171,7 +174,8 @@ impl<R: Real> DualQuat<R> {
         Self::new(self.real().scale(factor), self.dual().scale(factor))
     }
 
-    /// (a + εb)σ = ap + ε(aq + bp) for a dual number (Jia eq. 14, with one factor a number).
+    /// (a + εb)σ = ap + ε(aq + bp) for a dual number a + εb (Jia eq. 14, with a dual number as
+    /// one factor).
     #[inline]
     #[must_use]
     pub fn scale_dual(self, factor: Dual<R>) -> Self {
@@ -181,9 +185,9 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual scalar of ab*
-    /// ([`dual_scalar`](Self::dual_scalar)). Its real part p_a·p_b is Kenwright's `Dot` (§13.1).
-    /// For unit motions it is the cosine of half their dual angle.
+    /// Returns the dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the scalar part of
+    /// ab* ([`dual_scalar`](Self::dual_scalar)). Its real part p_a·p_b is Kenwright's `Dot`
+    /// (§13.1). For unit motions it is the cosine of half the dual angle between them.
     #[inline]
     pub fn dot(self, other: Self) -> Dual<R> {
         Dual::new(
@@ -192,9 +196,9 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// `true` if every component of the two differs by at most `tolerance`, |a_c − b_c| ≤
-    /// tolerance; false for NaN. σ and −σ are the same motion but not equal here: see
-    /// [`canonical`](Self::canonical).
+    /// Returns `true` if every component of `self` differs from the same component of `other` by at
+    /// most `tolerance`, |a_c − b_c| ≤ tolerance, and `false` for NaN. σ and −σ are the
+    /// same motion but not equal here: see [`canonical`](Self::canonical).
     #[inline]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {
@@ -223,10 +227,10 @@ impl<R: Real> DualQuat<R> {
         DualQuat(self.0.map(|component| S::from_f64(component.into())))
     }
 
-    /// σ or −σ, the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive:
-    /// both are the same motion. So half a turn has one axis, whichever of the two is given, and
-    /// logarithms, powers and screws repeat to the last bit. (It is the rule of SciPy's
-    /// `as_quat(canonical=True)`.)
+    /// Returns σ or −σ, which are the same motion: the sign for which the first component of
+    /// (p_w, p_x, p_y, p_z) that is not zero is positive. With this choice, half a turn has the
+    /// same axis for either sign, and logarithms, powers and screws of σ and −σ agree to the
+    /// last bit. SciPy's `as_quat(canonical=True)` has the same rule.
     #[inline]
     #[must_use]
     pub fn canonical(self) -> Self {
@@ -234,7 +238,7 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// `[px, py, pz, pw, qx, qy, qz, qw]`, in place.
+/// Borrows the components as `[px, py, pz, pw, qx, qy, qz, qw]`.
 impl<R> AsRef<[R; 8]> for DualQuat<R> {
     #[inline]
     fn as_ref(&self) -> &[R; 8] {
@@ -250,14 +254,14 @@ impl<R> AsMut<[R; 8]> for DualQuat<R> {
 }
 
 sums_by_part! {
-    /// Component by component (Jia eq. 13).
+    /// Operates component by component (Jia eq. 13).
     [R: Real] #[inline] DualQuat<R>: (real()) (dual())
 }
 
-/// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂, then the motion
-/// σ₁.
+/// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂ acts first, then
+/// the motion σ₁.
 ///
-/// Three quaternion products and a sum: 48 multiplications and 40 additions.
+/// The product takes three quaternion products and a sum: 48 multiplications and 40 additions.
 impl<R: Real> Mul for DualQuat<R> {
     type Output = Self;
     #[inline]

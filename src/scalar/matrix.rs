@@ -1,4 +1,4 @@
-//! 3×3, 3×4 and 4×4 matrices, rows, acting on column vectors.
+//! 3×3, 3×4 and 4×4 matrices as arrays of rows, which act on column vectors.
 
 use super::error::MatrixError;
 use super::{DualQuat, Quat, vector};
@@ -6,7 +6,8 @@ use crate::number::Real;
 use crate::quick;
 
 impl<R: Real> Quat<R> {
-    /// The rows of the rotation matrix of a unit quaternion, columns r e r* for the axes e.
+    /// Returns the rows of the rotation matrix of a unit quaternion r. Its columns are r e r* for
+    /// the coordinate axes e.
     ///
     /// ```
     /// use dq8::Quat;
@@ -28,12 +29,13 @@ impl<R: Real> Quat<R> {
         ]
     }
 
-    /// The unit quaternion of a matrix that is known to be a rotation, w ≥ 0; garbage in, garbage
-    /// out: [`try_from_matrix3`](Self::try_from_matrix3) checks, and
+    /// Returns the unit quaternion with w ≥ 0 of a matrix that is known to be a rotation. Nothing
+    /// is checked here: [`try_from_matrix3`](Self::try_from_matrix3) checks, and
     /// [`Polar`](crate::representation::Polar) finds the nearest rotation to any matrix.
     ///
-    /// Shepperd (1978): what is divided by is w where the trace is not negative, so that w ≥ ½,
-    /// and else the largest of the other three components, so that it is not small.
+    /// By Shepperd's method (1978) one component is the divisor. It is w where the trace is not
+    /// negative, so that w ≥ ½, and otherwise the largest of the other three components, so that
+    /// it is not small.
     #[inline]
     #[doc(alias("from_mat3", "from_rotation_matrix"))]
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
@@ -57,13 +59,13 @@ impl<R: Real> Quat<R> {
             let [.., w] = turned;
             if w < R::ZERO { turned.map(|c| -c) } else { turned }
         };
-        // The component that divides is at least 1 here, and all are at most 4: no square
-        // overflows, and none that counts vanishes.
+        // The component that serves as divisor is at least 1 here, and all components are at
+        // most 4. So no square overflows, and a square that vanishes is too small to count.
         let factor = one / (x * x + y * y + z * z + w * w).sqrt();
         Self::from_xyzw(x * factor, y * factor, z * factor, w * factor)
     }
 
-    /// The unit quaternion of a rotation matrix, w ≥ 0.
+    /// Returns the unit quaternion of a rotation matrix, with w ≥ 0.
     ///
     /// # Errors
     /// If the matrix differs from a rotation by more than `tolerance` in a product of its rows (it
@@ -91,9 +93,9 @@ impl<R: Real> Quat<R> {
         Ok(Self::from_matrix3(rows))
     }
 
-    /// The columns of the rotation matrix, `[column][row]`, as in glam, nalgebra and OpenGL;
-    /// [`to_matrix3`](Self::to_matrix3) has its rows. Both have the same type, and the one taken
-    /// for the other is the inverse rotation.
+    /// Returns the columns of the rotation matrix, `[column][row]`, as in glam, nalgebra and
+    /// OpenGL. [`to_matrix3`](Self::to_matrix3) returns the rows in the same type. If columns are
+    /// taken for rows, the rotation becomes its inverse.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -106,8 +108,8 @@ impl<R: Real> Quat<R> {
     /// [`try_from_matrix3`](Self::try_from_matrix3) does from its rows.
     ///
     /// # Errors
-    /// The errors of [`try_from_matrix3`](Self::try_from_matrix3); rows in the error are rows of
-    /// the matrix.
+    /// The errors of [`try_from_matrix3`](Self::try_from_matrix3). Their rows are rows of the
+    /// matrix, not of the array.
     #[inline]
     pub fn try_from_cols_array_2d(cols: [[R; 3]; 3], tolerance: R) -> Result<Self, MatrixError> {
         Self::try_from_matrix3(transpose(cols), tolerance)
@@ -115,8 +117,9 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The rows of the matrix [R | t] of a unit σ, so that `row · (v, 1)` is a coordinate of the
-    /// moved point (columns r e r* for the axes e, and t = 2qp*, Jia eq. 24).
+    /// Returns the rows of the matrix [R | t] of a unit σ, so that `row · (v, 1)` is a coordinate
+    /// of the moved point. The columns of R are r e r* for the coordinate axes e, and t = 2qp* (Jia
+    /// eq. 24).
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -136,8 +139,9 @@ impl<R: Real> DualQuat<R> {
         [[a, b, c, x], [d, e, f, y], [g, h, i, z]]
     }
 
-    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below. These are rows: glam,
-    /// nalgebra, OpenGL and glTF want [`to_cols_array_2d`](Self::to_cols_array_2d).
+    /// Returns the rows of the 4×4 matrix: those of [`to_matrix3x4`](Self::to_matrix3x4) with the
+    /// row 0 0 0 1 below. glam, nalgebra, OpenGL and glTF need the columns, which
+    /// [`to_cols_array_2d`](Self::to_cols_array_2d) returns.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -148,8 +152,8 @@ impl<R: Real> DualQuat<R> {
         [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
     }
 
-    /// The motion of a matrix that is known to be rigid, p_w ≥ 0; garbage in, garbage out:
-    /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks. The rotation is that of
+    /// Returns the motion with p_w ≥ 0 of a matrix that is known to be rigid. Nothing is checked
+    /// here: [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks. The rotation is computed by
     /// [`Quat::from_matrix3`].
     #[inline]
     #[must_use]
@@ -158,7 +162,7 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(Quat::from_matrix3(rotation), translation)
     }
 
-    /// The motion of a matrix, p_w ≥ 0.
+    /// Returns the motion of a 3×4 matrix, with p_w ≥ 0.
     ///
     /// # Errors
     /// If the left 3×3 part differs from a rotation by more than `tolerance` in a product of its
@@ -187,8 +191,8 @@ impl<R: Real> DualQuat<R> {
     /// Makes the motion of a 4×4 matrix from its rows, as
     /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) does from three rows. For the columns of
     /// glam, nalgebra, OpenGL and glTF there is
-    /// [`try_from_cols_array_2d`](Self::try_from_cols_array_2d). A pure rotation given the wrong
-    /// way round is the inverse rotation, which nothing can notice.
+    /// [`try_from_cols_array_2d`](Self::try_from_cols_array_2d). If columns are passed as rows, a
+    /// pure rotation becomes its inverse, and no check can notice this.
     ///
     /// # Errors
     /// The errors of [`try_from_matrix3x4`](Self::try_from_matrix3x4), and an error if the last row
@@ -206,8 +210,8 @@ impl<R: Real> DualQuat<R> {
         Self::try_from_matrix3x4([a, b, c], tolerance)
     }
 
-    /// [`try_from_matrix4`](Self::try_from_matrix4), with the order of the numbers in its name:
-    /// `[row][column]`, as in mathematics and NumPy.
+    /// Calls [`try_from_matrix4`](Self::try_from_matrix4). This name states the order of the
+    /// elements, `[row][column]`, as in mathematics and NumPy.
     ///
     /// # Errors
     /// The errors of [`try_from_matrix4`](Self::try_from_matrix4).
@@ -216,12 +220,13 @@ impl<R: Real> DualQuat<R> {
         Self::try_from_matrix4(rows, tolerance)
     }
 
-    /// [`try_from_matrix4`](Self::try_from_matrix4) of the columns, `[column][row]`, the last of
-    /// which is the translation and a 1: what glam, nalgebra, OpenGL and glTF hold.
+    /// Makes the motion of a 4×4 matrix from its columns, `[column][row]`, as glam, nalgebra,
+    /// OpenGL and glTF hold them. The last column is the translation and a 1. The checks are those
+    /// of [`try_from_matrix4`](Self::try_from_matrix4).
     ///
     /// # Errors
-    /// The errors of [`try_from_matrix4`](Self::try_from_matrix4); rows and columns in the error
-    /// are those of the matrix.
+    /// The errors of [`try_from_matrix4`](Self::try_from_matrix4). Their rows and columns are those
+    /// of the matrix, not of the array.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -241,8 +246,8 @@ impl<R: Real> DualQuat<R> {
         Self::try_from_matrix4(transpose(cols), tolerance)
     }
 
-    /// The 4×4 matrix as [`to_matrix4`](Self::to_matrix4), with the order in its name:
-    /// `[row][column]`.
+    /// Returns the rows of the 4×4 matrix like [`to_matrix4`](Self::to_matrix4). This name states
+    /// the order of the elements, `[row][column]`.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -261,7 +266,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// The factor of a matrix that is a rotation times a number other than 1, within `tolerance` of it.
+/// Returns the factor s of a matrix that is s times a rotation, or `None` if there is none or if s
+/// is 1 within `tolerance`. A negative s means that the matrix mirrors.
 #[cold]
 fn uniform_scale<R: Real>(rows: [[R; 3]; 3], tolerance: R) -> Option<R> {
     let size = rows.map(vector::norm);

@@ -6,15 +6,16 @@ use crate::number::Real;
 use crate::quick;
 
 impl<R: Real> DualQuat<R> {
-    /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the
-    /// [canonical](Self::canonical) one is taken.
+    /// Returns the screw of a unit σ (Jia §8.2), with an angle in [0, π]. Both σ and −σ are
+    /// the same motion; the [canonical](Self::canonical) sign is taken.
     ///
-    /// A pure translation has angle 0, its own direction as axis and moment 0 (Jia's moment is
-    /// infinite there); the identity has the axis (1, 0, 0).
+    /// A pure translation has angle 0, its own direction as axis and moment 0, although Jia's
+    /// moment is infinite for it. The identity has the axis (1, 0, 0).
     ///
-    /// The moment is as long as t over the angle: where a turn is so small that this overflows, or
-    /// one over the angle does (below 6·10⁻³⁹ in `f32`, whatever t is), it is not finite, and
-    /// [`from_screw`](Self::from_screw) has no way back. The logarithm has no such end.
+    /// The moment is about as long as |t| divided by the angle. It is not finite if this quotient
+    /// overflows, or if the reciprocal of the angle does (below 6·10⁻³⁹ in `f32`, for every
+    /// t). [`from_screw`](Self::from_screw) cannot bring such a motion back. [`log`](Self::log) has
+    /// no such limit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -49,9 +50,10 @@ impl<R: Real> DualQuat<R> {
         Screw { axis, angle: R::TWO * half_angle, slide }
     }
 
-    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43; eq. 42 is the same in
-    /// real numbers, as it is computed here). The axis must have length 1, and its moment be
-    /// orthogonal to it; the angle is any, in radians, the slide a length.
+    /// Returns σ = cos(θ̂/2) + sin(θ̂/2)(l + εm) with θ̂ = θ + εd (Jia eq. 43), computed
+    /// by its equivalent in real numbers (Jia eq. 42). The axis l must have length 1, and its
+    /// moment m must be orthogonal to l. The angle θ is in radians, of any size, and the slide d
+    /// is a length.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -68,12 +70,12 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// The logarithm of a unit σ, a + εb = (θ̂/2)(l + εm) with σ = ±exp(a + εb): of ±σ,
-    /// the [canonical](Self::canonical) one, so that |a| ≤ π/2. No singularity: a pure
-    /// translation has a = 0, b = t/2.
+    /// Returns the logarithm a + εb = (θ̂/2)(l + εm) of a unit σ, where σ = ±exp(a + εb).
+    /// The [canonical](Self::canonical) sign of σ is taken, so that |a| ≤ π/2. The logarithm
+    /// has no singularity: a pure translation has a = 0, b = t/2.
     ///
-    /// From Jia eq. 37, the infinite moment multiplied by the vanishing angle:
-    /// b = ½ ( h t×l + h cot h (t − d l) + d l ), h = θ/2.
+    /// The formula is Jia's eq. 37, whose moment is infinite for a translation, multiplied by the
+    /// angle, which is then zero: b = ½ ( h t×l + h cot h (t − d l) + d l ), h = θ/2.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -91,7 +93,7 @@ impl<R: Real> DualQuat<R> {
         self.canonical().log_without_flip()
     }
 
-    /// Returns the logarithm of σ itself and not of −σ: 0 ≤ |a| ≤ π.
+    /// Returns the logarithm of σ with its sign as it is, so that 0 ≤ |a| ≤ π.
     #[inline]
     fn log_without_flip(self) -> DualVector<R> {
         let t = self.translation();
@@ -114,11 +116,14 @@ impl<R: Real> DualQuat<R> {
         }
     }
 
-    /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw cos ĥ + sin ĥ
-    /// (l + εm), ĥ = h + εd/2 (Jia eq. 43). For a = 0 it is 1 + εb, the translation by 2b. |a|
-    /// is half the angle in radians, and the error grows with it as that of its rounding does. NaN
-    /// in every component beyond 2¹⁶ rad in `f32` and 2⁴⁵ rad in `f64`, where a float is
-    /// known to no more than 2⁻⁸ rad; powers and interpolations that go so far are NaN too.
+    /// Returns the exponential of a + εb, which is the screw cos ĥ + sin ĥ (l + εm) with ĥ =
+    /// h + εd/2, where h = |a|, l = a/h and d/2 = b·l (Jia eq. 43). For a = 0 it is 1 + εb, the
+    /// translation by 2b.
+    ///
+    /// The length |a| is half the angle in radians. The error of the result grows with |a|, because
+    /// the rounding error of |a| does. Beyond 2¹⁶ rad in `f32` and 2⁴⁵ rad in `f64`, a float
+    /// is known to no more than 2⁻⁸ rad, and every component is NaN. Powers and interpolations
+    /// that reach such angles are NaN too.
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::DualVector};
@@ -149,8 +154,9 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// σᵗ = exp(t log σ): the same screw axis, t times the angle and the slide (Jia eq. 44, for
-    /// any real t). Of ±σ, the [canonical](Self::canonical) one. σ must be unit.
+    /// Returns σᵗ = exp(t log σ) for any real t: a motion with the axis of σ and with t times
+    /// its angle and its slide (Jia eq. 44). The [canonical](Self::canonical) one of σ and −σ
+    /// is raised to the power. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -175,9 +181,9 @@ impl<R: Real> DualQuat<R> {
         Self::exp(self.log().scale(t))
     }
 
-    /// σ^½ (Jia eq. 44), the motion that gives σ when made twice: half the angle, half the
-    /// slide. Of ±σ, the [canonical](Self::canonical) one, so at most a quarter of a turn. σ
-    /// must be unit.
+    /// Returns σ^½ (Jia eq. 44), the motion that gives σ when it is applied twice: half the
+    /// angle and half the slide. The [canonical](Self::canonical) one of σ and −σ is taken, so
+    /// the root turns by at most a quarter of a turn. σ must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -189,10 +195,11 @@ impl<R: Real> DualQuat<R> {
         self.pow(R::HALF)
     }
 
-    /// Screw linear interpolation, a(a*b)ᵗ, by the shorter way (Jia eq. 46; Kavan et al. 2006):
-    /// constant speed of turning and sliding along one screw. `t` = 0 gives `self`, 1 gives
-    /// ±`other`; values outside [0, 1] go on along the screw. Both must be unit; exactly half a
-    /// turn apart either way is as short, and the one of `other` as it stands is taken.
+    /// Screw linear interpolation from `self` (a) to `other` (b) by the shorter way, a(a*b)ᵗ (Jia
+    /// eq. 46; Kavan et al. 2006). The body turns and slides along one screw at constant speed.
+    /// `t` = 0 gives `self`, and 1 gives ±`other`; values outside [0, 1] continue along the screw.
+    /// Both motions must be unit. Exactly half a turn apart, both ways are equally short, and the
+    /// way to `other` with the sign as given is taken.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -219,18 +226,19 @@ impl<R: Real> DualQuat<R> {
     #[inline(never)]
     fn sclerp_by_the_book(self, other: Self, t: R) -> Self {
         let between = self.conjugate() * other;
-        // At half a turn `pow` would turn about the canonical axis. Here the axis must be the one
-        // of `other` as it is given.
+        // At half a turn `pow` would turn about the canonical axis. Here the axis must be the axis
+        // of `between`, with its sign as given.
         if between.real().w() == R::ZERO && between.real().points_back() {
             return self * between.conjugate().pow(t).conjugate();
         }
         self * between.pow(t)
     }
 
-    /// Interpolates like [`sclerp`](Self::sclerp), but from `self` to `other` and not to
-    /// −`other`: the longer way where the two point apart: a exp(t log(a*b)), the logarithm not
-    /// turned over. Both must be unit. The way from σ to −σ itself has no axis: every component
-    /// is NaN. This is Jia's eq. 46 as it is written; he leaves the sign of b open.
+    /// Interpolates like [`sclerp`](Self::sclerp), but always from `self` (a) to `other` (b) and
+    /// never to −`other`: a exp(t log(a*b)), where the logarithm keeps the sign of a*b. This is
+    /// the longer way where the real parts of the two have a negative scalar product. Both must be
+    /// unit. The way from σ to −σ has no axis, so every component is NaN. This is Jia's eq. 46
+    /// as written; it leaves the sign of b open.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]

@@ -6,7 +6,7 @@ use crate::number::Real;
 use crate::quick;
 
 impl<R: Real> DualQuat<R> {
-    /// The point Rv + t, which is σ(1 + εv)σ⋄ (Jia eq. 25). σ must be unit.
+    /// Returns the point Rv + t, which is σ(1 + εv)σ⋄ (Jia eq. 25). σ must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -19,8 +19,8 @@ impl<R: Real> DualQuat<R> {
         vector::add(self.real().rotate(point), self.translation())
     }
 
-    /// The direction Rv: directions do not translate (Tarini, slide 121) and turn (slide 122). σ
-    /// must be unit.
+    /// Returns the direction Rv: a motion turns directions (Tarini, slide 122) and does not
+    /// translate them (slide 121). σ must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -30,8 +30,8 @@ impl<R: Real> DualQuat<R> {
         self.real().rotate(vector)
     }
 
-    /// The line σ(l + εm)σ*: l′ = Rl, m′ = Rm + t × l′ (Jia eqs. 29 and 31). σ must be
-    /// unit.
+    /// Returns the line l′ + εm′ = σ(l + εm)σ*, with l′ = Rl and m′ = Rm + t × l′
+    /// (Jia eqs. 29 and 31). σ must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Line};
@@ -47,8 +47,9 @@ impl<R: Real> DualQuat<R> {
         Line { direction, moment }
     }
 
-    /// The plane n′ = Rn, d′ = d + n′·t: of n·x = d, with x = R⁻¹(x′ − t). σ must
-    /// be unit. None of the sources of dq8 moves planes.
+    /// Returns the plane n′·x′ = d′ with n′ = Rn and d′ = d + n′·t, which follows
+    /// from n·x = d with x = R⁻¹(x′ − t). σ must be unit. None of the sources of dq8 has a
+    /// formula for planes.
     ///
     /// ```
     /// use dq8::{DualQuat, Plane};

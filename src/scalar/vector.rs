@@ -1,5 +1,5 @@
-//! Three-vectors as plain arrays, and their lengths: in the order of the papers, without fused
-//! products.
+//! Three-vectors as plain arrays, and their lengths. Sums are in the order of the papers, and no
+//! product is fused with a sum.
 
 pub use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::number::Real;
@@ -10,8 +10,9 @@ pub(crate) fn largest<R: Real, const N: usize>(components: [R; N]) -> R {
     components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest))
 }
 
-/// The Euclidean length of `components`, however large or small they are: squares of the
-/// components themselves would overflow or vanish, squares of their ratios to the largest do not.
+/// Returns the Euclidean length of `components`, however large or small they are. Squares of the
+/// components themselves might overflow or vanish; squares of their ratios to the largest one do
+/// not.
 #[inline]
 #[must_use]
 pub fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
@@ -49,8 +50,9 @@ pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) ->
     stretched.map(|c| c / norm)
 }
 
-/// The length of a vector, without the loss of digits for short vectors: `stretch` is the factor
-/// that was applied before.
+/// The length of a vector, held as `stretched`, which is `stretch` times the length. A very short
+/// vector is multiplied by `stretch` before its length is taken, because its length would otherwise
+/// have few digits.
 #[derive(Clone, Copy)]
 pub(crate) struct Length<R> {
     stretch: R,
@@ -69,7 +71,7 @@ impl<R: Real> Length<R> {
         }
     }
 
-    /// Divides components by the length, by its reciprocal: see [`over_norm`].
+    /// Divides components by the length, through a product with its reciprocal as in [`over_norm`].
     #[inline]
     pub(crate) fn divide<const N: usize>(self, numbers: [R; N]) -> [R; N] {
         over_norm(numbers.map(|c| c * self.stretch), self.stretched)
@@ -93,13 +95,13 @@ pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
     over_norm(across, norm(across))
 }
 
-/// Every component divided by `norm`, by way of its reciprocal.
+/// Divides every component by `norm`, through a product with the reciprocal of `norm`.
 ///
-/// Not by division: a norm one unit of the last place below 1 would then push every component up by
-/// a whole unit where half of one is meant. |p| is measured again at the next product, but nothing
-/// measures the length of q, so a chain that normalizes at every product would scale its
-/// translation by about 10⁻⁹ per product, always in the same direction (measured in
-/// `lab/src/products.rs`).
+/// A division by the norm would round in one direction: where the norm is one unit of the last
+/// place below 1, it would raise every component by a whole unit where half a unit is right. The
+/// next product measures |p| again, but nothing measures the length of q. A chain that normalizes
+/// at every product would therefore scale its translation by about 10⁻⁹ per product, always in
+/// the same direction (measured in `lab/src/products.rs`).
 #[inline]
 #[must_use]
 pub fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
