@@ -108,8 +108,8 @@ impl<R: Real> Dual<R> {
     }
 
     /// Returns √(a + εb) = √a + ε b/(2√a), by Jia's eq. 10; Fabisch ("Inverse Square Root
-    /// of a Dual Number") gives the reciprocal. The result is NaN for a < 0. For a = 0 its dual part
-    /// is infinite, or NaN if b = 0 too.
+    /// of a Dual Number") gives the reciprocal. The result is NaN for a < 0. For a = 0 its dual
+    /// part is infinite, or NaN if b = 0 too.
     #[inline]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();

@@ -3,16 +3,16 @@
 use crate::macros::errors;
 use core::fmt;
 
-/// A quaternion or dual quaternion that cannot be normalized: it, or its real part, is zero or some
-/// component is not finite (or the quotient would not be).
+/// A quaternion or dual quaternion that cannot be normalized: the quaternion, or the real part of
+/// the dual quaternion, is zero, or a component of it or of the quotient is not finite.
 ///
-/// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") omits it, and says that the solution
-/// "would be to set p = 1 and proceed", which makes a motion of what is none.
+/// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") leaves this case out and says that the
+/// solution "would be to set p = 1 and proceed", which would turn bad input into a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct NormalizeError {
-    /// The norm of the real part, which is all of a quaternion.
+    /// The norm of the real part, or of the whole quaternion.
     pub real_norm: f64,
     pub(super) of: Normed,
 }
@@ -26,13 +26,13 @@ impl fmt::Display for NormalizeError {
 
 impl core::error::Error for NormalizeError {}
 
-/// A dual quaternion or dual number without an inverse: its real part is zero, or some component is
-/// not finite (or would not be).
+/// A dual quaternion or dual number without an inverse: its real part is zero, or a component of it
+/// or of the inverse is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct InverseError {
-    /// The norm of the real part; of a dual number its absolute value.
+    /// The norm of the real part, or its absolute value for a dual number.
     pub real_norm: f64,
     pub(super) of: Normed,
 }
@@ -46,7 +46,7 @@ impl fmt::Display for InverseError {
 
 impl core::error::Error for InverseError {}
 
-/// The kind of value whose norm an error names.
+/// The type whose norm the error reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) enum Normed {
@@ -56,7 +56,7 @@ pub(super) enum Normed {
 }
 
 impl Normed {
-    /// Writes the fault. If the norm is neither zero nor infinite, the fault is in the dual part.
+    /// Writes the reason. If the norm is neither zero nor infinite, the dual part is to blame.
     fn write(self, norm: f64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let part = match self {
             Self::Quaternion => "norm of the quaternion",
@@ -76,18 +76,18 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MatrixError {
-        /// Rows `row` and `column` of the rotation are not orthonormal: their product is `value`
-        /// where the identity has 0 or 1.
+        /// Two rows of the rotation, `row` and `column`, are not orthonormal: their scalar product
+        /// is `value`, where the identity has 0 or 1.
         NotOrthonormal {
             /// The first of the two rows.
             row: usize,
             /// The second of the two rows.
             column: usize,
-            /// Their scalar product.
+            /// The scalar product of the two rows.
             value: f64,
         } => "not a rotation: the product of rows {row} and {column} is {value} (non-uniform scale and shear are not \
                 rigid motions: Affine::try_decompose takes them apart)";
-        /// A rotation times a number: the matrix scales by the same factor in every direction.
+        /// The matrix is a rotation times a factor: it scales equally in every direction.
         Scales {
             /// The factor, negative if the matrix mirrors as well.
             factor: f64,
@@ -102,14 +102,14 @@ errors! {
         NotFinite {
             /// The row of the element.
             row: usize,
-            /// The element.
+            /// The value of the element.
             value: f64,
         } => "the translation is not finite: element {row} is {value}";
         /// The last row of a 4×4 matrix is not 0 0 0 1.
         NotAffine {
             /// The column of the element that differs.
             column: usize,
-            /// The element.
+            /// The value of the element.
             value: f64,
         } => "not affine: element {column} of the last row is {value}, which must be 0 0 0 1 (a matrix given by \
                 columns, as by glam, nalgebra and glTF, is for try_from_cols_array_2d)";

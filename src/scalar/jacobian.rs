@@ -1,8 +1,8 @@
 //! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers.
 //!
-//! With twists as dual vectors, the Lie bracket of se(3) is the dual cross product x × y =
-//! ω×η + ε(ω×w + v×η), so by the transfer principle the Jacobians are those of SO(3) over
-//! dual numbers. With u = x·x = ω·ω + 2ε ω·v:
+//! Twists are dual vectors, and the Lie bracket of se(3) is their dual cross product x × y =
+//! ω×η + ε(ω×w + v×η). By the transfer principle the Jacobians are therefore those of SO(3)
+//! over dual numbers. With u = x·x = ω·ω + 2ε ω·v:
 //!
 //! ```text
 //! J_l(x) y   = y +   A x×y + B x×(x×y),  A = (1 − cos √u)/u, B = (√u − sin √u)/√u³
@@ -19,9 +19,9 @@ impl<R: Real> Twist<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry 1994,
-    /// eq. 2.58), as lines move. Takes a twist in the body's frame to the fixed frame;
-    /// `conjugate().adjoint()` takes it back. Ad_{ab} = Ad_a Ad_b. σ must be unit.
+    /// Returns Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry
+    /// 1994, eq. 2.58), the formula for lines. It takes a twist in the body's frame to the fixed
+    /// frame; `conjugate().adjoint()` takes it back. Ad_{ab} = Ad_a Ad_b. σ must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -39,12 +39,12 @@ impl<R: Real> DualQuat<R> {
         Twist { angular, linear }
     }
 
-    /// The co-adjoint action on wrenches: f′ = Rf, τ′ = Rτ + t × f′, so that the power of
-    /// a wrench on a twist is the same in both frames. Takes a wrench in the body's frame to the
-    /// fixed frame. σ must be unit.
+    /// Returns the co-adjoint action on a wrench: f′ = Rf, τ′ = Rτ + t × f′. It takes a
+    /// wrench in the body's frame to the fixed frame, so that the power of a wrench on a twist is
+    /// the same in both frames. σ must be unit.
     ///
-    /// This is (Ad_σ⁻¹)ᵀ, a left action: coadjoint of ab is that of b, then that of a
-    /// (Murray, Li and Sastry 1994, §2.5).
+    /// This is (Ad_σ⁻¹)ᵀ, a left action: the co-adjoint action of ab applies that of b first
+    /// and then that of a (Murray, Li and Sastry 1994, §2.5).
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::Wrench};
@@ -62,12 +62,13 @@ impl<R: Real> DualQuat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The left Jacobian of SE(3) at the twist x, applied to y: how the *spatial* side of the
-    /// motion of x answers to a change of x by y, exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
+    /// The left Jacobian of SE(3) at the twist x, applied to y. It says how the motion of x changes
+    /// on its *spatial* side if x changes by δy: exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
     ///
-    /// Barfoot & Furgale 2014; Barfoot 2017, eq. 7.85, there with the translation first. `at` is a
-    /// twist as [`to_twist`](Self::to_twist) gives it: radians and lengths, any |ω|. Singular, not
-    /// infinite, at |ω| = 2π, 4π, …
+    /// The formula is that of Barfoot & Furgale 2014 and Barfoot 2017, eq. 7.85, where the
+    /// translation comes first. `at` is a twist as [`to_twist`](Self::to_twist) gives it, in
+    /// radians and lengths, with any |ω|. At |ω| = 2π, 4π, … the Jacobian is singular, but
+    /// finite.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -92,20 +93,21 @@ impl<R: Real> DualQuat<R> {
         along + times(first, once) + times(second, lie_bracket(at, once))
     }
 
-    /// The right Jacobian of SE(3) at the twist x, applied to y: how the *body* side of the motion
-    /// of x answers, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and
-    /// J_l(x) = Ad_{exp ½x} J_r(x).
+    /// The right Jacobian of SE(3) at the twist x, applied to y. It says how the motion of x
+    /// changes on its *body* side if x changes by δy: exp(½(x + δy)) ≈ exp(½x) exp(½δ
+    /// J_r(x) y). J_r(x) = J_l(−x), and J_l(x) = Ad_{exp ½x} J_r(x).
     #[inline]
     pub fn right_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian(-at, along)
     }
 
-    /// The inverse of the left Jacobian at the twist x, applied to y: how the twist x of a motion
-    /// changes when the motion changes by the *spatial* twist y, 2 log(exp(½δy) exp(½x)) ≈ x +
-    /// δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources of dq8).
+    /// The inverse of the left Jacobian at the twist x, applied to y. It says how the twist x of a
+    /// motion changes if the motion changes by the *spatial* twist δy: 2 log(exp(½δy) exp(½x))
+    /// ≈ x + δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources of dq8).
     ///
-    /// For |ω| < 2π; C is **infinite at |ω| = 2π** and every multiple of it, and errors grow
-    /// like 1/(2π − |ω|) near it. A twist from [`to_twist`](Self::to_twist) has |ω| ≤ π.
+    /// The domain is |ω| < 2π: the result is **infinite at |ω| = 2π** and at every multiple of
+    /// it, and errors near 2π grow like 1/(2π − |ω|). A twist from
+    /// [`to_twist`](Self::to_twist) has |ω| ≤ π.
     #[inline]
     pub fn left_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         let u = square(at);
@@ -119,17 +121,18 @@ impl<R: Real> DualQuat<R> {
         along - once.scale(R::HALF) + times(second, lie_bracket(at, once))
     }
 
-    /// The inverse of the right Jacobian at the twist x, applied to y: how the twist x of a motion
-    /// changes when the motion changes by the *body* twist y, J_r⁻¹(x) = J_l⁻¹(−x). See
+    /// The inverse of the right Jacobian at the twist x, applied to y: J_r⁻¹(x) =
+    /// J_l⁻¹(−x). It says how the twist x of a motion changes if the motion changes by the
+    /// *body* twist δy. The domain is that of
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
     #[inline]
     pub fn right_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian_inverse(-at, along)
     }
 
-    /// The left Jacobian as a 6×6 matrix, rows and columns in the order
-    /// `[ωx, ωy, ωz, vx, vy, vz]`: [J, 0; Q, J] (Barfoot 2017, eq. 7.85b, with his blocks in the
-    /// other order).
+    /// The left Jacobian as a 6×6 matrix [J, 0; Q, J], with rows and columns in the order
+    /// `[ωx, ωy, ωz, vx, vy, vz]` (Barfoot 2017, eq. 7.85b, with the blocks in the opposite
+    /// order).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -144,8 +147,8 @@ impl<R: Real> DualQuat<R> {
         matrix(at, Self::left_jacobian)
     }
 
-    /// The inverse of the left Jacobian as a 6×6 matrix, in the order of
-    /// [`left_jacobian_matrix`](Self::left_jacobian_matrix); domain as
+    /// The inverse of the left Jacobian as a 6×6 matrix, with rows and columns in the order
+    /// `[ωx, ωy, ωz, vx, vy, vz]`. The domain is that of
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
     #[inline]
     #[must_use]
@@ -154,8 +157,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// A as a power series of u, (−1)ᵏ/(2k + 2)!; with u < 1 the first term left out is below
-/// 10⁻¹⁹.
+/// The coefficients (−1)ᵏ/(2k + 2)! of A = (1 − cos √u)/u as a power series of u. For u < 1
+/// the first term left out is below 10⁻¹⁹.
 const COSINE_SERIES: [f64; 9] = [
     1.0 / 2.0,
     -1.0 / 24.0,
@@ -168,8 +171,8 @@ const COSINE_SERIES: [f64; 9] = [
     1.0 / 6_402_373_705_728_000.0,
 ];
 
-/// B as a power series of u, (−1)ᵏ/(2k + 3)!; with u < 1 the first term left out is below
-/// 10⁻¹⁹.
+/// The coefficients (−1)ᵏ/(2k + 3)! of B = (√u − sin √u)/√u³ as a power series of u.
+/// For u < 1 the first term left out is below 10⁻¹⁹.
 const SINE_SERIES: [f64; 9] = [
     1.0 / 6.0,
     -1.0 / 120.0,
@@ -182,8 +185,8 @@ const SINE_SERIES: [f64; 9] = [
     1.0 / 121_645_100_408_832_000.0,
 ];
 
-/// C as a power series of u, |B₂ₖ|/(2k)! with Bernoulli's numbers; with u < 1 the first term
-/// left out is below 10⁻¹⁸.
+/// The coefficients |B₂ₖ|/(2k)! of C = (1 − (√u/2) cot(√u/2))/u as a power series of u,
+/// with Bernoulli's numbers B₂ₖ. For u < 1 the first term left out is below 10⁻¹⁸.
 const COTANGENT_SERIES: [f64; 11] = [
     1.0 / 12.0,
     1.0 / 720.0,
@@ -198,7 +201,8 @@ const COTANGENT_SERIES: [f64; 11] = [
     77_683.0 / 14_101_100_039_391_805_440_000.0,
 ];
 
-/// Σ cₖuᵏ. Closed forms cancel for small u: the derivative of B is a difference over u.
+/// Returns Σ cₖuᵏ. For small u the closed forms would cancel digits: the derivative of B, for
+/// example, is a difference divided by u.
 #[inline]
 fn series<R: Real>(u: Dual<R>, coefficients: &[f64]) -> Dual<R> {
     coefficients.iter().rev().fold(Dual::ZERO, |sum, &coefficient| {
@@ -206,14 +210,14 @@ fn series<R: Real>(u: Dual<R>, coefficients: &[f64]) -> Dual<R> {
     })
 }
 
-/// x·x
+/// Returns the dual number x·x.
 #[inline]
 fn square<R: Real>(x: Twist<R>) -> Dual<R> {
     Dual::new(vector::dot(x.angular, x.angular), R::TWO * vector::dot(x.angular, x.linear))
 }
 
-/// x × y, the Lie bracket [x, y]: how fast y changes that is carried along by the twist x (Lynch &
-/// Park, *Modern Robotics*, 2017, definition 8.4).
+/// Returns x × y, the Lie bracket [x, y]: the rate of change of a twist y that the twist x carries
+/// along (Lynch & Park, *Modern Robotics*, 2017, definition 8.4).
 #[inline]
 pub fn lie_bracket<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
     let linear =
@@ -221,7 +225,7 @@ pub fn lie_bracket<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
     Twist { angular: vector::cross(x.angular, y.angular), linear }
 }
 
-/// (a + εb)(ω + εv)
+/// Returns the product (a + εb)(ω + εv) of a dual number and a twist.
 #[inline]
 fn times<R: Real>(factor: Dual<R>, twist: Twist<R>) -> Twist<R> {
     let linear = vector::add(
@@ -231,7 +235,7 @@ fn times<R: Real>(factor: Dual<R>, twist: Twist<R>) -> Twist<R> {
     Twist { angular: vector::scale(twist.angular, factor.real), linear }
 }
 
-/// The matrix of a linear map: its columns are what it does to the unit twists.
+/// Returns the matrix of a linear map: its columns are the images of the unit twists.
 #[inline]
 fn matrix<R: Real>(at: Twist<R>, map: fn(Twist<R>, Twist<R>) -> Twist<R>) -> [[R; 6]; 6] {
     let mut rows = [[R::ZERO; 6]; 6];

@@ -4,8 +4,8 @@ use super::{DualQuat, Quat, vector};
 use crate::number::Real;
 
 impl<R: Real> Quat<R> {
-    /// The angle of the turn between two rotations by the shorter way, radians in [0, π]; of unit
-    /// quaternions of either sign. As [`DualQuat::angle_to`], which says how.
+    /// Returns the angle of the turn between two rotations by the shorter way, in radians in [0,
+    /// π]. The quaternions are unit and of either sign. [`DualQuat::angle_to`] has the formula.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -21,14 +21,14 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The angle between two orientations, radians in [0, π]: of the turn from one to the other,
-    /// by the shorter way, so the signs of both σ do not matter. Kenwright §11 names it an
-    /// advantage of dual quaternions: from matrices it takes a conversion.
+    /// Returns the angle of the turn from one orientation to the other by the shorter way, in
+    /// radians in [0, π]. The signs of both σ do not matter. Kenwright §11 names this angle as
+    /// an advantage of dual quaternions: matrices must be converted first.
     ///
-    /// θ = 2 atan2(|v|, |w|) with w + v = p_a*p_b. An arccosine of p_a·p_b has lost small angles
-    /// (below 5·10⁻⁴ in `f32`); this keeps them, down to subnormal ones next to the identity,
-    /// and is as good near π. Elsewhere the rounding of the components themselves is what limits
-    /// it.
+    /// θ = 2 atan2(|v|, |w|) with w + v = p_a*p_b. An arccosine of p_a·p_b loses small angles
+    /// (below 5·10⁻⁴ in `f32`). The arctangent keeps them, down to subnormal angles next to
+    /// the identity, and it is as accurate near π. Between other poses the rounding of the
+    /// components limits the accuracy.
     ///
     /// Both must be unit. NaN if a real part is not finite.
     ///
@@ -47,8 +47,9 @@ impl<R: Real> DualQuat<R> {
         self.real().angle_to(other.real())
     }
 
-    /// The distance between two positions, |t_a − t_b|, in the user's unit of length. It does not
-    /// overflow or underflow on the way, and the signs of both σ do not matter. Both must be unit.
+    /// Returns the distance between two positions, |t_a − t_b|, in the user's unit of length. No
+    /// intermediate result overflows or underflows, and the signs of both σ do not matter. Both
+    /// must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -63,15 +64,16 @@ impl<R: Real> DualQuat<R> {
         vector::norm(vector::sub(self.translation(), other.translation()))
     }
 
-    /// √((λθ)² + d²): angle and distance in one number, a length. λ = `length_per_radian`
-    /// says what a radian is worth; the radius of the body is a good choice, for then λθ is how
-    /// far its outermost points turn (Park 1995 has why some such length must be chosen).
+    /// Returns √((λθ)² + d²), which combines the angle θ and the distance d in one length.
+    /// λ = `length_per_radian` is the length that counts as much as one radian. The radius of the
+    /// body is a good choice, because λθ is then the distance by which its outermost points turn
+    /// (Park 1995 explains why such a length must be chosen).
     ///
-    /// For λ > 0 it is a metric on motions (on ±σ, not on σ): zero only for equal motions,
-    /// symmetric, and d(a, c) ≤ d(a, b) + d(b, c), because angles of rotation and distances of
-    /// points keep the triangle inequality and so does the root of the sum of their squares. It is
-    /// the same after a common motion of the world, d(ca, cb) = d(a, b), but not after one of the
-    /// body, which moves its origin. Both must be unit.
+    /// For λ > 0 it is a metric on motions (on ±σ, not on σ): it is zero only for equal
+    /// motions, symmetric, and d(a, c) ≤ d(a, b) + d(b, c). Angles of rotations and distances of
+    /// points obey the triangle inequality, and so does the root of the sum of their squares. The
+    /// metric does not change with a common motion of the world, d(ca, cb) = d(a, b). It does
+    /// change with a common motion of the body, which moves the body's origin. Both must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -87,7 +89,8 @@ impl<R: Real> DualQuat<R> {
         vector::norm([length_per_radian * self.angle_to(other), self.distance_to(other)])
     }
 
-    /// The distance to which the two carry one point of the body: |a v − b v|. Both must be unit.
+    /// Returns |a v − b v|, the distance between the places to which the motions a and b carry
+    /// one point v of the body. Both must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -102,15 +105,15 @@ impl<R: Real> DualQuat<R> {
         vector::norm(vector::sub(self.transform_point(point), other.transform_point(point)))
     }
 
-    /// The largest distance to which the two carry a point within `radius` of the body's origin:
-    /// d + 2 r sin(θ/2), an upper bound of [`point_error`](Self::point_error). What compressors of
-    /// animation measure with a shell of points about each bone, without choosing any. In none of
-    /// the sources of dq8.
+    /// Returns d + 2 r sin(θ/2), an upper bound of [`point_error`](Self::point_error) for all
+    /// points within the distance r = `radius` of the body's origin. Compressors of animation
+    /// measure the same error with a shell of points about each bone; this bound needs no choice of
+    /// points. None of the sources of dq8 has it.
     ///
     /// By the triangle inequality |av − bv| ≤ |t_a − t_b| + |(R_a − R_b)v|, and a turn by
-    /// θ moves a point at most by the chord 2|v| sin(θ/2). The bound is reached where the
-    /// translation between the two is across the axis of the turn between them, or zero. Both must
-    /// be unit.
+    /// θ moves a point at most by the chord 2|v| sin(θ/2). The bound is reached if the
+    /// translation between the motions is zero or orthogonal to the axis of the turn between them.
+    /// Both must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -126,11 +129,12 @@ impl<R: Real> DualQuat<R> {
         self.distance_to(other) + radius * chord
     }
 
-    /// `true` if σ has drifted from the unit ones by more than `tolerance`, or is not finite: not
-    /// [`is_unit`](Self::is_unit). A product adds about one [`EPSILON`](Real::EPSILON).
+    /// Returns `true` if σ has drifted from unit length by more than `tolerance`, or is not
+    /// finite; this is the negation of [`is_unit`](Self::is_unit). A product adds about one
+    /// [`EPSILON`](Real::EPSILON).
     ///
-    /// [`normalize`](Self::normalize) then puts it back; it does not bring back the lost accuracy
-    /// of the rotation, so a chain need not be normalized at every product.
+    /// [`normalize`](Self::normalize) makes σ unit again. It does not restore the lost accuracy of
+    /// the rotation, so a chain need not be normalized at every product.
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -7,8 +7,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 crate::macros::pod! {
     /// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
     ///
-    /// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. What is not
-    /// unit is not found out, but for debug builds with `--cfg dq8_debug_assert_unit`, [which
+    /// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. Operations do
+    /// not check that a quaternion is unit, except for debug builds with
+    /// `--cfg dq8_debug_assert_unit`, [which
     /// panic](crate::Motion#where-unit-length-is-a-precondition).
     ///
     /// ```
@@ -26,7 +27,7 @@ crate::macros::pod! {
     pub struct Quat<R>([R; 4]);
 }
 
-/// The identity, not zero, which would make a rest pose of defaults vanish without an error.
+/// Returns the identity. Zero would make a rest pose of default values vanish without an error.
 impl<R: Real> Default for Quat<R> {
     #[inline]
     fn default() -> Self {
@@ -35,31 +36,31 @@ impl<R: Real> Default for Quat<R> {
 }
 
 impl<R: Real> Quat<R> {
-    /// 1, which turns nothing.
+    /// 1, the rotation that turns nothing.
     pub const IDENTITY: Self = Self([R::ZERO, R::ZERO, R::ZERO, R::ONE]);
-    /// 0
+    /// 0, which is not a rotation.
     pub const ZERO: Self = Self([R::ZERO; 4]);
 
-    /// From components in the order of memory.
+    /// Makes a quaternion from components in the order of memory.
     #[inline]
     pub const fn from_xyzw(x: R, y: R, z: R, w: R) -> Self {
         Self([x, y, z, w])
     }
 
-    /// From components in the order of the literature.
+    /// Makes a quaternion from `[w, x, y, z]`, the order of the literature.
     #[inline]
     #[doc(alias("scalar_first"))]
     pub const fn from_wxyz([w, x, y, z]: [R; 4]) -> Self {
         Self([x, y, z, w])
     }
 
-    /// From `[x, y, z, w]`.
+    /// Makes a quaternion from `[x, y, z, w]`, the order of memory.
     #[inline]
     pub const fn from_array(xyzw: [R; 4]) -> Self {
         Self(xyzw)
     }
 
-    /// From the vector part and the scalar part.
+    /// Makes a quaternion from its vector part and its scalar part.
     #[inline]
     pub const fn from_parts([x, y, z]: [R; 3], w: R) -> Self {
         Self([x, y, z, w])
@@ -75,22 +76,22 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
     }
 
-    /// Returns a copy in memory, so that the original stays in registers, as
-    /// `DualQuat::spilled_copy` does.
+    /// Returns a copy in memory. A function that is not inlined gets the copy, so that the compiler
+    /// can keep the original in registers.
     #[inline(always)]
     pub(super) fn spilled_copy(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([x, y, z, w])
     }
 
-    /// `[x, y, z, w]`
+    /// Returns `[x, y, z, w]`, the order of memory.
     #[inline]
     #[must_use]
     pub const fn to_array(self) -> [R; 4] {
         self.0
     }
 
-    /// `[w, x, y, z]`, the order of the literature.
+    /// Returns `[w, x, y, z]`, the order of the literature.
     #[inline]
     #[must_use]
     pub const fn to_wxyz(self) -> [R; 4] {
@@ -129,7 +130,7 @@ impl<R: Real> Quat<R> {
         [self.0[0], self.0[1], self.0[2]]
     }
 
-    /// `true` if −q is the [canonical](crate::DualQuat::canonical) one of ±q.
+    /// Returns `true` if −q, and not q, has the [canonical](crate::DualQuat::canonical) sign.
     #[inline]
     pub(crate) fn points_back(self) -> bool {
         let [x, y, z, w] = self.0;
@@ -143,7 +144,8 @@ impl<R: Real> Quat<R> {
         Self([-x, -y, -z, w])
     }
 
-    /// The scalar product of the two as 4-vectors, the sum of xx′, yy′, zz′ and ww′.
+    /// The scalar product of two quaternions as 4-vectors, the sum of xx′, yy′, zz′ and
+    /// ww′.
     #[inline]
     #[must_use]
     pub fn dot(self, other: Self) -> R {
@@ -152,7 +154,7 @@ impl<R: Real> Quat<R> {
         ax * bx + ay * by + az * bz + aw * bw
     }
 
-    /// |q| = √(q q*), without overflow or underflow on the way.
+    /// Returns |q| = √(q q*), without overflow or underflow of intermediate results.
     #[inline]
     #[must_use]
     #[doc(alias("length", "magnitude"))]
@@ -174,28 +176,28 @@ impl<R: Real> Quat<R> {
         Quat(self.0.map(|component| S::from_f64(component.into())))
     }
 
-    /// `true` if every component of the two differs by at most `tolerance`; false for NaN. q and
-    /// −q are the same rotation but not equal here.
+    /// Returns `true` if every component of `self` differs from the same component of `other` by at
+    /// most `tolerance`, and `false` for NaN. q and −q are the same rotation but not equal here.
     #[inline]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {
         self.0.into_iter().zip(other.0).all(|(a, b)| (a - b).abs() <= tolerance)
     }
 
-    /// q times a real number.
+    /// Returns q times a real number.
     #[inline]
     pub fn scale(self, factor: R) -> Self {
         let [x, y, z, w] = self.0;
         Self([x * factor, y * factor, z * factor, w * factor])
     }
 
-    /// q / |q|; every component is NaN where [`try_normalize`](Self::try_normalize) fails.
+    /// Returns q / |q|. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[inline]
     pub fn normalize(self) -> Self {
         self.unit().unwrap_or(Self([R::NAN; 4]))
     }
 
-    /// q / |q|.
+    /// Returns q / |q|.
     ///
     /// # Errors
     /// If q is zero or not finite.
@@ -229,9 +231,10 @@ impl<R: Real> Quat<R> {
         Ok(Self(Length::of(self.0, norm).divide(self.0)))
     }
 
-    /// r v r*, the vector `v` turned by this unit quaternion (Arends ch. 3 eqs. 8–10, Jia §2):
-    /// v + 2u × (u × v + w v) with r = w + u, the two products written out with |r| = 1 put in.
-    /// Where that is not so, r v r* scales by |r|², and this form skews as well.
+    /// Returns r v r*, the vector `v` turned by this unit quaternion r (Arends ch. 3 eqs. 8–10,
+    /// Jia §2). It is computed as v + 2u × (u × v + w v) with r = w + u, which follows from the
+    /// two products by |r| = 1. For an r of another length, r v r* scales by |r|², and this
+    /// formula also skews.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -247,7 +250,7 @@ impl<R: Real> Quat<R> {
     }
 }
 
-/// `[x, y, z, w]`, in place.
+/// Borrows the components as `[x, y, z, w]`.
 impl<R> AsRef<[R; 4]> for Quat<R> {
     #[inline]
     fn as_ref(&self) -> &[R; 4] {
@@ -280,8 +283,8 @@ impl<R: Real> Sub for Quat<R> {
     }
 }
 
-/// Hamilton's product pq = p₀q₀ − p·q + p₀q + q₀p + p×q (Jia eq. 2): the turn q, then
-/// the turn p.
+/// Hamilton's product pq = p₀q₀ − p·q + p₀q + q₀p + p×q (Jia eq. 2): the turn q acts
+/// first, then the turn p.
 impl<R: Real> Mul for Quat<R> {
     type Output = Self;
     #[inline]
@@ -292,7 +295,7 @@ impl<R: Real> Mul for Quat<R> {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
         // The terms are added in pairs such that the vector part of σ*σ is exactly zero for every
-        // σ.
+        // quaternion σ.
         Self([
             (aw * bx + ax * bw) + (ay * bz - az * by),
             (aw * by - ax * bz) + (ay * bw + az * bx),

@@ -1,4 +1,4 @@
-//! Rotation and translation, in and out.
+//! Conversions from rotations and translations to motions, and back.
 
 use super::{DualQuat, Quat, vector};
 use crate::number::Real;
@@ -20,8 +20,8 @@ impl<R: Real> DualQuat<R> {
         Self::new(Quat::IDENTITY, Quat::from_parts(half, R::ZERO))
     }
 
-    /// Rotate by `rotation`, then translate by `translation`: r + ½ε t r (Jia eq. 22).
-    /// `rotation` must be unit.
+    /// The motion that rotates by `rotation`, then translates by `translation`: r + ½ε t r (Jia
+    /// eq. 22). `rotation` must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -39,8 +39,8 @@ impl<R: Real> DualQuat<R> {
         Self::new(rotation, Quat::from_parts(half, R::ZERO) * rotation)
     }
 
-    /// Translate by `translation`, then rotate by `rotation`: r + ½ε r t (Jia eq. 26; Tarini's
-    /// "translo-rotation"). `rotation` must be unit.
+    /// The motion that translates by `translation`, then rotates by `rotation`: r + ½ε r t (Jia
+    /// eq. 26; Tarini's "translo-rotation"). `rotation` must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -50,11 +50,11 @@ impl<R: Real> DualQuat<R> {
         Self::new(rotation, rotation * Quat::from_parts(half, R::ZERO))
     }
 
-    /// σ(r + ½εtr), the product with the motion of a rotation and a translation, which act
-    /// first. `rotation` must be unit. By Jia's eqs. 14 and 22.
+    /// Returns σ(r + ½εtr), the product of σ with the motion of a rotation r and a translation
+    /// t; that motion acts first. It follows from Jia's eqs. 14 and 22. `rotation` must be unit.
     ///
-    /// On lanes it takes fewer operations than joining the two first, for
-    /// σ(r + ½εtr) = (p + ε(q + ½pt))r.
+    /// On lanes this takes fewer operations than making a motion of r and t first, because σ(r +
+    /// ½εtr) = (p + ε(q + ½pt))r.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};

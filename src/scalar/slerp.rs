@@ -1,25 +1,26 @@
-//! Spherical linear interpolation of rotations, and rotation and translation interpolated apart;
-//! squad, smooth motion through key poses.
+//! Spherical linear interpolation of rotations; interpolation of rotation and translation
+//! independently; squad, a smooth motion through key poses.
 
 use super::{DualQuat, Quat, vector};
 use crate::number::Real;
 use crate::quick;
 
 impl<R: Real> Quat<R> {
-    /// Spherical linear interpolation of unit quaternions by the shorter way: turns from `self` to
-    /// ±`other` about one axis at constant speed. `t` = 0 gives `self`, 1 gives ±`other`; values
-    /// outside [0, 1] go on turning: the result is unit for every `t`, or, where `t` times half the
-    /// angle is beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), NaN in every component.
+    /// Spherical linear interpolation of unit quaternions by the shorter way: the result turns from
+    /// `self` (a) to ±`other` (b) about one axis at constant speed. `t` = 0 gives `self`, and 1
+    /// gives ±`other`; values outside [0, 1] continue the turn. The result is unit for every `t`.
+    /// It is NaN in every component if `t` times half the angle is beyond 2¹⁶ rad (`f32`) or
+    /// 2⁴⁵ rad (`f64`).
     ///
-    /// sin((1−t)Θ)/sin Θ a ± sin(tΘ)/sin Θ b (Shoemake 1985; Arends ch. 3 §3, whose angle
-    /// is given and whose sines vanish in his ch. 6) is the same as cos φ m + sin φ h: the turn
-    /// by φ = (t−½)Θ away from the middle m of the way in the direction h, the unit vectors
-    /// along b + a and b − a. This is how it is computed: one angle has one sine and one cosine,
-    /// but (1−t)Θ and tΘ are rounded apart, by more than a radian where t is large, and the
-    /// length would be anything. The angle is Θ = 2 atan2(|b − a|, |b + a|) (Kahan 2006), not
-    /// the arccosine of a·b, which has lost a small one. No singularity: quaternions by the
-    /// shorter way are at most 90° apart, and close ones have sines in proportion to their
-    /// arguments.
+    /// The classical formula is sin((1−t)Θ)/sin Θ a ± sin(tΘ)/sin Θ b (Shoemake 1985; Arends
+    /// ch. 3 §3, where the angle is given; his ch. 6 notes that the sines vanish). It equals cos
+    /// φ m + sin φ h: a turn by φ = (t−½)Θ away from the middle m of the way in the
+    /// direction h, the unit vectors along b + a and b − a. The second form is computed here,
+    /// because it has one angle with one sine and one cosine. In the first form (1−t)Θ and tΘ
+    /// are rounded independently, by more than a radian where t is large, so the result could have
+    /// any length. The angle is Θ = 2 atan2(|b − a|, |b + a|) (Kahan 2006), because the
+    /// arccosine of a·b loses small angles. There is no singularity: quaternions by the shorter
+    /// way are at most 90° apart, and the sines of small angles are proportional to the angles.
     ///
     /// ```
     /// use dq8::Quat;
@@ -42,16 +43,16 @@ impl<R: Real> Quat<R> {
         let (sum, difference) = (near + self, near - self);
         let sum_length = sum.norm();
         let middle = sum.scale(R::ONE / sum_length);
-        // The part of the difference along the middle is removed. It comes from ends of unequal
-        // length; it is small, but for close ends it is a large part of the difference.
+        // The part of the difference along the middle is removed. It is there if the ends have
+        // unequal lengths; it is small, but it is a large part of the difference of close ends.
         let across = difference - middle.scale(difference.dot(middle));
         let length = across.norm();
         let angle = R::TWO * length.atan2(sum_length);
         let part = t - R::HALF;
         let reach = angle * (R::ONE + part.abs());
         if reach * reach < R::EPSILON {
-            // Every angle here equals its sine, and Θ itself may be subnormal, so that ratios of
-            // it have lost their digits.
+            // Every angle here equals its sine. Θ itself may be subnormal, and a quotient of such
+            // values has few correct digits.
             return middle + across.scale(part);
         }
         let turned = part * angle;
@@ -63,16 +64,16 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// Rotation by [`slerp`](Quat::slerp) and translation by LERP, each for itself: what engines
-    /// without dual quaternions do (quaternion and vector, Kenwright §3), here to compare with.
-    /// `t` = 0 gives `self`, 1 gives ±`other`; beyond, both go on, the rotation as far as `slerp`
-    /// does.
+    /// Interpolates the rotation by [`slerp`](Quat::slerp) and the translation linearly, each
+    /// independently, as engines without dual quaternions do (quaternion and vector, Kenwright
+    /// §3). It is here for comparison. `t` = 0 gives `self`, and 1 gives ±`other`; outside [0, 1]
+    /// both continue, the rotation within the range of `slerp`.
     ///
-    /// The origin of the body moves on a straight line at constant speed and the body turns about
-    /// it, so this is not a screw motion, and it depends on which point of the body is the origin:
-    /// for a motion c on the right, slerp_lerp(ac, bc, t) ≠ slerp_lerp(a, b, t)c, where
-    /// [`sclerp`](Self::sclerp) has equality on both sides. A common motion on the left, of the
-    /// world, it does keep.
+    /// The origin of the body moves on a straight line at constant speed while the body turns about
+    /// it. So this is not a screw motion, and it depends on the choice of the body's origin: for a
+    /// motion c on the right, slerp_lerp(ac, bc, t) ≠ slerp_lerp(a, b, t)c, where
+    /// [`sclerp`](Self::sclerp) has equality on both sides. A motion of the world, on the left,
+    /// commutes with it.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -101,20 +102,21 @@ impl<R: Real> DualQuat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// Cubic motion from the key pose `self` to the key pose `end`, drawn toward two control poses
-    /// that it does not pass through:
+    /// Cubic motion from the key pose `self` (σ₀) to the key pose `end` (σ₁). Two control
+    /// poses s₀ and s₁ attract the motion, which does not pass through them:
     ///
     /// squad(σ₀, s₀, s₁, σ₁, t) = sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t),
     /// 2t(1−t))
     ///
-    /// It is Shoemake's "squad" for rotations (1987, *Quaternion calculus and fast animation*) with
-    /// [`sclerp`](Self::sclerp) for slerp, by the transfer principle. `t` = 0 gives `self`, 1 gives
-    /// ±`end`. With controls from [`squad_control`](Self::squad_control), the velocity of point
-    /// and angle is continuous across evenly timed keys. Signs do not matter: each of the three
-    /// goes the shorter way, so consecutive keys should be less than half a turn apart.
+    /// This is Shoemake's "squad" for rotations (1987, *Quaternion calculus and fast animation*)
+    /// with [`sclerp`](Self::sclerp) in place of slerp, by the transfer principle. `t` = 0 gives
+    /// `self`, and 1 gives ±`end`. With controls from [`squad_control`](Self::squad_control),
+    /// linear and angular velocity are continuous across evenly timed keys. Signs do not matter:
+    /// each of the three interpolations takes the shorter way, so consecutive keys should be less
+    /// than half a turn apart.
     ///
-    /// All must be unit. `t` is meant for [0, 1]: beyond, the last of the three goes on by
-    /// 2t(1−t), and what its ends lack of unit length grows with t³.
+    /// All poses must be unit. `t` is meant for [0, 1]. Outside, the outer interpolation
+    /// extrapolates by 2t(1−t), and the deviation of its ends from unit length grows with t³.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -142,11 +144,12 @@ impl<R: Real> DualQuat<R> {
     ///
     /// s = σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4) (Shoemake 1987, with dual quaternions)
     ///
-    /// so that the motion passes through σ with the mean of the screws from the key before and to
-    /// the key after. At the ends of a path, give the key itself for the neighbour it has not, or
-    /// take the key as its own control. Keys evenly spaced along a screw are their own controls.
+    /// With this control the velocity at σ is the mean of the screws from the previous key and to
+    /// the next key. At an end of a path, pass the key itself in place of the neighbour that is
+    /// missing, or use the key as its own control. Keys evenly spaced along a screw are their own
+    /// controls.
     ///
-    /// All must be unit.
+    /// All poses must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -9,32 +9,33 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     LimbError {
-        /// A bone of negative or infinite length, or NaN.
+        /// A bone has a negative or infinite length, or NaN.
         Length {
-            /// The bone, 0 for the one at the root.
+            /// The index of the bone, 0 for the bone at the root.
             bone: usize,
-            /// Its length.
+            /// The length of the bone.
             value: f64,
         } => "bone {bone} cannot have the length {value}";
-        /// A coordinate that is not finite.
+        /// A coordinate is not finite.
         NotFinite {
             /// The name of the vector.
             what: &'static str,
-            /// The axis.
+            /// The index of the coordinate in the vector.
             index: usize,
-            /// The coordinate.
+            /// The value of the coordinate.
             value: f64,
         } => "the {what} is not finite: coordinate {index} is {value}";
     }
 }
 
-/// A limb of two bones with a hinge between them, hip, knee and ankle or shoulder, elbow and wrist,
-/// with its end at a target.
+/// A limb of two bones with a hinge between them, posed so that its end is at a target: hip, knee
+/// and ankle, or shoulder, elbow and wrist.
 ///
-/// The limb lies in the plane of the target and the *pole*: the knee is on the side of the pole. At
-/// rest, the identity, both bones run along x and the hinge turns about z, so that the knee bends
-/// toward −y and the frame of each bone has x along the bone. A limb that rests otherwise, along
-/// the columns of F, has the rotation `upper * F.conjugate()`.
+/// The limb lies in the plane of the target and the *pole*, and the knee is on the side of the
+/// pole. In the rest pose, where all rotations are the identity, both bones run along x and the
+/// hinge turns about z, so that the knee bends toward −y and each bone's frame has x along the
+/// bone. For a limb that rests along the columns of another rotation F, the rotation is
+/// `upper * F.conjugate()`.
 ///
 /// ```
 /// use dq8::ik::{Span, TwoBone};
@@ -51,54 +52,56 @@ errors! {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias("IKTwoBoneJob"))]
 pub struct TwoBone<R> {
-    /// The rotation of the bone at the root, in the frame of the root and the target.
+    /// The rotation of the bone at the root, in the frame in which root and target are given.
     pub upper: Quat<R>,
-    /// The rotation of the other bone, in the same frame: `upper` times a turn of `bend` about z.
+    /// The rotation of the second bone in the same frame: `upper` times a turn by `bend` about z.
     pub lower: Quat<R>,
-    /// The angle of the hinge, 0 for a stretched limb and π for a folded one.
+    /// The angle of the hinge in radians, 0 for a stretched limb and π for a folded limb.
     pub bend: R,
-    /// The reach of the limb against the target.
+    /// The relation of the target's distance to the reach of the limb.
     pub span: Span,
-    /// The distance of the end from the target: zero but for rounding within [`Span::Within`].
+    /// The distance of the end from the target. It is zero within [`Span::Within`], but for
+    /// rounding.
     pub missed: R,
 }
 
-/// The distance of a target from the root, as the limb can reach.
+/// The relation of a target's distance from the root to the distances that the limb can reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Span {
-    /// The target is as near as the bones can reach.
+    /// The limb can reach the target.
     Within,
-    /// The target is farther: the limb is stretched toward it.
+    /// The target is too far away: the limb is stretched toward it.
     Stretched,
     /// The target is nearer than the difference of the bones' lengths: the limb is folded. The bone
-    /// at the root points toward the target if it is the longer one, and away from the target if
-    /// not.
+    /// at the root points toward the target if it is the longer bone, and away from the target
+    /// otherwise.
     Folded,
 }
 
 impl<R: Real> TwoBone<R> {
-    /// The limb with its root at `root`, bones of `lengths` (the one at the root first) and its end
-    /// at `target`; the knee is where `pole`, a direction of any length, points.
+    /// Bends a limb so that its end is at `target`. Its root is at `root`, and `lengths` are those
+    /// of its bones, the bone at the root first. The knee is on the side to which the direction
+    /// `pole`, of any length, points.
     ///
-    /// With the distance D to the target and bones a and b, twice the halves of the angles at the
-    /// root and at the knee of the triangle (a, b, D), from its sides (Kahan, *Miscalculating Area
-    /// and Angles of a Needle-like Triangle*, 2014), which lose nothing where it is flat:
+    /// The bones a and b and the distance D to the target are the sides of a triangle. Its angles
+    /// at the root and at the knee are computed from the sides by formulas that lose no digits for
+    /// a flat triangle (Kahan, *Miscalculating Area and Angles of a Needle-like Triangle*, 2014):
     ///
     /// ```text
     /// tan(α/2) = √((b + D − a)(b − D + a) / ((a + D + b)(a + D − b)))
     /// tan(β/2) = √((a + b + D)(a + b − D) / ((D + a − b)(D − a + b))),  β the bend
     /// ```
     ///
-    /// For floats the same rotations are computed with square roots only, as on lanes
-    /// ([`batch::TwoBone::reach`](crate::batch::TwoBone::reach)), and with the same bits where
-    /// lanes fuse nothing.
+    /// For floats the same rotations are computed with square roots only, by the formulas on lanes
+    /// ([`batch::TwoBone::reach`](crate::batch::TwoBone::reach)). The bits are those of lanes that
+    /// fuse no multiplication with an addition.
     ///
-    /// A limb without a plane takes one: where the pole is zero or along the way to the target, the
-    /// knee goes toward the axis (x, y or z) that is most across it; where the target is at the
-    /// root, the knee is where the pole points, or on x.
+    /// If the pole is zero or along the way to the target, it defines no plane. The knee then goes
+    /// toward the coordinate axis that is farthest from this way. If the target is at the root, the
+    /// knee is where the pole points, or on the x axis if the pole is zero.
     ///
     /// # Errors
-    /// If a length is negative, or a number or the sum of all sides is not finite.
+    /// If a length is negative, or if an input or the sum of all sides is not finite.
     pub fn reach(
         root: [R; 3],
         lengths: [R; 2],
@@ -147,8 +150,8 @@ impl<R: Real> TwoBone<R> {
         let way = vector::sub(target, root);
         let wanted = vector::norm(way);
         let (shortest, longest) = ((a - b).abs(), a + b);
-        // Straight limbs are a case of their own, because the square root of a rounding error would
-        // leave eight digits of sixteen.
+        // Straight limbs have branches of their own, because the square root of a rounding error
+        // would leave only eight digits of sixteen.
         let (span, d, root_angle, bend) = if wanted > longest {
             (Span::Stretched, longest, R::ZERO, R::ZERO)
         } else if wanted < shortest {
@@ -224,8 +227,8 @@ fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) 
     };
     let across_way = |pole| {
         let left = vector::across(along, pole);
-        // If the pole is along the way, its part across is rounding. If it is nearly along the way,
-        // its part across is not quite at right angles.
+        // If the pole is along the way, its component across the way consists of rounding errors.
+        // If the pole is nearly along the way, this component is not quite orthogonal to it.
         let least = R::from(16.0) * R::EPSILON;
         let side = if vector::norm(left) > least { direction(left) } else { None };
         side.and_then(|side| direction(vector::across(along, side)))
@@ -233,13 +236,13 @@ fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) 
     (along, direction(pole).and_then(across_way).unwrap_or_else(|| vector::any_across(along)))
 }
 
-/// `vector` with length 1, unless it is zero.
+/// Returns `vector` scaled to length 1, or `None` if it is zero.
 fn direction<R: Real>(vector: [R; 3]) -> Option<[R; 3]> {
     let norm = vector::norm(vector);
     (norm > R::ZERO).then(|| Length::of(vector, norm).divide(vector))
 }
 
-/// The rotation that takes x to `along` and −y to `side`.
+/// Returns the rotation that takes x to `along` and −y to `side`.
 fn frame<R: Real>(along: [R; 3], side: [R; 3]) -> Quat<R> {
     let y = [-side[0], -side[1], -side[2]];
     let z = vector::cross(along, y);
