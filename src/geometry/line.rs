@@ -4,14 +4,14 @@ use super::vector;
 use core::ops::{Add, Mul, Sub};
 
 crate::macros::pod! {
-    /// A line in Plücker coordinates l + εm: every point x of it has x × l = m.
+    /// A line in Plücker coordinates l + εm: every point x on the line satisfies x × l = m.
     ///
-    /// The length of l is free; with |l| = 1, |m| is the distance from the origin and l × m the
-    /// closest point (Jia, *Dual Quaternions*, §8.1). Lines have a sense: −l − εm is the same
-    /// points, passed the other way.
+    /// The vector l may have any length. With |l| = 1, |m| is the distance from the origin, and l
+    /// × m is the point closest to the origin (Jia, *Dual Quaternions*, §8.1). Lines have a
+    /// sense: −l − εm has the same points in the opposite sense.
     ///
-    /// Here is what needs no division, for floats and lanes alike. What may fail, and what
-    /// measures, is for [`Real`](crate::Real) numbers: [`from_points`](Line::from_points),
+    /// The methods here need no division and serve floats and lanes alike. Methods that may fail or
+    /// that measure are for [`Real`](crate::Real) numbers only: [`from_points`](Line::from_points),
     /// [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
     /// [`common_perpendicular`](Line::common_perpendicular) and others.
     #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,8 +26,8 @@ crate::macros::pod! {
 }
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
-    /// l + ε(p × l) (Jia §8.1). The direction is taken as it is; a zero one makes no line, which
-    /// [`try_normalize`](Line::try_normalize) reports.
+    /// Makes the line l + ε(p × l) (Jia §8.1). The direction l is not normalized. A direction of
+    /// zero makes no line, which [`try_normalize`](Line::try_normalize) reports.
     ///
     /// ```
     /// use dq8::Line;
@@ -39,14 +39,14 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
         Self { direction, moment: vector::cross(point, direction) }
     }
 
-    /// l × m, the point nearest to the origin (Jia §8.1). l must have length 1.
+    /// Returns l × m, the point nearest to the origin (Jia §8.1). l must have length 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn closest_point_to_origin(self) -> [T; 3] {
         vector::cross(self.direction, self.moment)
     }
 
-    /// l × m + l(l·x), the point nearest to x. l must have length 1.
+    /// Returns l × m + l(l·x), the point of the line nearest to x. l must have length 1.
     ///
     /// ```
     /// use dq8::Line;
@@ -60,8 +60,9 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
         vector::add(self.closest_point_to_origin(), along)
     }
 
-    /// l₁·m₂ + m₁·l₂, the dual part of the inner product: zero if and only if the lines
-    /// lie in one plane, so that they meet or are parallel. For unit lines it is −d sin θ.
+    /// Returns l₁·m₂ + m₁·l₂, the dual part of the inner product. It is zero if and only
+    /// if the lines lie in one plane, so that they meet or are parallel. For unit lines with the
+    /// angle θ and the distance d between them it is −d sin θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn reciprocal_product(self, other: Self) -> T {
@@ -75,23 +76,23 @@ crate::macros::pod! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
     pub struct Plane<T> {
-        /// n, the normal.
+        /// The normal n.
         pub normal: [T; 3],
-        /// d, the distance from the origin along n, in units of |n|.
+        /// The distance d from the origin along n, in units of |n|.
         pub offset: T,
     }
 }
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Plane<T> {
-    /// n·x = n·p. The normal is taken as it is; a zero one makes no plane, which
-    /// [`try_normalize`](Plane::try_normalize) reports.
+    /// Makes the plane n·x = n·p. The normal n is not normalized. A normal of zero makes no
+    /// plane, which [`try_normalize`](Plane::try_normalize) reports.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_point_normal(point: [T; 3], normal: [T; 3]) -> Self {
         Self { normal, offset: vector::dot(normal, point) }
     }
 
-    /// n·x − d, the distance of x from the plane, positive on the side of n. n must have length
-    /// 1; otherwise it is |n| times that.
+    /// Returns n·x − d, the distance of x from the plane, positive on the side of n. The normal
+    /// n must have length 1; otherwise the result is |n| times the distance.
     ///
     /// ```
     /// use dq8::Plane;

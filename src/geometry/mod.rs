@@ -1,5 +1,5 @@
-//! Plain data that motions act on or that describe motions, the same for one motion (`T` a float)
-//! and for many (`T` a vector of lanes). Points and directions are plain `[T; 3]`.
+//! Plain data that motions act on or that describe motions. `T` is a float for one motion, or a
+//! vector of lanes for many. Points and directions are plain `[T; 3]`.
 
 /// Implements sums, differences and negation for types that consist of two vectors. Vectors are
 /// arrays without operators; `contract::sums_by_part` is for parts with operators.
@@ -41,15 +41,15 @@ pub use line::{Line, Plane};
 pub use screw::{DualVector, Screw};
 pub use twist::{Twist, Wrench};
 
-/// A mean of motions, found by iteration, and how it was found: the answer of
+/// A mean of motions that was found by iteration, with the state of the iteration: the result of
 /// [`dib`](crate::Motion::dib).
 ///
-/// `M` is one motion, `T` a float and `B` a `bool`; or all three are lanes.
+/// `M` is the motion, `T` a float and `B` a `bool`, or all three are lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mean<M, T, B> {
     /// The mean, or the last approximation to it.
     pub motion: M,
-    /// The number of steps, a whole number. 0 is the linear blend, untouched.
+    /// The number of steps, a whole number. With 0 steps, `motion` is the linear blend unchanged.
     pub iterations: T,
     /// `true` if the next step would have been within the tolerance.
     pub converged: B,

@@ -1,17 +1,17 @@
-//! Screws, and dual vectors, which logarithms of motions are.
+//! Screws, and dual vectors, which are the logarithms of motions.
 
 use super::{Line, vector};
 use core::ops::{Add, Mul, Neg, Sub};
 
 crate::macros::pod! {
     /// A dual vector a + εb (Jia, *Dual Quaternions*, §3): the vector part of a dual quaternion,
-    /// and the logarithm of a unit one.
+    /// and the logarithm of a unit dual quaternion.
     ///
-    /// The logarithm of a screw is (θ̂/2)(l + εm): `real` = l·θ/2 and `dual` = m·θ/2 +
-    /// l·d/2.
+    /// The logarithm of a screw with axis l + εm, angle θ and slide d is (θ̂/2)(l + εm) with
+    /// θ̂ = θ + εd: `real` = l·θ/2 and `dual` = m·θ/2 + l·d/2.
     ///
-    /// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4): the products
-    /// below are those of vectors, over dual numbers, and keep their laws.
+    /// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4). The products of
+    /// dual vectors are the products of vectors over dual numbers and obey the same laws.
     ///
     /// ```
     /// use dq8::{Line, geometry::DualVector};
@@ -27,9 +27,9 @@ crate::macros::pod! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
     pub struct DualVector<T> {
-        /// a
+        /// The real part a.
         pub real: [T; 3],
-        /// b
+        /// The dual part b.
         pub dual: [T; 3],
     }
 }
@@ -44,7 +44,8 @@ impl<T: Copy> DualVector<T> {
         Self { real: vector::scale(self.real, factor), dual: vector::scale(self.dual, factor) }
     }
 
-    /// (s + εu)(a + εb) = sa + ε(sb + ua) for a dual number, given as `[s, u]` (Jia §3).
+    /// Returns (s + εu)(a + εb) = sa + ε(sb + ua) for a dual number s + εu, which is given as
+    /// `[s, u]` (Jia §3).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale_dual(self, [real, dual]: [T; 2]) -> Self
     where
@@ -57,9 +58,9 @@ impl<T: Copy> DualVector<T> {
         }
     }
 
-    /// The inner product (a + εb)·(c + εd) = a·c + ε(a·d + b·c), a dual number, as
-    /// `[real, dual]` (Jia eq. 8). For unit lines it is cos θ̂ = cos θ − ε d sin θ of their
-    /// dual angle θ̂ = θ + εd.
+    /// The inner product (a + εb)·(c + εd) = a·c + ε(a·d + b·c), a dual number that is
+    /// returned as `[real, dual]` (Jia eq. 8). For unit lines with the dual angle θ̂ = θ + εd
+    /// between them it is cos θ̂ = cos θ − ε d sin θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dot(self, other: Self) -> [T; 2]
@@ -71,7 +72,8 @@ impl<T: Copy> DualVector<T> {
     }
 
     /// The cross product (a + εb) × (c + εd) = a × c + ε(a × d + b × c) (Jia eq. 9). For
-    /// unit lines it is sin θ̂ times their common perpendicular.
+    /// unit lines with the dual angle θ̂ between them it is sin θ̂ times their common
+    /// perpendicular.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn cross(self, other: Self) -> Self
     where
@@ -85,7 +87,7 @@ impl<T: Copy> DualVector<T> {
 
 sums_of_vectors!(DualVector { real, dual });
 
-/// l + εm
+/// Converts a line to the dual vector l + εm.
 impl<T> From<Line<T>> for DualVector<T> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(line: Line<T>) -> Self {
@@ -93,8 +95,8 @@ impl<T> From<Line<T>> for DualVector<T> {
     }
 }
 
-/// The line l + εm, if l·m = 0. Other dual vectors are screws: l·m/l·l is the pitch, and
-/// [`Line::try_normalize`] gives the axis.
+/// Converts a dual vector to the line l + εm. It is a line only if l·m = 0. Other dual vectors
+/// are screws: l·m/l·l is the pitch, and [`Line::try_normalize`] gives the axis.
 impl<T> From<DualVector<T>> for Line<T> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(vector: DualVector<T>) -> Self {
@@ -103,27 +105,27 @@ impl<T> From<DualVector<T>> for Line<T> {
 }
 
 crate::macros::pod! {
-    /// A screw: turn by θ about an axis and slide by d along it. Every rigid motion is one
-    /// (Chasles).
+    /// A screw: a turn by θ about an axis, and a slide by d along it. Every rigid motion is a
+    /// screw (Chasles).
     ///
-    /// The unit dual quaternion is σ = cos(θ̂/2) + sin(θ̂/2)(l + εm) with the dual angle
-    /// θ̂ = θ + εd (Jia, *Dual Quaternions*, eq. 43).
+    /// Its unit dual quaternion is σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), where l + εm is the
+    /// axis and θ̂ = θ + εd the dual angle (Jia, *Dual Quaternions*, eq. 43).
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
     pub struct Screw<T> {
-        /// The screw axis l + εm, |l| = 1.
+        /// The screw axis l + εm with |l| = 1.
         pub axis: Line<T>,
-        /// θ, radians: in [0, π] where dq8 found it, any where it is given.
+        /// The angle θ in radians. Results of dq8 are in [0, π]; input may have any angle.
         pub angle: T,
-        /// d, the translation along the axis, in the user's unit of length.
+        /// The slide d, the translation along the axis, in the user's unit of length.
         pub slide: T,
     }
 }
 
 impl<T: Copy + core::ops::Div<Output = T>> Screw<T> {
-    /// The pitch d / θ, length per radian (Jia §8.2); infinite for a pure translation, NaN for
-    /// the identity.
+    /// Returns the pitch d / θ, length per radian (Jia §8.2). It is infinite for a pure
+    /// translation and NaN for the identity.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn pitch(&self) -> T {

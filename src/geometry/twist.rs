@@ -6,18 +6,19 @@ use core::ops::{Add, Mul, Neg, Sub};
 crate::macros::pod! {
     /// A twist ω + εv: the velocity of a rigid body as a dual vector, an element of se(3).
     ///
-    /// `angular` is ω in radians per unit of time. `linear` is v, the velocity of *the point of
-    /// the body that is at the origin of the frame*, in lengths per unit of time. Which frame
-    /// depends on the twist:
+    /// `angular` is ω in radians per unit of time. `linear` is v in lengths per unit of time, the
+    /// velocity of *the point of the body that is at the origin of the frame*. There are two
+    /// choices of the frame:
     ///
-    /// - *spatial*: both in the axes and about the origin of the fixed frame, σ̇ = ½ξσ;
-    /// - *body*: both in the axes and about the origin of the moving frame, σ̇ = ½σξ.
+    /// - *spatial*: ω and v are in the axes and about the origin of the fixed frame, σ̇ =
+    ///   ½ξσ;
+    /// - *body*: ω and v are in the axes and about the origin of the moving frame, σ̇ = ½σξ.
     ///
-    /// A motion takes the one to the other: spatial = σ body σ*, which is
+    /// A motion takes the body twist to the spatial twist: spatial = σ body σ*, which is
     /// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
     ///
-    /// The logarithm of a motion is half the twist that makes it in unit time, because a quaternion
-    /// carries half the angle: [`DualQuat::to_twist`](crate::DualQuat::to_twist).
+    /// The logarithm of a motion is half the twist that makes the motion in unit time, because a
+    /// quaternion carries half the angle; see [`DualQuat::to_twist`](crate::DualQuat::to_twist).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -34,21 +35,21 @@ crate::macros::pod! {
     #[must_use]
     #[doc(alias("motion", "spatial_velocity", "se3"))]
     pub struct Twist<T> {
-        /// ω, radians per unit of time.
+        /// The angular velocity ω in radians per unit of time.
         pub angular: [T; 3],
-        /// v, lengths per unit of time, of the point at the frame's origin.
+        /// The velocity v of the point at the frame's origin, in lengths per unit of time.
         pub linear: [T; 3],
     }
 }
 
 impl<T: Copy> Twist<T> {
-    /// From `[ωx, ωy, ωz, vx, vy, vz]`.
+    /// Makes a twist from `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub const fn from_array([wx, wy, wz, vx, vy, vz]: [T; 6]) -> Self {
         Self { angular: [wx, wy, wz], linear: [vx, vy, vz] }
     }
 
-    /// `[ωx, ωy, ωz, vx, vy, vz]`
+    /// Returns `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub const fn to_array(self) -> [T; 6] {
@@ -56,7 +57,7 @@ impl<T: Copy> Twist<T> {
         [wx, wy, wz, vx, vy, vz]
     }
 
-    /// The twist times a number: a joint's screw times its rate.
+    /// Returns the twist times a number, such as the screw of a joint times the joint's rate.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: T) -> Self
     where
@@ -67,7 +68,8 @@ impl<T: Copy> Twist<T> {
         Self { angular, linear: [vx * factor, vy * factor, vz * factor] }
     }
 
-    /// v + ω × x, the velocity of the point of the body that is at x, in the frame of the twist.
+    /// Returns v + ω × x, the velocity of the point of the body that is at x, in the frame of the
+    /// twist.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn velocity_at(self, [x, y, z]: [T; 3]) -> [T; 3]
@@ -84,24 +86,25 @@ sums_of_vectors!(Twist { angular, linear });
 crate::macros::pod! {
     /// A wrench f + ετ: force and torque on a rigid body, dual to a [`Twist`].
     ///
-    /// `torque` is taken about the origin of the frame; both vectors are in its axes. As with
-    /// twists, the frame is *spatial* (fixed) or *body* (moving), and
-    /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes the one to the other.
+    /// `torque` is taken about the origin of the frame, and both vectors are in its axes. As with
+    /// twists, the frame is *spatial* (fixed) or *body* (moving).
+    /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes a body wrench to the spatial
+    /// wrench.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
     #[doc(alias("force", "spatial_force"))]
     pub struct Wrench<T> {
-        /// f
+        /// The force f.
         pub force: [T; 3],
-        /// τ, about the frame's origin.
+        /// The torque τ about the frame's origin.
         pub torque: [T; 3],
     }
 }
 
 impl<T: Copy + Add<Output = T> + Mul<Output = T>> Wrench<T> {
-    /// The product f·v + τ·ω, the power of this wrench on a body that moves with `twist`: the
-    /// same number in every frame, as long as both are in the same one.
+    /// Returns f·v + τ·ω, the power of this wrench on a body that moves with `twist`. Both must
+    /// be given in the same frame; the power does not depend on which frame it is.
     ///
     /// ```
     /// use dq8::{Twist, geometry::Wrench};

@@ -1,4 +1,5 @@
-//! Numbers of the scalar reference, [`Real`], whose functions have the same bits everywhere.
+//! The element types of the scalar reference, [`Real`]. Their functions have the same bits on every
+//! machine.
 
 mod real;
 #[cfg(any(feature = "std", feature = "libm"))]

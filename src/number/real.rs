@@ -1,5 +1,5 @@
-//! [`Real`], the numbers that the scalar reference computes with, and its implementations for `f32`
-//! and `f64`, whose trigonometry has the same bits on every machine.
+//! [`Real`], the element types of the scalar reference, and its implementations for `f32` and
+//! `f64`, whose trigonometry has the same bits on every machine.
 
 #[cfg(any(feature = "std", feature = "libm"))]
 use super::sine;
@@ -7,19 +7,19 @@ use crate::quick::Quick;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A number that the scalar reference computes with: `f32`, `f64`, or one of your own.
+/// An element type of the scalar reference: `f32`, `f64`, or a type of your own.
 ///
-/// The functions of `f32` and `f64` are those of one version of the crate `libm`, but for sine,
-/// cosine and tangent of `f32`, which it would compute in `f64`. The standard library has those of
-/// the platform, whose bits differ between machines.
+/// The functions of `f32` and `f64` are those of one version of the crate `libm`, except for sine,
+/// cosine and tangent of `f32`, which `libm` would compute in `f64`. The standard library calls the
+/// functions of the platform, whose bits differ between machines.
 ///
-/// Accuracy is promised, and tested, for these two. [`Dual`](crate::Dual) numbers over any `Real`
-/// are `Real` too, so all code for any `R: Real`, such as the operations of this crate, can be
-/// differentiated. A number that counts its operations is another use. Kernels over memory and
-/// lanes are for `f32` and `f64` alone ([`Scalar`]).
+/// Accuracy is promised and tested for `f32` and `f64`. [`Dual`](crate::Dual) numbers over any
+/// `Real` are `Real` too, so all code for any `R: Real`, such as the operations of this crate, can
+/// be differentiated. Another use is a type that counts its operations. Kernels over memory and
+/// lanes take `f32` and `f64` alone ([`Scalar`]).
 ///
-/// In an implementation `==`, the comparisons, `abs` and `is_finite` must agree with each other,
-/// because operations recognise edge cases by them.
+/// In every implementation `==`, the comparisons, `abs` and `is_finite` must be consistent, because
+/// operations detect edge cases with them.
 pub trait Real:
     Copy
     + 'static
@@ -53,17 +53,17 @@ pub trait Real:
     const PI: Self;
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;
-    /// NaN, the answer of unchecked operations where the result does not exist.
+    /// NaN, which unchecked operations return where the result does not exist.
     const NAN: Self;
 
     /// Returns the number of this type that is nearest to `value`.
     fn from_f64(value: f64) -> Self;
     /// Returns `true` if the value is neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// The value without its sign.
+    /// Returns the absolute value.
     #[must_use]
     fn abs(self) -> Self;
-    /// The larger of the two; NaN if either is NaN, unlike `f32::max`.
+    /// Returns the larger value, or NaN if either is NaN, unlike `f32::max`.
     #[must_use]
     fn max_or_nan(self, other: Self) -> Self {
         if self > other || self.is_nan() { self } else { other }
@@ -75,25 +75,25 @@ pub trait Real:
     /// √x
     #[must_use]
     fn sqrt(self) -> Self;
-    /// sin x, radians
+    /// sin x, with x in radians.
     #[must_use]
     fn sin(self) -> Self;
-    /// cos x, radians
+    /// cos x, with x in radians.
     #[must_use]
     fn cos(self) -> Self;
-    /// tan x, radians
+    /// tan x, with x in radians.
     #[must_use]
     fn tan(self) -> Self;
-    /// arcsin x, radians
+    /// arcsin x, in radians.
     #[must_use]
     fn asin(self) -> Self;
-    /// arccos x, radians
+    /// arccos x, in radians.
     #[must_use]
     fn acos(self) -> Self;
-    /// arctan x, radians
+    /// arctan x, in radians.
     #[must_use]
     fn atan(self) -> Self;
-    /// The angle of the point (`x`, `self`), radians
+    /// The angle of the point (`x`, `self`), in radians.
     #[must_use]
     fn atan2(self, x: Self) -> Self;
     /// eˣ
@@ -112,7 +112,8 @@ pub trait Real:
     }
 }
 
-/// Implements each function by the function of a library, which no common trait can name.
+/// Implements each function of [`Real`] by a function of a library. A macro is needed because `f32`
+/// and `f64` share no trait with these functions.
 macro_rules! real {
     ($real:ident, $($name:ident = $home:ident :: $other:ident ( $($argument:ident),* );)*) => {
         impl Real for $real {
@@ -142,8 +143,9 @@ macro_rules! real {
             fn sqrt(self) -> Self {
                 $real::sqrt(self)
             }
-            // This is not `libm`'s square root, which does not use the instruction of
-            // microcontrollers. `dq8-simd` does, by `asm!`, which this crate forbids.
+            // The square root of `libm` is not used, because it does not use the instruction of
+            // microcontrollers. `dq8-simd` uses this instruction by `asm!`, which this crate
+            // forbids.
             #[cfg(not(feature = "std"))]
             #[inline]
             fn sqrt(self) -> Self {
@@ -159,8 +161,9 @@ macro_rules! real {
                 fn $name(self $(, $argument: Self)*) -> Self {
                     $home::$other(self $(, $argument)*)
                 }
-                // This body is for builds without `std` and `libm`, which `lib.rs` refuses with a
-                // message. It keeps the compiler from reporting other errors beside that message.
+                // This body is for builds without `std` and `libm`, which `lib.rs` rejects with a
+                // message. Without this body the compiler would report other errors beside that
+                // message.
                 #[cfg(not(any(feature = "std", feature = "libm")))]
                 fn $name(self $(, $argument: Self)*) -> Self {
                     $(let _ = $argument;)*
@@ -181,6 +184,6 @@ real! {
     atan = libm::atan(); atan2 = libm::atan2(x); exp = libm::exp(); ln = libm::log();
 }
 
-/// `f32` or `f64`: a number that lies in slices and in lanes. All operations over slices take it.
+/// `f32` or `f64`, the element types of slices and lanes. All operations over slices take them.
 pub trait Scalar: Real + dq8_simd::Float {}
 impl<R: Real + dq8_simd::Float> Scalar for R {}

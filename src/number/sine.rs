@@ -1,5 +1,6 @@
-//! Sine and cosine of `f32` in `f32`: those of `libm` compute in `f64`, which takes most
-//! microcontrollers a thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
+//! Sine and cosine of `f32`, computed in `f32`. The functions of `libm` compute in `f64`, which
+//! takes most microcontrollers a thousand instructions and 9 KB of code. `tests/sweep` has tried
+//! every float.
 
 /// sin x, within 1.06 units of the last place.
 #[inline]
@@ -22,14 +23,14 @@ pub(crate) fn tan(x: f32) -> f32 {
     of_quarter(quarters, rest) / of_quarter(quarters.wrapping_add(1), rest)
 }
 
-/// A value as the sum of a float and a small correction.
+/// A value as the sum of a float, `number`, and a small correction, `missing`.
 #[derive(Clone, Copy)]
 struct Precise {
     number: f32,
     missing: f32,
 }
 
-/// sin(kπ/2 + r) for |r| ≤ π/4, by the polynomials of Cephes (Moshier 1984).
+/// Returns sin(kπ/2 + r) for |r| ≤ π/4, by the polynomials of Cephes (Moshier 1984).
 #[inline]
 fn of_quarter(k: u32, r: Precise) -> f32 {
     let Precise { number: r, missing } = r;
@@ -45,15 +46,16 @@ fn of_quarter(k: u32, r: Precise) -> f32 {
     if k & 2 == 0 { value } else { -value }
 }
 
-/// The number of quarter turns nearest to x, modulo 4, and the rest. NaN unless x is finite.
+/// Returns the number of quarter turns nearest to x, modulo 4, and the remaining angle in radians,
+/// which is NaN unless x is finite.
 ///
-/// Inlined with its callers, so that a sine and a cosine of one angle share it.
+/// This is inlined, so that the sine and the cosine of one angle share the reduction.
 ///
-/// In integers (Payne and Hanek 1983), because the rest of a large number, or of one close to a
-/// quarter turn, needs more bits than a float has.
+/// The computation is in integers (Payne and Hanek 1983), because the remainder of a large x, or of
+/// an x close to a multiple of a quarter turn, needs more bits than a float has.
 #[inline]
 fn reduce(x: f32) -> (u32, Precise) {
-    /// The first 224 bits of 2/π, after 32 zeros.
+    /// These are the first 224 bits of 2/π, after 32 zeros.
     const TWO_OVER_PI: [u32; 8] = [
         0,
         0xa2f9_836e,
@@ -64,7 +66,7 @@ fn reduce(x: f32) -> (u32, Precise) {
         0x3c43_9041,
         0xfe51_63ab,
     ];
-    /// π/2 · 2³¹
+    /// This is π/2 · 2³¹.
     const HALF_PI: u64 = 0xc90f_daa2;
 
     if x.abs() <= core::f32::consts::FRAC_PI_4 {
@@ -73,8 +75,8 @@ fn reduce(x: f32) -> (u32, Precise) {
     if !x.is_finite() {
         return (0, Precise { number: f32::NAN, missing: 0.0 });
     }
-    // The number is m · 2ᵏ, −24 ≤ k ≤ 104. Bits of 2/π that it makes multiples of 4 are
-    // whole turns; of the others the next 96 are enough.
+    // x is ±m · 2ᵏ with −24 ≤ k ≤ 104. Bits of 2/π whose product with 2ᵏ is a multiple
+    // of 4 stand for whole turns and are skipped; the next 96 bits are enough.
     let bits = x.to_bits();
     let m = u64::from(bits & 0x7f_ffff | 0x80_0000);
     let skip = ((bits >> 23) & 0xff).wrapping_sub(150 - 30);
@@ -83,19 +85,19 @@ fn reduce(x: f32) -> (u32, Precise) {
         let pair = at(skip / 32 + i) << 32 | at(skip / 32 + i + 1);
         (pair << (skip % 32)) >> 32
     };
-    // The product counts quarter turns, with two bits before the binary point and 62 after it.
+    // `product` counts quarter turns, with two bits before the binary point and 62 after it.
     let product = ((m * word(0)) << 32).wrapping_add(m * word(1)).wrapping_add((m * word(2)) >> 32);
     let quarters = product.wrapping_add(1 << 61) >> 62;
     let rest = product.wrapping_sub(quarters << 62).cast_signed();
 
-    // The 32 leading bits of the rest, in radians, are split into 24 bits that fit a float and the
-    // remaining bits.
+    // The 32 leading bits of the remainder, in radians, are split into 24 bits that fit a float and
+    // the remaining bits.
     let size = rest.unsigned_abs();
     let shift = size.leading_zeros();
     let leading = (size << shift) >> 32;
     let radians = leading * HALF_PI;
-    // leading/2³² · 2^(64 − shift) · 2⁻⁶² quarter turns are radians · 2^(−61 −
-    // shift).
+    // `leading`/2³² · 2^(64 − shift) · 2⁻⁶² quarter turns are `radians` · 2^(−61 −
+    // shift) radians.
     let number = (radians >> 40) as u32;
     let missing = ((radians >> 16) as u32) & 0xff_ffff;
     let unit = f32::from_bits((127 + 40 - 61 - shift) << 23);

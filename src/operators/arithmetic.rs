@@ -1,5 +1,5 @@
-//! Arithmetic beyond the textbook's own operators: `*=`, numbers as factors, references, sums and
-//! products of iterators, and components by number.
+//! Arithmetic beyond the operators `+`, `-` and `*` on values: `*=`, real numbers as factors,
+//! references, sums and products of iterators, and components by index.
 
 use crate::geometry::{DualVector, Twist};
 use crate::number::Real;
@@ -33,7 +33,7 @@ assign! {
 
 macro_rules! factors {
     ($($thing:ident)*) => {$(
-        /// Every component times a number.
+        /// Multiplies every component by a number.
         impl<R: Real> Mul<R> for $thing<R> {
             type Output = Self;
             #[inline]
@@ -47,7 +47,7 @@ macro_rules! factors {
                 *self = *self * factor;
             }
         }
-        /// Every component times the reciprocal of a number.
+        /// Multiplies every component by the reciprocal of a number.
         impl<R: Real> Div<R> for $thing<R> {
             type Output = Self;
             #[inline]
@@ -67,7 +67,7 @@ factors! { Quat DualQuat Twist DualVector }
 
 macro_rules! left_factors {
     ($($real:ident $thing:ident),*) => {$(
-        /// A number times every component.
+        /// Multiplies every component by a number, which stands on the left.
         impl Mul<$thing<$real>> for $real {
             type Output = $thing<$real>;
             #[inline]
@@ -82,7 +82,7 @@ left_factors! {
     f64 Quat, f64 DualQuat, f64 Twist, f64 DualVector
 }
 
-/// [`Quat::rotate`], as glam and nalgebra write it.
+/// Turns a vector by [`Quat::rotate`]; glam and nalgebra write it like this.
 impl<R: Real> Mul<[R; 3]> for Quat<R> {
     type Output = [R; 3];
     #[inline]
@@ -91,7 +91,7 @@ impl<R: Real> Mul<[R; 3]> for Quat<R> {
     }
 }
 
-/// [`DualQuat::mul_rotation_translation`]
+/// Calls [`DualQuat::mul_rotation_translation`].
 impl<R: Real> Mul<RotationTranslation<R>> for DualQuat<R> {
     type Output = Self;
     #[inline]
@@ -100,8 +100,8 @@ impl<R: Real> Mul<RotationTranslation<R>> for DualQuat<R> {
     }
 }
 
-// `&a * &b`, `a * &b`, `&a * b`, `a *= &b`, `-&a`. `Dual` has none: with a second product, the type
-// of the factor in `x * Real::HALF` would be ambiguous.
+// These are `&a * &b`, `a * &b`, `&a * b`, `a *= &b` and `-&a`. `Dual` has no operators on
+// references: with a second product, the type of the factor in `x * Real::HALF` would be ambiguous.
 macro_rules! references {
     ($($thing:ident: $($trait:ident $method:ident $assign:ident $method_assign:ident),*;)*) => {$($(
         impl<R: Real> $trait<&Self> for $thing<R> {
@@ -185,7 +185,7 @@ macro_rules! index {
         #[doc = $order]
         ///
         /// # Panics
-        /// Beyond the last component.
+        /// If the index is beyond the last component.
         impl<R: Real> Index<usize> for $thing<R> {
             type Output = R;
             #[inline]
@@ -197,7 +197,7 @@ macro_rules! index {
         #[doc = $order]
         ///
         /// # Panics
-        /// Beyond the last component.
+        /// If the index is beyond the last component.
         impl<R: Real> IndexMut<usize> for $thing<R> {
             #[inline]
             #[track_caller]

@@ -1,11 +1,11 @@
-//! The operators of `core` on the plain types, as far as the textbook's own (`+`, `-`, `*` of
-//! values, in `scalar`, `geometry` and `representation`) imply them: `*=`, references, numbers as
-//! factors, sums and products of iterators, indices.
+//! The operators of `core` on the plain types that follow from `+`, `-` and `*` on values, which
+//! `scalar`, `geometry` and `representation` implement: `*=`, references, real numbers as factors,
+//! sums and products of iterators, indices.
 //!
-//! With them conversions from and to arrays, and text.
+//! Conversions from and to arrays, and text, are here too.
 //!
-//! Macros list the types: a trait of another crate cannot be implemented for all types that have
-//! something.
+//! Macros list the types, because Rust does not allow a trait of another crate to be implemented
+//! for all types that satisfy a bound.
 
 mod arithmetic;
 mod convert;

@@ -1,5 +1,5 @@
-//! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads it
-//! back to the last bit.
+//! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads this
+//! text back to the last bit.
 
 use crate::geometry::Twist;
 use crate::macros::{Count, errors};
@@ -10,20 +10,20 @@ use core::fmt;
 use core::str::FromStr;
 
 errors! {
-    /// The error of text that is not a list of the expected number of numbers.
+    /// The error for text that is not a list of the expected length, or not of numbers.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     ParseError {
-        /// The entry at this place of the list is not a number.
+        /// An entry of the list is not a number.
         NotANumber {
-            /// Its place among the numbers, from 0 on.
+            /// The index of the entry.
             index: usize,
         } => "element {index} of the list is not a number";
         /// The list has the wrong length.
         Count {
-            /// Their number.
+            /// The length of the list.
             found: usize,
-            /// The number that there must be.
+            /// The length that the list must have.
             expected: usize,
         } => "the list has {} where {expected} are needed", Count(*found, "number");
     }
@@ -77,7 +77,7 @@ macro_rules! text {
             }
         }
         #[doc = $order]
-        /// Commas or spaces between the numbers; the brackets may be left out.
+        /// Parses numbers that are separated by commas or spaces. The brackets may be left out.
         impl<R: Real + FromStr> FromStr for $thing<R> {
             type Err = ParseError;
             fn from_str(text: &str) -> Result<Self, ParseError> {

@@ -6,9 +6,10 @@ use crate::number::Real;
 use crate::quick;
 
 impl<R: Real> Quat<R> {
-    /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, normalized (Shoemake
-    /// 1985). `t` = 0 gives `self`, 1 gives ±`other`. On the same arc as [`slerp`](Self::slerp),
-    /// cheaper, and not at constant speed. NaN if the sum is zero.
+    /// Normalized linear interpolation from `self` (a) to ±`other` (b) by the shorter way:
+    /// (1−t)a ± tb, normalized (Shoemake 1985). `t` = 0 gives `self`, and 1 gives ±`other`. The
+    /// path is the arc of [`slerp`](Self::slerp); this is cheaper, but the speed is not constant.
+    /// The result is NaN if the sum is zero.
     #[inline]
     #[doc(alias("lerp"))]
     pub fn nlerp(self, other: Self, t: R) -> Self {
@@ -18,10 +19,11 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, exactly normalized, the
-    /// sign such that the two do not point apart (Tarini, slide 127). `t` = 0 gives `self`, 1 gives
-    /// ±`other`. Cheaper than [`sclerp`](Self::sclerp), with the same path of the real part but
-    /// not the same speed.
+    /// Normalized linear interpolation from `self` (a) to ±`other` (b) by the shorter way:
+    /// (1−t)a ± tb, exactly normalized, with the sign for which the real parts have a scalar
+    /// product that is not negative (Tarini, slide 127). `t` = 0 gives `self`, and 1 gives
+    /// ±`other`. It is cheaper than [`sclerp`](Self::sclerp); the real part takes the same path,
+    /// but not with the same speed.
     ///
     /// Every component is NaN if the result cannot be normalized.
     ///
@@ -42,17 +44,18 @@ impl<R: Real> DualQuat<R> {
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
     }
 
-    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, each sign turned toward
-    /// the first motion (Kavan et al. 2008, "DLB"). Cheaper than [`dib`](Self::dib), the mean in
-    /// earnest, from which the blend of two motions turns away by at most 8.15°.
+    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, with each sign turned
+    /// toward the first motion (Kavan et al. 2008, "DLB"). It is cheaper than the intrinsic mean
+    /// [`dib`](Self::dib). For two motions, the rotation of the blend differs from the rotation of
+    /// the mean by at most 8.15°.
     ///
-    /// The weights need not sum to one, because the sum is normalized: all of them times any number
-    /// but zero give the same motion. A negative weight moves the blend away from its motion. Where
-    /// weights sum to zero the result is of no use, and often NaN. Weights that are so small that a
-    /// product with a component is below the normal numbers lose digits, as such numbers do.
+    /// The weights need not sum to one, because the sum is normalized: multiplying all weights by
+    /// one factor, not zero, gives the same motion. A negative weight moves the blend away from its
+    /// motion. Where the weights sum to zero, the result is of no use and often NaN. If weights are
+    /// so small that their products with components are subnormal, the result loses digits.
     ///
-    /// `None` without influences; every component is NaN if the sum cannot be normalized: its real
-    /// part is zero, as when the weights cancel, or a component is not finite.
+    /// Returns `None` without influences. Every component is NaN if the sum cannot be normalized,
+    /// because its real part is zero (as when the weights cancel) or a component is not finite.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -69,13 +72,13 @@ impl<R: Real> DualQuat<R> {
 
     /// Blends like [`dlb`](Self::dlb), but turns each sign toward the sum of the motions before it.
     /// This is for influences that do not cluster about the first one, or whose first weight may be
-    /// zero. Where the two are exactly at right angles (half a turn apart) the sign is kept. The
-    /// result depends on the order of the influences where they span more than half a turn. The
-    /// weights need not sum to one, but no sum on the way should be negative: it would point away
-    /// from its motions. Tarini's slide 127 turns signs for two; for more, this is one way to go
-    /// on.
+    /// zero. A motion exactly half a turn from the sum keeps its sign. The result depends on the
+    /// order of the influences if they span more than half a turn. The weights need not sum to one,
+    /// but no partial sum of the weights should be negative: the partial sum of the motions would
+    /// then point away from its motions. Tarini's slide 127 turns the signs of two motions; this is
+    /// one way to extend the rule to more.
     ///
-    /// `None` without influences; every component is NaN if the sum cannot be normalized.
+    /// Returns `None` without influences. Every component is NaN if the sum cannot be normalized.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -97,15 +100,15 @@ impl<R: Real> DualQuat<R> {
         Some(sum.normalize())
     }
 
-    /// σ or −σ, the same motion: the one on the side of `pivot`.
+    /// Returns σ or −σ, which are the same motion: the sign on the side of `pivot`.
     #[inline]
     pub(super) fn toward(self, pivot: Self) -> Self {
         if self.real().dot(pivot.real()) < R::ZERO { -self } else { self }
     }
 }
 
-/// The sum of influences, each with the sign that turns it toward the first: normalized,
-/// [`DualQuat::dlb`].
+/// Returns the weighted sum of influences, each with the sign that turns it toward the first
+/// motion. [`DualQuat::dlb`] is this sum, normalized.
 #[inline]
 pub fn weighted_sum<R: Real>(
     mut influences: impl Iterator<Item = (DualQuat<R>, R)>,
@@ -119,28 +122,30 @@ pub fn weighted_sum<R: Real>(
 }
 
 impl<R: Real> DualQuat<R> {
-    /// Dual quaternion iterative blending: the intrinsic mean b of unit motions σᵢ, which is
-    /// where the weighted screws to all of them cancel, Σ wᵢ log(b*σᵢ) = 0 (Kavan et al.
-    /// 2008, "DIB"; for rotations Buss and Fillmore 2001).
+    /// Dual quaternion iterative blending. It finds the intrinsic mean b of unit motions σᵢ, the
+    /// motion at which the weighted screws to all of them cancel, Σ wᵢ log(b*σᵢ) = 0 (Kavan
+    /// et al. 2008, "DIB"; for rotations Buss and Fillmore 2001).
     ///
-    /// From the linear blend [`dlb`](Self::dlb), b ← b exp(x) with x = Σ wᵢ log(b*σᵢ) / Σ
-    /// wᵢ until the step x = a + εb turns by no more than `tolerance`, 2|a| ≤ `tolerance`
-    /// radians, and moves by no more than `tolerance` times the longest translation, |b| ≤
-    /// `tolerance`·max |qᵢ| (|tᵢ| = 2|qᵢ|). The two are compared apart, and neither depends
-    /// on the unit of length. A tolerance of a few [`EPSILON`](Real::EPSILON) is as small as
-    /// rounding allows. Where the longest translation times it is below the smallest number, no
-    /// step but zero is short enough, and `converged` may be false.
+    /// The iteration starts from the linear blend [`dlb`](Self::dlb) and sets b ← b exp(x) with
+    /// x = Σ wᵢ log(b*σᵢ) / Σ wᵢ. It ends when the step x = a + εb turns by no more than
+    /// `tolerance`, 2|a| ≤ `tolerance` radians, and moves by no more than `tolerance` times the
+    /// longest translation, |b| ≤ `tolerance`·max |qᵢ| (|tᵢ| = 2|qᵢ|). Angle and length
+    /// are compared separately, so the test does not depend on the unit of length. The smallest
+    /// tolerance that rounding allows is a few [`EPSILON`](Real::EPSILON). If `tolerance` times the
+    /// longest translation is below the smallest float, only a step of zero is short enough, and
+    /// `converged` may be false.
     ///
     /// Each step multiplies the error by a factor that shrinks with the square of the spread:
     /// influences within 40° of a common pose take at most 3 steps to 10⁻⁶ and 8 to
-    /// 2·10⁻¹⁵. The mean of two is [`sclerp`](Self::sclerp), in one step. It moves with the
-    /// influences, c·dib(σᵢ) = dib(cσᵢ), and the same for a motion c on the right. Each log
-    /// takes the shorter way, so signs do not matter; where influences lie more than a quarter of a
-    /// turn from the mean, there may be several.
+    /// 2·10⁻¹⁵. The mean of two motions is their [`sclerp`](Self::sclerp), found in one step.
+    /// The mean moves with the influences, c·dib(σᵢ) = dib(cσᵢ), and likewise for a motion c
+    /// on the right. Each logarithm takes the shorter way, so signs do not matter. If influences
+    /// lie more than a quarter of a turn from the mean, there may be several means.
     ///
-    /// The weights need not sum to one; all of them times any number give the same motion. Where
-    /// they sum to zero the mean does not exist: components are NaN, or `converged` is false. NaN
-    /// and infinities in a motion or a weight give NaN. `None` without influences.
+    /// The weights need not sum to one; multiplying all weights by one factor gives the same
+    /// motion. Where they sum to zero the mean does not exist: components are NaN, or `converged`
+    /// is false. NaN and infinities in a motion or a weight give NaN. The function returns `None`
+    /// without influences.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -165,7 +170,7 @@ impl<R: Real> DualQuat<R> {
         dib(influences.iter().copied(), tolerance, max_iterations)
     }
 
-    /// Σ wᵢ log(σ*σᵢ) / Σ wᵢ
+    /// Returns the mean logarithm Σ wᵢ log(σ*σᵢ) / Σ wᵢ.
     #[inline]
     fn mean_log(self, influences: impl Iterator<Item = (Self, R)>, total: R) -> DualVector<R> {
         let mut mean = DualVector { real: [R::ZERO; 3], dual: [R::ZERO; 3] };
@@ -177,7 +182,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// [`DualQuat::dib`] of influences that are not in one slice: C has weights apart.
+/// Computes [`DualQuat::dib`] of influences from an iterator. The C interface needs it, because it
+/// gets the weights in an array of their own.
 #[inline]
 #[doc(alias("average", "mean", "karcher_mean", "frechet_mean"))]
 pub fn dib<R: Real>(

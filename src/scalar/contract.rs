@@ -1,4 +1,4 @@
-//! The contracts that the types of this room keep.
+//! Implementations of the contract traits for the types of the scalar reference.
 
 use super::{Dual, DualQuat, Quat};
 use crate::contract::sealed::Sealed;

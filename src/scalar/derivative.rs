@@ -1,15 +1,16 @@
-//! Velocity: σ̇ from twists and back, and integration of a constant twist.
+//! Velocity: σ̇ from twists, twists from σ̇, and integration of a constant twist.
 
 use super::{Dual, DualQuat, Quat, vector};
 use crate::geometry::{DualVector, Twist};
 use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv: fixed axes, v = ṫ − ω × t is the
-    /// velocity of the point of the body that is at the fixed origin. Jia has no twist: put into
-    /// his eq. 45, which is [`derivative_from_velocity`](Self::derivative_from_velocity), this v
-    /// makes the product. ω is in radians per unit of time, v in lengths per unit of time. Linear
-    /// in both, so σ need not be unit.
+    /// Returns σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv, whose axes are fixed. Its
+    /// linear part v = ṫ − ω × t is the velocity of the point of the body that is at the
+    /// fixed origin. Jia has no twist; with this v his eq. 45, which is
+    /// [`derivative_from_velocity`](Self::derivative_from_velocity), becomes this product. ω is in
+    /// radians per unit of time, v in lengths per unit of time. The formula is linear in σ and ξ,
+    /// so σ need not be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -24,10 +25,10 @@ impl<R: Real> DualQuat<R> {
         (pure(twist) * self).scale(R::HALF)
     }
 
-    /// σ̇ = ½σξ for the *body* twist ξ = ω + εv: the axes and the origin of the moving
-    /// frame, v is ṫ in those axes. Units as for
-    /// [`derivative_spatial`](Self::derivative_spatial), whose twist is Ad_σ of this one (Murray,
-    /// Li, Sastry 1994, §2.4).
+    /// Returns σ̇ = ½σξ for the *body* twist ξ = ω + εv, in the axes and about the origin
+    /// of the moving frame: v is ṫ in these axes. ω is in radians per unit of time, v in lengths
+    /// per unit of time. The spatial twist of the same velocity is Ad_σ ξ (Murray, Li, Sastry
+    /// 1994, §2.4).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -42,9 +43,9 @@ impl<R: Real> DualQuat<R> {
         (self * pure(twist)).scale(R::HALF)
     }
 
-    /// The spatial twist 2σ̇σ* of a unit σ that changes by σ̇ per unit of time; undoes
-    /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar
-    /// parts, zero where σ̇ keeps σ unit, are dropped. Jia's eq. 45 solved for the twist.
+    /// Returns the spatial twist 2σ̇σ* of a unit σ that changes by σ̇ per unit of time (Jia's
+    /// eq. 45 solved for the twist). It undoes [`derivative_spatial`](Self::derivative_spatial).
+    /// The scalar parts of the product are dropped; they are zero if σ̇ keeps σ unit.
     #[inline]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
@@ -52,8 +53,9 @@ impl<R: Real> DualQuat<R> {
         of_pure((derivative * self.conjugate()).scale(R::TWO))
     }
 
-    /// The body twist 2σ*σ̇ of a unit σ that changes by σ̇ per unit of time; undoes
-    /// [`derivative_body`](Self::derivative_body), as [`spatial_twist`](Self::spatial_twist) does.
+    /// Returns the body twist 2σ*σ̇ of a unit σ that changes by σ̇ per unit of time. It
+    /// undoes [`derivative_body`](Self::derivative_body). The scalar parts of the product are
+    /// dropped; they are zero if σ̇ keeps σ unit.
     #[inline]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn body_twist(self, derivative: Self) -> Twist<R> {
@@ -61,10 +63,10 @@ impl<R: Real> DualQuat<R> {
         of_pure((self.conjugate() * derivative).scale(R::TWO))
     }
 
-    /// σ̇ = ½ωr + ½ε(ṫr + ½tωr) (Jia §9, after eq. 45): `angular` is ω in *fixed* axes,
-    /// radians per unit of time; `linear` is **ṫ**, the velocity of the body's own origin in
-    /// fixed axes, and not the linear part of a spatial twist, which is ṫ − ω × t. σ must be
-    /// unit.
+    /// Returns σ̇ = ½ωr + ½ε(ṫr + ½tωr) (Jia §9, after eq. 45). `angular` is ω in
+    /// *fixed* axes, in radians per unit of time. `linear` is **ṫ**, the velocity of the body's
+    /// own origin in fixed axes; the linear part of a spatial twist is ṫ − ω × t instead. σ
+    /// must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -85,12 +87,12 @@ impl<R: Real> DualQuat<R> {
         Self::new(rotating, (moving + t * rotating).scale(R::HALF))
     }
 
-    /// (ω, ṫ) of a unit σ that changes by σ̇ per unit of time: the angular velocity, and the
-    /// velocity of the body's own origin, both in fixed axes; undoes
+    /// Returns (ω, ṫ) of a unit σ that changes by σ̇ per unit of time: the angular velocity,
+    /// and the velocity of the body's own origin, both in fixed axes. It undoes
     /// [`derivative_from_velocity`](Self::derivative_from_velocity).
     ///
-    /// ω = 2ṙr* (Jia §9), and by the product rule on t = 2qp* (his eq. 24), ṫ = 2(q̇p* +
-    /// qṗ*).
+    /// The formulas are ω = 2ṙr* (Jia §9) and ṫ = 2(q̇p* + qṗ*), which follows from t =
+    /// 2qp* (Jia's eq. 24) by the product rule.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -102,8 +104,9 @@ impl<R: Real> DualQuat<R> {
         (angular.xyz(), moving.scale(R::TWO).xyz())
     }
 
-    /// The motion that a constant twist makes in unit time, exp(½ξ) (the half as in Jia eq. 43).
-    /// Any twist, radians and lengths per unit of time; undoes [`to_twist`](Self::to_twist).
+    /// Returns the motion that a constant twist makes in unit time, exp(½ξ) (the half as in Jia
+    /// eq. 43). The twist may be any, in radians and lengths per unit of time. This undoes
+    /// [`to_twist`](Self::to_twist).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -117,9 +120,10 @@ impl<R: Real> DualQuat<R> {
         Self::exp(half(twist))
     }
 
-    /// The constant twist that makes the motion in unit time, 2 log σ, |ω| ≤ π; spatial and
-    /// body are the same here. In other words, the logarithm of SE(3) in the usual units:
-    /// [`log`](Self::log) is that of the dual quaternion, half of it. σ must be unit.
+    /// Returns the constant twist that makes the motion in unit time, 2 log σ, with |ω| ≤ π.
+    /// The spatial and the body twist are the same here. This is the logarithm of SE(3) in the
+    /// usual units; [`log`](Self::log) is the logarithm of the dual quaternion, half as large. σ
+    /// must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -135,12 +139,12 @@ impl<R: Real> DualQuat<R> {
         Twist { angular: vector::scale(log.real, R::TWO), linear: vector::scale(log.dual, R::TWO) }
     }
 
-    /// The constant *body* twist that takes σ to `other` in unit time, 2 log(σ* other), by the
-    /// shorter way: |ω| ≤ π (the logarithm of X⁻¹Y in Lynch and Park 2017, section 9.2.1).
-    /// Radians and lengths per unit of time, in the axes of σ;
-    /// [`integrate_body`](Self::integrate_body) for unit time gives ±`other`. What a controller
-    /// feeds back as error of pose. Both must be unit; exactly half a turn apart either way is as
-    /// short.
+    /// Returns the constant *body* twist that takes σ to `other` in unit time by the shorter way,
+    /// 2 log(σ* other), with |ω| ≤ π (the logarithm of X⁻¹Y in Lynch and Park 2017, section
+    /// 9.2.1). It is in radians and lengths per unit of time, in the axes of σ;
+    /// [`integrate_body`](Self::integrate_body) for unit time gives ±`other`. Controllers feed
+    /// back this twist as the error of a pose. Both motions must be unit. If they are exactly half
+    /// a turn apart, both ways are equally short.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -158,9 +162,10 @@ impl<R: Real> DualQuat<R> {
         (self.conjugate() * other).to_twist()
     }
 
-    /// The pose of a body at σ after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact
-    /// for any step, `dt` of either sign (the solution of σ̇ = ½ξσ; Brockett 1984). Over many
-    /// steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now and then.
+    /// Returns the pose of a body at σ after the time `dt` with a constant *spatial* twist:
+    /// exp(½ξ dt) σ, the exact solution of σ̇ = ½ξσ for any step, with `dt` of either sign
+    /// (Brockett 1984). Over many steps the norm drifts by rounding alone, so
+    /// [`normalize`](Self::normalize) the pose now and then.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -175,8 +180,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_twist(twist.scale(dt)) * self
     }
 
-    /// The pose of a body at σ after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for
-    /// any step; as [`integrate_spatial`](Self::integrate_spatial), but for the side.
+    /// Returns the pose of a body at σ after the time `dt` with a constant *body* twist: σ
+    /// exp(½ξ dt), the exact solution of σ̇ = ½σξ for any step, with `dt` of either sign.
     #[inline]
     #[must_use]
     pub fn integrate_body(self, twist: Twist<R>, dt: R) -> Self {
@@ -184,20 +189,20 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// ω + εv as a dual quaternion without scalar parts.
+/// Returns ω + εv as a dual quaternion without scalar parts.
 #[inline]
 fn pure<R: Real>(twist: Twist<R>) -> DualQuat<R> {
     let vector = DualVector { real: twist.angular, dual: twist.linear };
     DualQuat::from_dual_parts(Dual::ZERO, vector)
 }
 
-/// Returns the vector parts as a twist. The scalar parts of σ̇σ* are zero for unit σ.
+/// Returns the vector parts of a dual quaternion as a twist, and drops the scalar parts.
 #[inline]
 fn of_pure<R: Real>(sigma: DualQuat<R>) -> Twist<R> {
     Twist { angular: sigma.real().xyz(), linear: sigma.dual().xyz() }
 }
 
-/// Returns half the twist, because quaternions carry half the angle.
+/// Returns half the twist, because the logarithm of a motion has half the angle and half the slide.
 #[inline]
 fn half<R: Real>(twist: Twist<R>) -> DualVector<R> {
     DualVector {

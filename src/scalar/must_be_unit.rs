@@ -1,16 +1,16 @@
 //! The check of the precondition "must be unit", which operations of `scalar::Quat` and
-//! `scalar::DualQuat` call first. It panics where the input is plainly not unit. Debug builds with
-//! `--cfg dq8_debug_assert_unit` judge; in all others these functions do nothing. A number that is
-//! not finite passes, because it shows by itself.
+//! `scalar::DualQuat` call first. In debug builds with `--cfg dq8_debug_assert_unit`, it panics if
+//! the input is clearly not unit; in all other builds these functions do nothing. Values that are
+//! not finite pass, because the result shows them anyway.
 
 use crate::number::Real;
 
 /// The largest error of |p|², and of p·q relative to max(1, |q|), that the check accepts. Drift
-/// stays far below it, and a forgotten normalization exceeds it.
+/// stays far below this limit, and a forgotten normalization exceeds it.
 const PLAINLY: f64 = 0.1;
 const JUDGES: bool = cfg!(all(dq8_debug_assert_unit, debug_assertions));
 
-/// Checks dual quaternions p + εq: |p| = 1 and p·q = 0.
+/// Checks that dual quaternions p + εq have |p| = 1 and p·q = 0.
 #[track_caller]
 #[inline(always)]
 pub(crate) fn motions<R: Real, const N: usize>(operation: &str, motions: [impl AsRef<[R; 8]>; N]) {
@@ -27,7 +27,7 @@ pub(crate) fn motions<R: Real, const N: usize>(operation: &str, motions: [impl A
     }
 }
 
-/// Checks quaternions: |q| = 1.
+/// Checks that quaternions q have |q| = 1.
 #[track_caller]
 #[inline(always)]
 pub(crate) fn rotations<R: Real, const N: usize>(
@@ -42,7 +42,7 @@ pub(crate) fn rotations<R: Real, const N: usize>(
     }
 }
 
-/// Checks an axis: |l| = 1.
+/// Checks that the vector `axis` has length 1.
 #[track_caller]
 #[inline(always)]
 pub(crate) fn axis<R: Real>(operation: &str, axis: [R; 3]) {

@@ -6,8 +6,9 @@ use crate::number::Real;
 use crate::quick;
 
 impl<R: Real> Quat<R> {
-    /// q⁻¹ = q*/|q|² of any q ≠ 0, unit or not: every component is NaN where q is zero or not
-    /// finite. For a unit q, [`conjugate`](Self::conjugate) is the same and cheaper.
+    /// Returns q⁻¹ = q*/|q|² of any q ≠ 0, unit or not. Every component is NaN if q is zero
+    /// or not finite. For a unit q, [`conjugate`](Self::conjugate) gives the same result and is
+    /// cheaper.
     ///
     /// ```
     /// use dq8::Quat;
@@ -21,15 +22,15 @@ impl<R: Real> Quat<R> {
         Self::from_array(vector::over_norm(unit.to_array(), self.norm()))
     }
 
-    /// `true` if ||q| − 1| ≤ `tolerance`; false where a component is not finite.
+    /// Returns `true` if ||q| − 1| ≤ `tolerance`, and `false` if a component is not finite.
     #[inline]
     #[must_use]
     pub fn is_unit(self, tolerance: R) -> bool {
         (self.norm() - R::ONE).abs() <= tolerance
     }
 
-    /// [`is_unit`](Self::is_unit) within 32 units of the last place: what a handful of products
-    /// leaves of a unit quaternion.
+    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place, which a
+    /// unit quaternion stays within after a few products.
     #[inline]
     #[must_use]
     pub fn is_normalized(self) -> bool {
@@ -38,8 +39,8 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The norm as a dual number, √(σσ*) = |p| + ε (p·q)/|p| (Jia eq. 18, Fabisch "Norm of a
-    /// Dual Quaternion"). For p = 0 it does not exist: the dual part is NaN.
+    /// Returns the norm as a dual number, √(σσ*) = |p| + ε (p·q)/|p| (Jia eq. 18, Fabisch
+    /// "Norm of a Dual Quaternion"). For p = 0 the norm does not exist: its dual part is NaN.
     ///
     /// ```
     /// use dq8::{Dual, DualQuat};
@@ -53,8 +54,8 @@ impl<R: Real> DualQuat<R> {
         Dual::new(norm, self.real().normalize().dot(self.dual()))
     }
 
-    /// Exact normalization, σ/√(σσ*): the real part to unit length *and* the dual part
-    /// orthogonal to it. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
+    /// Exact normalization, σ/√(σσ*): it makes |p| = 1 *and* q orthogonal to p. Every
+    /// component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[inline]
     #[must_use]
     pub fn normalize(self) -> Self {
@@ -64,8 +65,8 @@ impl<R: Real> DualQuat<R> {
         self.spilled_copy().unit_of_any_size().unwrap_or(Self::nan()).spilled_copy()
     }
 
-    /// Exact normalization in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
-    /// Dividing by |p| alone would leave a q that is not a translation.
+    /// Exact normalization in Fabisch's two steps: σ is divided by |p|, then the part of q along p
+    /// is removed. The division alone could leave a q that belongs to no translation.
     ///
     /// # Errors
     /// If p is zero, or a component of σ or of the result is not finite.
@@ -84,9 +85,9 @@ impl<R: Real> DualQuat<R> {
             .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
-    /// Returns the unit motion, or the norm of the real part if there is none. The norm is
-    /// converted to the `f64` of an error by the caller, because the conversion costs a library
-    /// call on targets without double precision.
+    /// Returns the unit motion, or the norm of the real part if there is none. The caller converts
+    /// this norm to the `f64` of an error, because the conversion costs a library call on targets
+    /// without double precision.
     #[inline]
     fn unit(self) -> Result<Self, R> {
         if let Some(unit) = R::quick(quick::Unit(self.to_array())) {
@@ -96,8 +97,8 @@ impl<R: Real> DualQuat<R> {
         self.spilled_copy().unit_of_any_size()
     }
 
-    /// This function is not inlined, because floats come here only if they are very large, very
-    /// small or NaN.
+    /// Normalizes a motion of any size. It is not inlined, because floats come here only if they
+    /// are very large, very small or NaN.
     #[inline(never)]
     fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.real().norm();
@@ -111,9 +112,9 @@ impl<R: Real> DualQuat<R> {
         if unit.to_array().iter().all(|c| c.is_finite()) { Ok(unit) } else { Err(norm) }
     }
 
-    /// `true` if σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤
-    /// tolerance·max(1, |q|) (Jia eqs. 20 and 21; the second grows with the translation). False
-    /// where a component is not finite.
+    /// Returns `true` if σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤
+    /// tolerance·max(1, |q|) (Jia eqs. 20 and 21; the second bound grows with the translation). It
+    /// returns `false` if a component is not finite.
     #[inline]
     #[must_use]
     pub fn is_unit(self, tolerance: R) -> bool {
@@ -123,17 +124,17 @@ impl<R: Real> DualQuat<R> {
         off <= tolerance && along <= tolerance * size && size.is_finite()
     }
 
-    /// [`is_unit`](Self::is_unit) within 32 units of the last place: what a handful of products
-    /// leaves of a unit motion.
+    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place, which a
+    /// unit motion stays within after a few products.
     #[inline]
     #[must_use]
     pub fn is_normalized(self) -> bool {
         self.is_unit(R::EPSILON * R::from(32.0))
     }
 
-    /// σ⁻¹ of any σ with p ≠ 0, unit or not: every component is NaN where
-    /// [`try_inverse`](Self::try_inverse) fails. For a unit σ, [`conjugate`](Self::conjugate) is
-    /// the same and cheaper.
+    /// Returns σ⁻¹ of any σ with p ≠ 0, unit or not. Every component is NaN where
+    /// [`try_inverse`](Self::try_inverse) fails. For a unit σ, [`conjugate`](Self::conjugate)
+    /// gives the same result and is cheaper.
     #[inline]
     #[must_use]
     #[doc(alias("inv"))]
@@ -144,7 +145,7 @@ impl<R: Real> DualQuat<R> {
         self.spilled_copy().reciprocal_of_any_size().unwrap_or(Self::nan()).spilled_copy()
     }
 
-    /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹ (Jia §4), p⁻¹ = p*/|p|².
+    /// Returns σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹ (Jia §4), where p⁻¹ = p*/|p|².
     ///
     /// # Errors
     /// If p is zero, or a component of σ or of the result is not finite.
