@@ -5,28 +5,29 @@ use crate::scalar::{DualQuat, vector};
 use core::ops::Mul;
 
 crate::macros::pod! {
-    /// A linear map and a translation, v ↦ Lv + t: what a 3×4 matrix can hold and a dual
-    /// quaternion cannot, scale, shear and reflection.
+    /// A linear map and a translation, v ↦ Lv + t. It holds scale, shear and reflection, which a
+    /// 3×4 matrix can hold and a dual quaternion cannot.
     ///
     /// # Why a dual quaternion cannot
     ///
     /// For any σ = p + εq, unit or not, σ(1 + εv)σ⋄ = pp* + ε(pvp* + qp* − pq*). The real
-    /// part is the number |p|², and the only term with v is pvp*: a rotation times |p|². As a
-    /// point, with the real part 1, it is that rotation and a translation, so *every* σ with p ≠
-    /// 0 keeps distances and handedness. A dual part that is not divided scales uniformly, by the
-    /// factor of Arends ch. 5 §6.1, but with a real part other than 1 it is not a point any more.
-    /// Nor does any other single product avb of quaternions: its norm is the product of the norms,
-    /// so it lengthens all vectors alike, and neither scales directions differently nor shears. A
-    /// reflection is one with another sign, nvn ([`reflection`](Self::reflection)).
+    /// part is the number |p|², and the only term with v is pvp*, a rotation times |p|². Divided
+    /// by |p|² to be a point again, with the real part 1, it is a rotation and a translation. So
+    /// *every* σ with p ≠ 0 keeps distances and handedness. If only the dual part is read and
+    /// nothing is divided, it scales uniformly, by the factor of Arends ch. 5 §6.1, but an
+    /// expression with a real part other than 1 is not a point. No other single product avb of
+    /// quaternions helps: its norm is the product of the norms, so it lengthens all vectors alike,
+    /// and neither scales directions differently nor shears. A reflection is such a product with
+    /// another sign, nvn ([`reflection`](Self::reflection)).
     ///
-    /// *Sums* of products do all of it, as sums avb are all linear maps of the quaternions. Arends'
-    /// own eq. 8, ½(v ∓ eve⁻¹) for what is across and along e, scales along e with a factor
-    /// on the second part, and v + (a/2)(v + jvj⁻¹)k shears, though his ch. 5 §6.1 and §6.3
-    /// say that quaternions cannot. But a sum is no longer a product of motions: it composes by
-    /// nothing simpler than matrices.
+    /// *Sums* of products can do all of this, because every linear map of the quaternions is a sum
+    /// of products avb. Arends' own eq. 8, ½(v ∓ eve⁻¹) for the parts of v orthogonal to e
+    /// and along e, scales along e if the second part gets a factor, and v + (a/2)(v + jvj⁻¹)k
+    /// shears, although his ch. 5 §6.1 and §6.3 say that quaternions cannot. But a sum is no
+    /// longer a product of motions: composing such sums is no simpler than multiplying matrices.
     ///
-    /// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them
-    /// apart.
+    /// So scale is stored beside the motion: [`try_decompose`](Self::try_decompose) splits a map
+    /// into a motion and a stretch.
     ///
     /// ```
     /// use dq8::{DualQuat, representation::Affine};
@@ -39,9 +40,9 @@ crate::macros::pod! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     pub struct Affine<R> {
-        /// L, rows.
+        /// The matrix L as rows.
         pub linear: [[R; 3]; 3],
-        /// t
+        /// The translation t.
         pub translation: [R; 3],
     }
 }
@@ -64,19 +65,19 @@ impl<R: Real> Affine<R> {
         translation: [R::ZERO; 3],
     };
 
-    /// A rigid motion; σ must be unit.
+    /// The map of a rigid motion. σ must be unit.
     #[must_use]
     pub fn from_motion(motion: DualQuat<R>) -> Self {
         Self { linear: motion.rotation().to_matrix3(), translation: motion.translation() }
     }
 
-    /// From the rows of [L | t].
+    /// Makes a map from the rows of [L | t].
     #[must_use]
     pub fn from_matrix3x4(rows: [[R; 4]; 3]) -> Self {
         Self { linear: rows.map(|[x, y, z, _]| [x, y, z]), translation: rows.map(|[.., t]| t) }
     }
 
-    /// The rows of [L | t].
+    /// Returns the rows of [L | t].
     #[must_use]
     pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
         core::array::from_fn(|row| {
@@ -85,22 +86,22 @@ impl<R: Real> Affine<R> {
         })
     }
 
-    /// v ↦ βv (Arends ch. 2 §7.1).
+    /// The map v ↦ βv with β = `factor` (Arends ch. 2 §7.1).
     #[must_use]
     pub fn uniform_scale(factor: R) -> Self {
         Self::scale([factor; 3])
     }
 
-    /// v ↦ (β_x x, β_y y, β_z z) (Arends ch. 2 §7.1).
+    /// The map v ↦ (β_x x, β_y y, β_z z) with the factors β (Arends ch. 2 §7.1).
     #[must_use]
     pub fn scale([x, y, z]: [R; 3]) -> Self {
         let (zero, translation) = (R::ZERO, [R::ZERO; 3]);
         Self { linear: [[x, zero, zero], [zero, y, zero], [zero, zero, z]], translation }
     }
 
-    /// v ↦ v + (n·v)s: the plane n·v = 1 slides by s, and the others in proportion. Arends'
-    /// shear along z (ch. 2 §7.3) has n = (0, 0, 1) and s = (a, b, 0). Volumes are kept if s is
-    /// orthogonal to n.
+    /// The map v ↦ v + (n·v)s, where s is `slide` and n is `normal`: the plane n·v = 1 slides
+    /// by s, and parallel planes slide in proportion. Arends' shear along z (ch. 2 §7.3) has n =
+    /// (0, 0, 1) and s = (a, b, 0). Volumes are kept if s is orthogonal to n.
     ///
     /// ```
     /// use dq8::representation::Affine;
@@ -115,9 +116,9 @@ impl<R: Real> Affine<R> {
         Self { linear, translation: [R::ZERO; 3] }
     }
 
-    /// v ↦ v − 2(n·v − d)n, the mirror image in the plane n·v = d, whose normal must have
-    /// length 1. For pure quaternions that is nvn + 2dn (Arends ch. 5 §6.2, p′ = qpq, which has
-    /// d = 0).
+    /// The map v ↦ v − 2(n·v − d)n, the mirror image in the plane n·v = d, whose normal
+    /// must have length 1. With pure quaternions it is nvn + 2dn (Arends ch. 5 §6.2 has p′ =
+    /// qpq, for d = 0).
     ///
     /// ```
     /// use dq8::{Plane, representation::Affine};
@@ -131,21 +132,22 @@ impl<R: Real> Affine<R> {
         Self { translation: vector::scale(twice, plane.offset), ..flip }
     }
 
-    /// The point Lv + t.
+    /// Returns the point Lv + t.
     #[must_use]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
         vector::add(self.transform_vector(point), self.translation)
     }
 
-    /// The direction Lv. Normals of surfaces do not move so, unless L is a rotation.
+    /// Returns the direction Lv. Normals of surfaces transform differently, unless L is a rotation.
     #[must_use]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
         self.linear.map(|row| vector::dot(row, vector))
     }
 
-    /// σ and S with Lv + t = σ applied to Sv: first a stretch along three orthogonal directions,
-    /// then a rigid motion, by the polar decomposition of L ([`Polar`]; Shoemake & Duff 1992). If
-    /// the map mirrors, S does: all its eigenvalues are negative.
+    /// Returns σ and S such that Lv + t is σ applied to Sv: first the stretch S along three
+    /// orthogonal directions, then the rigid motion σ. They come from the polar decomposition of L
+    /// ([`Polar`]; Shoemake & Duff 1992). If the map mirrors, S mirrors: all its eigenvalues are
+    /// negative.
     ///
     /// # Errors
     /// If an element is not finite, or L squeezes space into a line or a point.
@@ -161,7 +163,7 @@ impl<R: Real> Affine<R> {
     }
 }
 
-/// `other`, then `self`.
+/// Returns the map that applies `other` first, then `self`.
 impl<R: Real> Mul for Affine<R> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {

@@ -1,5 +1,5 @@
-//! Rotations from an axis and an angle (Kenwright §3.4), about the coordinate axes, and rotations
-//! and poses that are told by directions.
+//! Rotations from an axis and an angle (Kenwright §3.4), rotations about the coordinate axes, and
+//! rotations and poses that are given by directions.
 
 use super::OrthonormalError;
 use super::polar::gram_schmidt;
@@ -7,13 +7,13 @@ use crate::number::Real;
 use crate::scalar::{DualQuat, Quat, vector};
 
 impl<R: Real> Quat<R> {
-    /// The axis, of length 1, and the angle in [0, π] radians of a unit quaternion, n and θ of
-    /// ±q = cos(θ/2) + n sin(θ/2). Of ±q the [canonical](crate::DualQuat::canonical) one is
-    /// taken: w ≥ 0, and at half a turn, where both n and −n are axes, the first component of n
-    /// that is not zero is positive. No turn has the axis (1, 0, 0).
+    /// Returns the axis n, of length 1, and the angle θ in [0, π] radians of a unit quaternion,
+    /// where ±q = cos(θ/2) + n sin(θ/2). The [canonical](crate::DualQuat::canonical) one of ±q
+    /// is taken: w ≥ 0, and at half a turn, where both n and −n are axes, the first component
+    /// of n that is not zero is positive. The identity has the axis (1, 0, 0).
     ///
-    /// The angle is twice the arctangent of |n sin(θ/2)| and w, accurate for all angles, where
-    /// 2 arccos w loses half of the digits of a small one.
+    /// The angle is twice the arctangent of |n sin(θ/2)| and w, which is accurate for all angles.
+    /// The alternative 2 arccos w loses half of the digits of a small angle.
     ///
     /// ```
     /// use dq8::Quat;
@@ -33,8 +33,8 @@ impl<R: Real> Quat<R> {
         (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
     }
 
-    /// The turn by |v| radians about the direction of v, the exponential of v/2. Any v; the error
-    /// of a large angle is that of its rounding.
+    /// The turn by |v| radians about the direction of v, which is the exponential of v/2. The
+    /// vector v may be any; the error of a large angle is the error of its rounding.
     ///
     /// ```
     /// use dq8::Quat;
@@ -42,7 +42,8 @@ impl<R: Real> Quat<R> {
     /// ```
     #[doc(alias("from_rotvec", "rotvec", "rotation_vector", "exp3"))]
     pub fn from_scaled_axis(v: [R; 3]) -> Self {
-        // cos(θ/2) and sin(θ/2)/θ are 1 and ½ to the last place, and their derivatives finite.
+        // Here cos(θ/2) = 1 and sin(θ/2)/θ = ½ to the last place. These constants also keep the
+        // derivatives of dual numbers finite.
         if vector::dot(v, v) < R::EPSILON {
             return Self::from_parts(vector::scale(v, R::HALF), R::ONE);
         }
@@ -51,8 +52,8 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(v, half.sin() / angle), half.cos())
     }
 
-    /// The axis of a unit quaternion times the angle, of length [0, π], as
-    /// [`to_axis_angle`](Self::to_axis_angle) has them; zero for no turn.
+    /// Returns the axis of a unit quaternion times its angle, a vector with a length in [0, π].
+    /// Axis and angle are those of [`to_axis_angle`](Self::to_axis_angle). The identity gives zero.
     ///
     /// ```
     /// use dq8::Quat;
@@ -66,7 +67,8 @@ impl<R: Real> Quat<R> {
         crate::scalar::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
         let short = if self.points_back() { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());
-        // θ/sin(θ/2) is 2/cos(θ/2) to the last place, and its derivative finite.
+        // Here θ/sin(θ/2) = 2/cos(θ/2) to the last place. This form also keeps the derivatives
+        // of dual numbers finite.
         let scale = if squared < R::EPSILON {
             R::TWO / short.w()
         } else {
@@ -99,13 +101,14 @@ impl<R: Real> Quat<R> {
         Self::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle)
     }
 
-    /// The least turn that takes the direction of `from` to that of `to`, two vectors of any
-    /// length: with unit vectors a and b, and n along a × b, it is |a + b|/2 + n |b − a|/2
-    /// (after Kahan 2006). Where they are opposite there are many; this takes the axis most across
-    /// `from`. NaN for a zero vector.
+    /// The smallest turn that takes the direction of `from` to the direction of `to`, two vectors
+    /// of any length. For unit vectors a and b, with n along a × b, it is |a + b|/2 + n |b −
+    /// a|/2 (after Kahan 2006). Opposite directions have many such turns; the turn here is about an
+    /// axis orthogonal to `from`, next to the coordinate axis that is farthest from `from`. The
+    /// result is NaN for a zero vector.
     ///
-    /// The sum and the difference keep what a·b has lost, both of the smallest angles and near
-    /// half a turn.
+    /// The sum and the difference are accurate for the smallest angles and near half a turn, where
+    /// a·b has lost digits.
     ///
     /// ```
     /// use dq8::Quat;
@@ -121,8 +124,8 @@ impl<R: Real> Quat<R> {
         let length = vector::norm(across);
         let (cosine, sine) = (vector::norm(sum), vector::norm(difference));
         let axis = if length == R::ZERO {
-            // The directions are exactly opposite or the same. The sine is then zero, and any axis
-            // across will do.
+            // The directions are opposite or equal. Any axis across turns a direction into its
+            // opposite, and for equal directions the sine is zero, so the axis has no effect.
             vector::any_across(a)
         } else {
             vector::direction(across, length)
@@ -130,13 +133,13 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, sine), cosine).normalize()
     }
 
-    /// The rotation that takes the z axis to the direction `forward` and the y axis as near to `up`
-    /// as that allows; the lengths do not matter. Cameras that look along −z (glTF, OpenGL) give
-    /// −forward.
+    /// The rotation that takes the z axis to the direction `forward`, and the y axis as near to
+    /// `up` as possible. The lengths of the vectors do not matter. For cameras that look along −z
+    /// (glTF, OpenGL), pass −forward.
     ///
     /// # Errors
-    /// If a vector is zero (column 0 of the error is `forward`, 1 is `up`), not finite, or one is
-    /// along the other.
+    /// If a vector is zero (the error has column 0 for `forward` and 1 for `up`) or not finite, or
+    /// if the two vectors are parallel.
     ///
     /// ```
     /// use dq8::Quat;
@@ -158,8 +161,9 @@ impl<R: Real> Quat<R> {
         Ok(Self::from_matrix3(columns.map(|[z, y, side]| [-side, y, z])))
     }
 
-    /// Turns the signs of a sequence such that each is the nearer one of ±q to the one before:
-    /// both are the same rotation, but sums, differences and plots are of numbers. The first stays.
+    /// Changes signs in a sequence so that each quaternion is the one of ±q that is nearer to its
+    /// predecessor. Both are the same rotation, but sums, differences and plots depend on the sign.
+    /// The first quaternion keeps its sign.
     ///
     /// ```
     /// use dq8::Quat;
@@ -174,13 +178,13 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The pose at `eye` whose z axis points to `target`, and its y axis as near to `up` as that
-    /// allows: [`Quat::look_to`] and the translation. The inverse is the view transform of a camera
-    /// that looks along z.
+    /// The pose at `eye` whose z axis points to `target`, and whose y axis is as near to `up` as
+    /// possible: [`Quat::look_to`] with a translation. Its inverse is the view transform of a
+    /// camera that looks along z.
     ///
     /// # Errors
-    /// If `target` is `eye`, `up` is zero or along the way from one to the other, or a number is
-    /// not finite.
+    /// If `target` equals `eye`, `up` is zero or along the way from `eye` to `target`, or a
+    /// coordinate is not finite.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -194,7 +198,8 @@ impl<R: Real> DualQuat<R> {
         Ok(Self::from_rotation_translation(rotation, eye))
     }
 
-    /// [`Quat::make_continuous`] of motions: the nearer of ±σ by the real parts.
+    /// Changes signs like [`Quat::make_continuous`], so that the real part of each motion is the
+    /// nearer one to its predecessor.
     pub fn make_continuous(samples: &mut [Self]) {
         make_continuous(samples, |a, b| a.real().dot(b.real()));
     }

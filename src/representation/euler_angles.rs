@@ -5,9 +5,9 @@ use crate::scalar::{Quat, vector};
 
 /// Three turns about coordinate axes, one after the other (Kenwright §3.3; Arends ch. 2 §2).
 ///
-/// Good for typing a pose in and reading it out; compute with the quaternion. Euler angles do not
-/// commute, have no short way between two of them, and lose a degree of freedom where the first and
-/// the last axis meet: see [`EulerSolution`].
+/// Use them to type a pose in and to read it out, and compute with the quaternion. Euler angles do
+/// not commute, cannot be interpolated by the shortest way, and lose a degree of freedom where the
+/// first and the last axis coincide: see [`EulerSolution`].
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
@@ -20,36 +20,35 @@ use crate::scalar::{Quat, vector};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles<R> {
-    /// Radians, first turn first, about the axes of the order.
+    /// The angles in radians, first turn first, about the axes of the order.
     pub angles: [R; 3],
-    /// The axes, and whose.
+    /// The order of the axes, and whether the axes move with the body.
     pub order: EulerOrder,
 }
 
-/// The Euler angles of a rotation, and whether they are one choice of many.
+/// The Euler angles of a rotation, and a flag that says if other angles give the same rotation.
 ///
-/// Where the first and the last axis fall together (the middle angle at ±π/2 with three different
-/// axes, at 0 or π with a proper order), only the sum or the difference of the outer angles is
-/// known: *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products for θ = π/2
-/// and θ = 0). Within rounding of that the middle angle is exactly there, **the last angle is
-/// zero**, the first one has the whole turn, and `gimbal_lock` is set: the rotation does not have
-/// the missing number.
+/// If the first and the last axis coincide (the middle angle is ±π/2 with three different axes,
+/// or 0 or π with a proper order), only the sum or the difference of the outer angles is
+/// determined. This is *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products
+/// for θ = π/2 and θ = 0). Within rounding of gimbal lock, the middle angle has exactly this
+/// value, **the last angle is zero**, the first angle has the whole turn, and `gimbal_lock` is set.
 ///
-/// Near the lock the angles are still those of the rotation, but an error of δ in it moves the
-/// outer ones by δ over the sine of the angle between the two axes, and their sum or difference by
-/// δ only.
+/// Near gimbal lock the angles are still those of the rotation, but they are sensitive: an error δ
+/// of the rotation changes the outer angles by δ over the sine of the angle between the two axes.
+/// Their sum or difference changes by δ only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerSolution<R> {
-    /// The angles, with the order they were asked for.
+    /// The angles, in the order that the caller asked for.
     pub angles: EulerAngles<R>,
-    /// The first and the last axis are parallel within 4 units of the last place of 1, in radians,
-    /// so the last angle was chosen to be 0.
+    /// `true` if the first and the last axis are parallel within 4 units of the last place of 1, in
+    /// radians. The last angle was then chosen to be 0.
     pub gimbal_lock: bool,
 }
 
 impl<R: Real> EulerAngles<R> {
-    /// The unit quaternion of the three turns, in the order that the frame says
-    /// ([`EulerFrame`]). Any angles.
+    /// Returns the unit quaternion of the three turns in the given order. The angles may be any;
+    /// [`EulerFrame`] says which axes they turn about.
     pub fn to_quat(self) -> Quat<R> {
         let mut turns = [Quat::IDENTITY; 3];
         for (turn, (axis, angle)) in
@@ -68,7 +67,8 @@ impl<R: Real> EulerAngles<R> {
 }
 
 impl<R: Real> Quat<R> {
-    /// The turn of three Euler angles, first turn first: [`EulerAngles::to_quat`].
+    /// The rotation of three Euler angles, first turn first, as [`EulerAngles::to_quat`] computes
+    /// it.
     ///
     /// ```
     /// use dq8::{Quat, representation::{EulerAxes, EulerFrame, EulerOrder}};
@@ -80,8 +80,8 @@ impl<R: Real> Quat<R> {
         EulerAngles { angles: [first, second, third], order }.to_quat()
     }
 
-    /// The turn of roll about x, then pitch about y, then yaw about z, all of them fixed axes: what
-    /// URDF's `rpy` says.
+    /// The turn by roll about x, then pitch about y, then yaw about z, all about fixed axes. This
+    /// is the convention of URDF's `rpy`.
     ///
     /// ```
     /// use core::f64::consts::FRAC_PI_2;
@@ -97,22 +97,24 @@ impl<R: Real> Quat<R> {
         Self::from_euler(order, roll, pitch, yaw)
     }
 
-    /// The Euler angles of this unit quaternion, those of −q to the bit: the middle one in
-    /// [−π/2, π/2] if the three axes differ and in [0, π] if the last is the first again, the
-    /// outer ones in [−π, π]. NaN if a component is.
+    /// Returns the Euler angles of this unit quaternion; −q has the same angles to the last bit.
+    /// The middle angle is in [−π/2, π/2] if the three axes differ, and in [0, π] if the last
+    /// axis is the first one again. The outer angles are in [−π, π]. The angles are NaN if a
+    /// component is NaN.
     ///
-    /// Straight from the quaternion, without a matrix (Bernardes & Viollet 2022). With extrinsic
-    /// turns by α about i, β about j and γ about i, and k = ±i × j,
+    /// They are computed from the quaternion without a matrix (Bernardes & Viollet 2022). With
+    /// extrinsic turns by α about i, β about j and γ about i, and k = ±i × j,
     ///
     /// ```text
     /// a + b√−1 = w + x_i√−1 = cos(β/2) exp(√−1 (α + γ)/2)
     /// c + d√−1 = x_j ± x_k√−1 = sin(β/2) exp(√−1 (γ − α)/2)
     /// ```
     ///
-    /// and a quarter of a turn about j makes three different axes such ones. The outer angles are
-    /// then the arguments of products of the two numbers and β is an arctangent of their lengths,
-    /// so the result is as good near gimbal lock as elsewhere. An arcsine of a matrix element, as
-    /// in many codes, keeps half of the digits there.
+    /// If the three axes differ, a quarter of a turn about j first reduces this case to the same
+    /// formulas. The outer angles are then the arguments of products of the two complex numbers,
+    /// and β is an arctangent of their lengths, so the result is as accurate near gimbal lock as
+    /// elsewhere. The arcsine of a matrix element, which is widely used, keeps only half of the
+    /// digits there.
     ///
     /// ```
     /// use core::f32::consts::FRAC_PI_2;
@@ -140,13 +142,14 @@ impl<R: Real> Quat<R> {
         let (w, [x_i, x_j, x_k]) = (self.w(), [i, j, k].map(|axis| self.xyz()[axis]));
         let x_k = handedness * x_k;
 
-        // Lengths that nearly vanish are differences of components, exact but for their rounding.
+        // If one of the two lengths nearly vanishes, its components are differences that are exact
+        // except for the rounding of q.
         let proper = order.axes.is_proper();
         let [a, b, c, d] =
             if proper { [w, x_i, x_j, x_k] } else { [w - x_j, x_i + x_k, w + x_j, x_k - x_i] };
         let (cosine, sine) = (vector::norm([a, b]), vector::norm([c, d]));
-        // A complex number that is shorter than this has no direction but that of the rounding of
-        // q.
+        // A complex number that is shorter than `least` times the other one is a rounding error of
+        // q, so its argument has no meaning.
         let least = R::TWO * R::EPSILON;
         let (lowest, highest) = (sine <= least * cosine, cosine <= least * sine);
         let quarter = R::PI * R::HALF;
@@ -164,8 +167,8 @@ impl<R: Real> Quat<R> {
             let middle = if proper {
                 R::TWO * sine.atan2(cosine)
             } else {
-                // 2 (atan(sine/cosine) − π/4), without the difference, which would cost a small
-                // β.
+                // This is 2 (atan(sine/cosine) − π/4), but without the difference, which would
+                // lose the digits of a small β.
                 let sum = sine + cosine;
                 R::TWO * (R::from(4.0) * (w * x_j - x_i * x_k)).atan2(sum * sum)
             };
@@ -179,9 +182,9 @@ impl<R: Real> Quat<R> {
 
 /// The axes of Euler angles, in the order of the turns: 24 in all, [`EulerOrder::ALL`].
 ///
-/// Kenwright (§3.3) says twelve and prints eleven, three of them twice. There are six with three
-/// different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler
-/// angles), and each may turn about axes that move along or that stay.
+/// Kenwright (§3.3) says twelve and prints eleven, three of them twice. There are six orders with
+/// three different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler
+/// angles), and the axes of each may move with the body or stay fixed.
 ///
 /// ```
 /// use dq8::{representation::{EulerAxes, EulerFrame, EulerOrder}};
@@ -191,34 +194,34 @@ impl<R: Real> Quat<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct EulerOrder {
-    /// The axes, first turn first.
+    /// The three axes, first turn first.
     pub axes: EulerAxes,
-    /// `true` if the axes move along.
+    /// The frame whose axes the turns are about.
     pub frame: EulerFrame,
 }
 
-/// Whose axes the turns are about.
+/// The frame whose axes the turns are about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EulerFrame {
-    /// The axes of the turning body: each turn moves the axes of the later ones, R = R₁R₂R₃.
+    /// The axes of the turning body: each turn moves the axes of the later turns, R = R₁R₂R₃.
     Intrinsic,
-    /// The axes of the space around: they stay, R = R₃R₂R₁.
+    /// The axes of the surrounding space, which stay fixed: R = R₃R₂R₁.
     Extrinsic,
 }
 
-/// Each by its name, and its axes as indices.
+/// Defines the axes by their names and their indices.
 macro_rules! axes {
     ($($name:ident [$($index:literal)*])*) => {
-        /// The axes of three turns, first turn first: no two neighbours are equal.
+        /// The axes of three turns, first turn first. Two neighbours are never equal.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[allow(missing_docs, reason = "the names are the axes")]
         pub enum EulerAxes { $($name),* }
 
         impl EulerAxes {
-            /// All twelve: the six of Tait and Bryan, then the six proper ones.
+            /// All twelve: the six of Tait and Bryan, then the six of proper Euler angles.
             pub const ALL: [Self; 12] = [$(Self::$name),*];
 
-            /// The axes as indices into a vector: x is 0, y is 1, z is 2.
+            /// Returns the axes as indices into a vector: x is 0, y is 1, z is 2.
             #[must_use]
             pub const fn indices(self) -> [usize; 3] {
                 match self {
@@ -234,8 +237,8 @@ axes! {
 }
 
 impl EulerAxes {
-    /// `true` if the last axis is the first one again: then the middle angle is in [0, π], and
-    /// otherwise in [−π/2, π/2].
+    /// Returns `true` if the last axis is the first one again. The middle angle is then in [0, π],
+    /// and otherwise in [−π/2, π/2].
     #[must_use]
     pub const fn is_proper(self) -> bool {
         let [first, _, last] = self.indices();
@@ -244,7 +247,8 @@ impl EulerAxes {
 }
 
 impl EulerOrder {
-    /// All 24: the axes in the order of [`EulerAxes::ALL`], intrinsic and then extrinsic.
+    /// All 24 orders: the axes in the order of [`EulerAxes::ALL`], first intrinsic and then
+    /// extrinsic.
     pub const ALL: [Self; 24] = {
         let mut all = [Self { axes: EulerAxes::XYZ, frame: EulerFrame::Intrinsic }; 24];
         let mut index = 0;

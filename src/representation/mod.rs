@@ -1,8 +1,8 @@
-//! Other representations of rotations and rigid motions, and what more than a motion a matrix can
-//! hold.
+//! Other representations of rotations and rigid motions, and of the affine maps that are more than
+//! a motion.
 //!
-//! A unit quaternion is the middle of all of them. Kenwright (§3) compares Euler angles, axis and
-//! angle, matrices, and quaternions with a translation; each is one call away from [`Quat`] or
+//! The unit quaternion connects all of them. Kenwright (§3) compares Euler angles, axis and angle,
+//! matrices, and quaternions with a translation. Each is one call away from [`Quat`] or
 //! [`DualQuat`], so any two are two calls apart:
 //!
 //! | representation | to a quaternion or motion | back |
@@ -20,7 +20,7 @@
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
 //! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under
-//! the same names, or under ones that end in `_checked` where there is an error here.
+//! the same names. Where an operation here returns an error, its name on lanes ends in `_checked`.
 
 mod affine;
 mod directions;
@@ -43,31 +43,31 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     OrthonormalError {
-        /// An element is not finite, or one of the stretch overflows.
+        /// An element of the matrix is not finite, or an element of the stretch overflows.
         NotFinite {
             /// The row of the element.
             row: usize,
-            /// Its column; 3 is the translation.
+            /// The column of the element; 3 is the translation.
             column: usize,
-            /// The element.
+            /// The value of the element.
             value: f64,
         } => "not finite: the element in row {row} and column {column} is {value}";
-        /// A column lies in the span of those before it, or is zero.
+        /// A column lies in the span of the columns before it, or is zero.
         Dependent {
-            /// The column.
+            /// The index of the column.
             column: usize,
-            /// The sine of the angle between it and that span.
+            /// The sine of the angle between the column and the span.
             sine: f64,
         } => "no rotation: column {column} lies in the span of those before it (the sine of the angle is {sine})";
-        /// The matrix mirrors.
+        /// The matrix mirrors: its determinant is negative.
         Mirrors {
             /// The determinant of its columns, each divided by its length.
             determinant: f64,
         } => "no rotation: the determinant of the normalized columns is {determinant}";
-        /// The matrix squeezes space into a line or a point: many rotations are as near.
+        /// The matrix squeezes space into a line or a point, so many rotations are equally near.
         Ambiguous {
-            /// (σ₂ + σ₃)/(σ₁ + σ₂ + σ₃) of the singular values σ₁ ≥ σ₂ ≥
-            /// σ₃.
+            /// The ratio (σ₂ + σ₃)/(σ₁ + σ₂ + σ₃) of the singular values σ₁ ≥
+            /// σ₂ ≥ σ₃.
             gap: f64,
         } => "no nearest rotation: the two smaller singular values are {gap} of the sum of all";
     }

@@ -5,18 +5,20 @@ use super::OrthonormalError;
 use crate::number::Real;
 use crate::scalar::{Quat, vector};
 
-/// The rotation matrix with the first column in the direction of the matrix's first, the second in
-/// the plane of its first two, and the third their cross product (Gram 1883, Schmidt 1907;
-/// Kenwright §3.5.2 names it against drift). Rows in, rows out.
+/// Returns the rotation matrix that the Gram–Schmidt process makes of a matrix (Gram 1883,
+/// Schmidt 1907; Kenwright §3.5.2 recommends it against drift). Its first column has the direction
+/// of the first column, its second column is in the plane of the first two columns, and the third
+/// is their cross product. Input and output are rows.
 ///
-/// Cheap, and not fair: the first axis keeps its direction and the errors go to the others, so
-/// another order of axes gives another rotation. [`Polar`](crate::representation::Polar) gives the
-/// nearest one. The first two columns are projected twice, because one projection of a thin wedge
-/// leaves a right angle only to rounding over the sine of the wedge.
+/// The process is cheap, but it treats the axes differently: the first axis keeps its direction and
+/// the other axes take the errors, so another order of axes gives another rotation.
+/// [`Polar`](crate::representation::Polar) gives the nearest rotation. The first two columns are
+/// projected twice, because after one projection of a thin wedge the error of the right angle would
+/// be a rounding error over the sine of the wedge.
 ///
 /// # Errors
-/// If an element is not finite, a column is within rounding of the span of those before it, or the
-/// matrix mirrors.
+/// If an element is not finite, a column is within rounding of the span of the columns before it,
+/// or the matrix mirrors.
 ///
 /// ```
 /// let drifted = [[2.0_f64, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]];
@@ -73,8 +75,8 @@ fn direction<R: Real>(v: [R; 3]) -> [R; 3] {
 }
 
 /// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions,
-/// then a rotation. Of all rotations R is the nearest to A, in the sum of the squares of the
-/// differences of the elements (Fan & Hoffman 1955), whatever the order of the axes.
+/// then a rotation. R is the rotation nearest to A, measured by the sum of the squares of the
+/// differences of the elements (Fan & Hoffman 1955), and does not depend on the order of the axes.
 ///
 /// ```
 /// use dq8::{Quat, representation::Polar};
@@ -87,31 +89,33 @@ fn direction<R: Real>(v: [R; 3]) -> [R; 3] {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polar<R> {
-    /// R, unit, w ≥ 0.
+    /// The rotation R, unit, with w ≥ 0.
     pub rotation: Quat<R>,
-    /// S = RᵀA, symmetric. Its eigenvalues are the singular values of A, all of them negated if A
-    /// mirrors.
+    /// The stretch S = RᵀA, a symmetric matrix. Its eigenvalues are the singular values of A, all
+    /// of them negated if A mirrors.
     pub stretch: [[R; 3]; 3],
-    /// The determinant of A is negative. No rotation mirrors, so R is then the one nearest to −A,
-    /// and S mirrors in the origin (Shoemake & Duff 1992 keep that sign as a factor of its own).
+    /// `true` if the determinant of A is negative. No rotation mirrors, so R is then the rotation
+    /// nearest to −A, and S mirrors in the origin (Shoemake & Duff 1992 keep this sign as a
+    /// factor of its own).
     pub mirrors: bool,
 }
 
 impl<R: Real> Polar<R> {
-    /// The decomposition of the rows.
+    /// Returns the decomposition of the matrix A with these rows.
     ///
-    /// The sum of the products of the elements of A and those of the rotation matrix of q is a
-    /// quadratic form of q, so the nearest rotation is the eigenvector of the largest eigenvalue of
-    /// a symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). With the singular values σ₁
-    /// ≥ σ₂ ≥ σ₃ of A the four eigenvalues of −A are those of A negated, and the
-    /// largest is σ₁ + σ₂ + σ₃ for the one of ±A that does not mirror, which is how that
-    /// is told. Newton's iteration (Higham 1986) inverts A at every step; this inverts nothing, so
-    /// a flat A (σ₃ = 0 within rounding) has its answer too, and does not count as mirroring.
+    /// The sum of the products of the elements of A and of the rotation matrix of q is a quadratic
+    /// form of q. The nearest rotation is therefore the eigenvector for the largest eigenvalue of a
+    /// symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). The four eigenvalues of −A are
+    /// the negated eigenvalues of A. With the singular values σ₁ ≥ σ₂ ≥ σ₃ the largest
+    /// is σ₁ + σ₂ + σ₃ for the matrix of A and −A that does not mirror, and a smaller
+    /// one for the other matrix; this decides `mirrors`. Newton's iteration (Higham 1986) inverts A
+    /// in each step. This method inverts nothing, so it works for a flat A too (σ₃ = 0 within
+    /// rounding), which does not count as mirroring.
     ///
     /// # Errors
-    /// If an element is not finite, of A or of S (which overflows where singular values do), or if
-    /// A squeezes space into a line or a point within rounding (σ₂ = σ₃ = 0): then many
-    /// rotations are as near as each other.
+    /// If an element of A or of S is not finite (S overflows where singular values do), or if A
+    /// squeezes space into a line or a point within rounding (σ₂ = σ₃ = 0), because many
+    /// rotations are then equally near.
     pub fn try_from_matrix3(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
         let Spectrum { largest, values, vectors } = Spectrum::of(rows)?;
         let rounding = rounding::<R>();
@@ -129,7 +133,8 @@ impl<R: Real> Polar<R> {
     }
 }
 
-/// The eigenvalues and eigenvectors of [`horn`], of A over its largest element.
+/// The eigenvalues and eigenvectors of the matrix that [`horn`] makes of A divided by its largest
+/// element.
 pub(crate) struct Spectrum<R> {
     largest: R,
     values: [R; 4],
@@ -147,15 +152,15 @@ impl<R: Real> Spectrum<R> {
         Ok(Self { largest, values, vectors })
     }
 
-    /// The rotation R for which the sum of the products of its elements and those of A is largest,
-    /// w ≥ 0. It is the one nearest to A, also if A mirrors: then the smallest axis of A is
-    /// turned over (Horn 1987; Umeyama 1991), where [`Polar`] turns over all three. Also that sum,
-    /// σ₁ + σ₂ ± σ₃ of the singular values, less where A mirrors; and σ₂ ± σ₃, by
-    /// which R is told from others.
+    /// Returns the rotation R, with w ≥ 0, for which the sum of the products of its elements and
+    /// the elements of A is largest. It is the rotation nearest to A, also if A mirrors: the
+    /// smallest axis of A is then reversed (Horn 1987; Umeyama 1991), whereas [`Polar`] reverses
+    /// all three. Also returns this sum, which is σ₁ + σ₂ ± σ₃ with the singular values
+    /// and a minus if A mirrors, and the gap σ₂ ± σ₃, which tells R from other rotations.
     ///
     /// # Errors
-    /// If many rotations are as good: A squeezes space into a line or a point within rounding, or
-    /// mirrors and has its two smaller singular values in common.
+    /// If many rotations are equally good: A squeezes space into a line or a point within rounding,
+    /// or it mirrors and its two smaller singular values are equal.
     pub(crate) fn best_rotation(&self) -> Result<(Quat<R>, [R; 2]), OrthonormalError> {
         let Self { largest, values, vectors } = *self;
         let best = place_of_the_largest(values);
@@ -163,10 +168,10 @@ impl<R: Real> Spectrum<R> {
         Ok((rotation, [R::ONE, gap].map(|share| share * values[best] * largest)))
     }
 
-    /// The singular values σ₁ ≥ σ₂ ≥ σ₃, the last one negated where A mirrors. The
+    /// Returns the singular values σ₁ ≥ σ₂ ≥ σ₃, with σ₃ negated if A mirrors. The
     /// eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ −
-    /// σ₁ − σ₃ and σ₃ − σ₁ − σ₂, so these are half of the sums of the largest
-    /// with each of the others.
+    /// σ₁ − σ₃ and σ₃ − σ₁ − σ₂, so half the sum of the largest and each other
+    /// eigenvalue is a singular value.
     pub(crate) fn singular_values(&self) -> [R; 3] {
         let Self { largest, values: [a, b, c, d], .. } = *self;
         // This does not call `sort`, which contains a panic for inconsistent orders.
@@ -187,15 +192,15 @@ fn place_of_the_largest<R: Real>(values: [R; 4]) -> usize {
     (1..4).fold(0, |most, index| if values[index] > values[most] { index } else { most })
 }
 
-/// The rotation of the largest eigenvalue, if the others are smaller, and by how much the next one
-/// is: half of the difference, as a share.
+/// Returns the rotation of the largest eigenvalue if it is larger than all others, and the gap to
+/// the next eigenvalue: half of the difference over the largest eigenvalue.
 fn rotation<R: Real>(
     values: [R; 4],
     vectors: [[R; 4]; 4],
     best: usize,
 ) -> Result<(Quat<R>, R), OrthonormalError> {
     let others = values.into_iter().enumerate().filter(|(index, _)| *index != best);
-    // They are not further below than −λ.
+    // No other eigenvalue is below −λ, where λ is the largest, so the search starts from −λ.
     let next =
         others.fold(-values[best], |next, (_, other)| if other > next { other } else { next });
     let gap = (values[best] - next) / (R::TWO * values[best]);
@@ -206,8 +211,8 @@ fn rotation<R: Real>(
     Ok((if rotation.w() < R::ZERO { -rotation } else { rotation }, gap))
 }
 
-/// K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the rotation matrix of
-/// a unit q.
+/// Returns the matrix K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the
+/// rotation matrix of a unit q.
 fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] {
     [
         [a - e - i, b + d, c + g, h - f],
@@ -217,7 +222,7 @@ fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] 
     ]
 }
 
-/// The symmetric part of RᵀA; the other part is rounding.
+/// Returns the symmetric part of RᵀA. The antisymmetric part is rounding.
 fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
     let axes = rotation.to_matrix3();
     let product = |i: usize, j: usize| (0..3).fold(R::ZERO, |sum, k| sum + axes[k][i] * rows[k][j]);
@@ -232,13 +237,13 @@ fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
     })
 }
 
-/// No matrix in the tests takes more than six: from a sweep to the next, what is left off the
-/// diagonal is squared.
+/// The largest number of sweeps over the matrix. No matrix in the tests takes more than six,
+/// because each sweep squares the elements off the diagonal.
 const MAX_SWEEPS: usize = 10;
 
-/// The eigenvalues of a symmetric 4×4 matrix with elements around 1, in no order, and the unit
-/// eigenvectors, one a column: cyclic Jacobi (Golub & Van Loan 2013, algorithm 8.5.3), which always
-/// converges and keeps the eigenvectors orthogonal.
+/// Returns the eigenvalues of a symmetric 4×4 matrix with elements around 1, in no order, and the
+/// unit eigenvectors as columns. The method is cyclic Jacobi (Golub & Van Loan 2013, algorithm
+/// 8.5.3), which always converges and keeps the eigenvectors orthogonal.
 pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
     let mut vectors = [[R::ZERO; 4]; 4];
     for (index, row) in vectors.iter_mut().enumerate() {
@@ -259,7 +264,8 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
                 let tangent = if tau < R::ZERO { -tangent } else { tangent };
                 let cosine = R::ONE / (R::ONE + tangent * tangent).sqrt();
                 let turn = Turn { p, q, cosine, sine: tangent * cosine };
-                // The matrix is symmetric: its rows turn as the columns of its transpose.
+                // Turning the columns of the transpose turns the rows of the matrix, because it is
+                // symmetric.
                 turn.columns_of(&mut matrix);
                 matrix = transpose(matrix);
                 turn.columns_of(&mut matrix);
@@ -283,7 +289,8 @@ struct Turn<R> {
 
 impl<R: Real> Turn<R> {
     fn columns_of(&self, matrix: &mut [[R; 4]; 4]) {
-        // Below four in any case; so no code for indices beyond is left where this is not inlined.
+        // Both indices are below four anyway. The masks tell the compiler so: without them it would
+        // compile bounds checks where this function is not inlined.
         let (p, q) = (self.p & 3, self.q & 3);
         for row in matrix {
             let (x, y) = (row[p], row[q]);

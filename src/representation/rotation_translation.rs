@@ -3,12 +3,12 @@ use crate::scalar::{Quat, vector};
 use core::ops::Mul;
 
 crate::macros::pod! {
-    /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
-    /// physics engines hold, a number less than a [`DualQuat`](crate::DualQuat), and the same
-    /// motion.
+    /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3), the form that
+    /// files and physics engines hold. It has one component less than a
+    /// [`DualQuat`](crate::DualQuat) and is the same motion.
     ///
-    /// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations)
-    /// takes.
+    /// [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes slices of this
+    /// type.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat, representation::RotationTranslation};
@@ -24,9 +24,9 @@ crate::macros::pod! {
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
     #[must_use]
     pub struct RotationTranslation<R> {
-        /// r, unit.
+        /// The rotation r, which must be unit.
         pub rotation: Quat<R>,
-        /// t
+        /// The translation t.
         pub translation: [R; 3],
     }
 }
@@ -39,41 +39,42 @@ impl<R: Real> Default for RotationTranslation<R> {
 }
 
 impl<R: Real> RotationTranslation<R> {
-    /// 1 and 0, which moves nothing.
+    /// The rotation 1 and the translation 0, which move nothing.
     pub const IDENTITY: Self = Self { rotation: Quat::IDENTITY, translation: [R::ZERO; 3] };
 
-    /// From `[x, y, z, w, tx, ty, tz]`.
+    /// Makes a pose from `[x, y, z, w, tx, ty, tz]`.
     pub const fn from_array([x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
         Self { rotation: Quat::from_xyzw(x, y, z, w), translation: [tx, ty, tz] }
     }
 
-    /// `[x, y, z, w, tx, ty, tz]`
+    /// Returns `[x, y, z, w, tx, ty, tz]`.
     #[must_use]
     pub const fn to_array(self) -> [R; 7] {
         let ([x, y, z, w], [tx, ty, tz]) = (self.rotation.to_array(), self.translation);
         [x, y, z, w, tx, ty, tz]
     }
 
-    /// The inverse motion, r* and −r*tr.
+    /// Returns the inverse motion, with the rotation r* and the translation −r*tr.
     pub fn inverse(self) -> Self {
         let rotation = self.rotation.conjugate();
         Self { rotation, translation: rotation.rotate(self.translation).map(|c| -c) }
     }
 
-    /// The point rvr* + t.
+    /// Returns the point rvr* + t.
     #[must_use]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
         vector::add(self.rotation.rotate(point), self.translation)
     }
 
-    /// The direction rvr*.
+    /// Returns the direction rvr*.
     #[must_use]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
         self.rotation.rotate(vector)
     }
 }
 
-/// `other`, then `self`: r_a r_b and r_a t_b r_a* + t_a.
+/// Returns the motion that applies `other` (b) first, then `self` (a): r_a r_b and r_a t_b r_a* +
+/// t_a.
 impl<R: Real> Mul for RotationTranslation<R> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {

@@ -1,4 +1,4 @@
-//! Short ways to write what other operations do: names that users of other libraries look for.
+//! Short forms of other operations, under names that users of other libraries look for.
 
 use super::euler_angles::{EulerAxes, EulerFrame, EulerOrder};
 use crate::geometry::Twist;
@@ -6,10 +6,10 @@ use crate::number::Real;
 use crate::scalar::{DualQuat, Quat, blend::dib, vector};
 
 impl<R: Real> Quat<R> {
-    /// Roll about x, then pitch about y, then yaw about z, all of them fixed axes, of this unit
-    /// quaternion: what [`from_rpy`](Self::from_rpy) takes. Pitch is in [−π/2, π/2], the others
-    /// in [−π, π]; where pitch is at an end, yaw is 0 and roll has the whole turn
-    /// ([`to_euler`](Self::to_euler) tells).
+    /// Returns the angles of roll about x, then pitch about y, then yaw about z, all about fixed
+    /// axes, of this unit quaternion: the arguments of [`from_rpy`](Self::from_rpy). Pitch is in
+    /// [−π/2, π/2], roll and yaw are in [−π, π]. If pitch is at an end of its range, yaw is
+    /// 0 and roll has the whole turn; [`to_euler`](Self::to_euler) reports this case.
     ///
     /// ```
     /// use dq8::Quat;
@@ -26,8 +26,8 @@ impl<R: Real> Quat<R> {
         self.to_euler(EulerOrder::XYZ.extrinsic()).angles.angles
     }
 
-    /// The logarithm of a unit quaternion, n θ/2 with ±q = cos(θ/2) + n sin(θ/2) and θ in [0,
-    /// π]: half of [`to_scaled_axis`](Self::to_scaled_axis), as the real part of
+    /// Returns the logarithm of a unit quaternion, n θ/2 with ±q = cos(θ/2) + n sin(θ/2) and θ
+    /// in [0, π]. It is half of [`to_scaled_axis`](Self::to_scaled_axis), and the real part of
     /// [`DualQuat::log`].
     ///
     /// ```
@@ -45,15 +45,15 @@ impl<R: Real> Quat<R> {
         vector::scale(self.to_scaled_axis(), R::HALF)
     }
 
-    /// The exponential cos |v| + sin |v| v/|v|, the turn by 2|v| radians about v:
-    /// [`from_scaled_axis`](Self::from_scaled_axis) of 2v. Any v.
+    /// The exponential cos |v| + sin |v| v/|v|, the turn by 2|v| radians about v: it is
+    /// [`from_scaled_axis`](Self::from_scaled_axis) of 2v. The vector v may be any.
     #[inline]
     pub fn exp(log: [R; 3]) -> Self {
         Self::from_scaled_axis(vector::scale(log, R::TWO))
     }
 
-    /// qᵗ = exp(t log q): the same axis, t times the angle, for any real t. Of ±q, the one with
-    /// w ≥ 0, as [`DualQuat::pow`]. q must be unit.
+    /// Returns qᵗ = exp(t log q) for any real t: the same axis with t times the angle. The one of
+    /// ±q with w ≥ 0 is raised to the power, as in [`DualQuat::pow`]. q must be unit.
     ///
     /// ```
     /// use dq8::Quat;
@@ -68,8 +68,8 @@ impl<R: Real> Quat<R> {
         Self::from_scaled_axis(vector::scale(self.to_scaled_axis(), t))
     }
 
-    /// The intrinsic mean of unit quaternions, all of the same weight, whose signs do not matter:
-    /// [`DualQuat::mean`] of rotations.
+    /// The intrinsic mean of unit quaternions, all with the same weight. Their signs do not matter.
+    /// It is [`DualQuat::mean`] of rotations.
     ///
     /// ```
     /// use dq8::Quat;
@@ -160,11 +160,12 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(rotation, self.translation())
     }
 
-    /// The intrinsic mean of unit motions, all of the same weight, whose signs do not matter:
-    /// [`dib`](Self::dib) to the end.
+    /// The intrinsic mean of unit motions, all with the same weight. Their signs do not matter. The
+    /// iteration [`dib`](Self::dib) runs until only rounding is left.
     ///
-    /// `None` of no poses, of NaN and infinities, and where 64 steps do not end within rounding.
-    /// Poses more than a quarter of a turn from their mean may have several, of which this is one.
+    /// Returns `None` for no poses, for NaN and infinities, and if 64 steps do not end within
+    /// rounding. Poses more than a quarter of a turn from their mean may have several means; this
+    /// returns one of them.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -183,8 +184,9 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// A sum of n logarithms is rounded n times, so the tolerance grows with n: no step can become
-/// shorter than this rounding.
+/// Computes the mean of motions with equal weights. The tolerance grows with the count n of the
+/// motions, because a sum of n logarithms is rounded n times and no step can become shorter than
+/// this rounding.
 fn mean<R: Real>(poses: impl ExactSizeIterator<Item = DualQuat<R>> + Clone) -> Option<DualQuat<R>> {
     let roundings = i32::try_from(poses.len()).unwrap_or(i32::MAX).saturating_add(64);
     let influences = poses.map(|pose| (pose, R::ONE));
@@ -193,8 +195,8 @@ fn mean<R: Real>(poses: impl ExactSizeIterator<Item = DualQuat<R>> + Clone) -> O
 }
 
 impl<R: Real> Twist<R> {
-    /// √(|ω|² + |v|²), the length of its six numbers. It adds radians to lengths, so it
-    /// depends on the unit of length: good to see whether anything moves.
+    /// Returns √(|ω|² + |v|²), the length of the vector of all six components. It adds radians
+    /// to lengths, so it depends on the unit of length. It is a simple test for motion.
     ///
     /// ```
     /// use dq8::Twist;
@@ -214,8 +216,8 @@ impl<R: Real> Twist<R> {
     }
 }
 
-/// The orders whose axes move along, by their axes: as `EulerRot` of glam, and the capital letters
-/// of SciPy.
+/// Defines the orders with intrinsic axes, named by their axes, like `EulerRot` of glam and the
+/// capital letters of SciPy.
 macro_rules! intrinsic {
     ($($name:ident)*) => {
         impl EulerOrder {
@@ -224,8 +226,8 @@ macro_rules! intrinsic {
                 pub const $name: Self = Self { axes: EulerAxes::$name, frame: EulerFrame::Intrinsic };
             )*
 
-            /// The extrinsic order of the same axes, which stay in place: `…Ex` in glam, small
-            /// letters in SciPy.
+            /// Returns the extrinsic order of the same axes, which stay fixed: `…Ex` in glam,
+            /// small letters in SciPy.
             ///
             /// ```
             /// use dq8::{Quat, representation::EulerOrder};
