@@ -1,4 +1,5 @@
-//! The map that brings points to points with least squares: rigid, about one axis, or with a scale.
+//! The map with the least squares between moved points and given points: rigid, about one axis, or
+//! with a scale.
 //!
 //! ```
 //! use dq8::fit::PointPairs;
@@ -20,10 +21,11 @@ use crate::number::Real;
 use crate::representation::polar::Spectrum;
 use crate::scalar::{DualQuat, Quat, vector};
 
-/// Points x and where they went, y, each pair with a weight w ≥ 0; lengths in one unit.
+/// Pairs of a point x and the moved point y, each with a weight w ≥ 0. All coordinates are in one
+/// unit of length.
 ///
-/// The sums that every fit needs are taken once, of differences from the weighted means, so points
-/// far from the origin lose nothing that their coordinates have.
+/// The sums that every fit needs are computed once, from differences to the weighted means. Points
+/// far from the origin therefore lose no digits of their coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct PointPairs<'a, R> {
     pairs: Weighted<'a, R>,
@@ -33,68 +35,71 @@ pub struct PointPairs<'a, R> {
     products: [[R; 3]; 3],
     /// Σ w|x|², with x relative to its mean.
     squares: R,
-    /// The largest rounding error of a sum of elements of `products`.
+    /// A bound of the rounding error of a sum of elements of `products`.
     rounding: R,
 }
 
-/// The map p ↦ s·r (p − c) r* + d of least squares; s is 1 but for [`PointPairs::similarity`].
+/// The map p ↦ s·r (p − c) r* + d with the least squares. The scale s is 1, except for maps
+/// from [`PointPairs::similarity`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Fit<R> {
-    /// The rotation r, w ≥ 0 but for [`PointPairs::about`], then the translation d − s·r c r*:
-    /// p ↦ s·r p r* + t, so a point is first multiplied by the scale and then moved.
+    /// The rotation r, then the translation t = d − s·r c r*. The map is p ↦ s·r p r* + t, so
+    /// a point is first multiplied by the scale and then moved. r has w ≥ 0, except for maps from
+    /// [`PointPairs::about`].
     pub motion: DualQuat<R>,
-    /// s > 0.
+    /// The scale s > 0.
     pub scale: R,
-    /// c, the weighted mean of the points.
+    /// The weighted mean c of the points.
     pub from: [R; 3],
-    /// d, the weighted mean of the moved points.
+    /// The weighted mean d of the moved points.
     pub to: [R; 3],
 }
 
 impl<R: Real> Fit<R> {
-    /// The place that the map brings a point to: s·r (p − c) r* + d. Far from the origin it
-    /// keeps digits that [`motion`](Self::motion) rounds away, whose translation may be long.
+    /// Returns the image s·r (p − c) r* + d of a point p. Far from the origin it keeps digits
+    /// that [`motion`](Self::motion) loses, because the translation of `motion` may be long.
     #[must_use]
     pub fn transform_point(&self, point: [R; 3]) -> [R; 3] {
         vector::add(self.to, self.turned(point))
     }
 
-    /// Returns s·r (p − c) r*, the point turned and scaled about the centre.
+    /// Returns s·r (p − c) r*, the point turned and scaled about the mean c of the points.
     fn turned(&self, point: [R; 3]) -> [R; 3] {
         let point = vector::scale(vector::sub(point, self.from), self.scale);
         self.motion.rotation().rotate(point)
     }
 }
 
-/// The quality of a map's fit, and how well the pairs tell a rotation.
+/// The quality of a fitted map, and how well the pairs determine a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Quality<R> {
-    /// √(Σ w|y − f(x)|² / Σ w) of the map f, a length.
+    /// The weighted root mean square √(Σ w|y − f(x)|² / Σ w) of the distances left by the
+    /// map f, a length.
     pub rms: R,
-    /// The number of singular values of Σ w y xᵀ, from the means, are more than rounding: 3 for
-    /// points in space, 2 in a plane, 1 on a line, 0 in a point.
+    /// The count of singular values of Σ w y xᵀ, with x and y relative to their means, that are
+    /// more than rounding: 3 for points in space, 2 in a plane, 1 on a line, 0 in a point.
     pub rank: usize,
-    /// (σ₁ + σ₂)/(σ₂ ± σ₃) of these singular values, minus where the determinant is
-    /// negative: how many times more stiffly the pairs hold against the turn that they hold against
-    /// most than against the one that they hold against least. It is infinite where many rotations
-    /// fit equally well.
+    /// The ratio (σ₁ + σ₂)/(σ₂ ± σ₃) of these singular values, with a minus if the
+    /// determinant is negative. It compares two stiffnesses: the stiffness of the pairs against the
+    /// turn that they resist most, over the stiffness against the turn that they resist least. It
+    /// is infinite where many rotations fit equally well.
     pub condition: R,
 }
 
 impl<'a, R: Real> PointPairs<'a, R> {
-    /// Pairs that weigh the same.
+    /// Makes pairs that all have the same weight.
     ///
     /// # Errors
-    /// If the lengths differ, there is no pair, a coordinate is not finite, or a square of a
-    /// distance overflows.
+    /// If the lengths of the slices differ, there is no pair, a coordinate is not finite, or a
+    /// square of a distance overflows.
     pub fn new(points: &'a [[R; 3]], moved: &'a [[R; 3]]) -> Result<Self, FitError> {
         Self::sums(Weighted { points, moved, weights: None, heaviest: R::ONE })
     }
 
-    /// Pairs with weights, of which only the ratios matter. Whole numbers are as pairs that are
-    /// repeated; a pair without weight has no influence.
+    /// Makes pairs with weights, of which only the ratios matter. A pair with the weight 2 counts
+    /// like two equal pairs, and a pair with the weight zero has no influence.
     ///
     /// ```
     /// use dq8::fit::{FitError, PointPairs};
@@ -110,8 +115,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// The errors of [`new`](Self::new), and an error if a weight is negative or not finite, or all
-    /// are zero. Points without weight must be finite too.
+    /// The errors of [`new`](Self::new), and an error if a weight is negative or not finite, or if
+    /// all weights are zero. Points with the weight zero must be finite too.
     pub fn weighted(
         points: &'a [[R; 3]],
         moved: &'a [[R; 3]],
@@ -132,8 +137,9 @@ impl<'a, R: Real> PointPairs<'a, R> {
         finite("moved", pairs.moved)?;
         let (first, _) = pairs.iter().next().ok_or(FitError::Empty)?;
         let away = |pair: [[R; 3]; 2]| [0, 1].map(|side| vector::sub(pair[side], first[side]));
-        // The means are taken of differences from a point among them: sums of the coordinates
-        // themselves would lose the digits that points far from the origin have in common.
+        // The means are computed from differences to one of the points. Sums of the coordinates
+        // themselves would lose digits, because points far from the origin have their leading
+        // digits in common.
         let (mut count, mut total) = (R::ZERO, R::ZERO);
         let (mut sums, mut furthest) = ([[R::ZERO; 3]; 2], [R::ZERO; 2]);
         for (pair, weight) in pairs.iter() {
@@ -156,7 +162,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
                 [squares[0] + vector::dot(x, heavy[0]), squares[1] + vector::dot(y, heavy[1])];
         }
         // A coordinate is rounded in proportion to its distance from the origin, and a sum is
-        // rounded once for each pair. The last term is for squares that are subnormal in `f32`.
+        // rounded once for each pair. The last term covers squares that are subnormal in `f32`.
         let lengths = squares.map(Real::sqrt);
         let of_points = furthest[0] * lengths[1] + furthest[1] * lengths[0];
         let of_sums = R::from(8.0) * count.sqrt() * lengths[0] * lengths[1];
@@ -169,21 +175,21 @@ impl<'a, R: Real> PointPairs<'a, R> {
         Ok(Self { pairs, centers, products, squares: squares[0], rounding })
     }
 
-    /// The motion with least Σ w|y − f(x)|² (Horn 1987; Umeyama 1991). Where the best
-    /// orthogonal matrix mirrors, as noise makes it for half of all sets in a plane, the smallest
-    /// axis is turned over and the answer is a rotation all the same.
+    /// Finds the motion f with the least Σ w|y − f(x)|² (Horn 1987; Umeyama 1991). The best
+    /// orthogonal matrix may mirror, which noise causes for half of all sets in a plane. The
+    /// smallest axis is then reversed, so that the result is still a rotation.
     ///
     /// # Errors
     /// If many rotations fit equally well within rounding: one of the sets is on a line or in a
-    /// point, as fewer than three always are, or the points mirror and their two smaller singular
-    /// values are the same. In `f32`, points closer than about 1e-18 count as one. Or if the map
-    /// overflows.
+    /// point (fewer than three points always are), or the points mirror and their two smaller
+    /// singular values are equal. In `f32`, points closer than about 1e-18 count as one point. Also
+    /// if the map overflows.
     pub fn rigid(&self) -> Result<Fit<R>, FitError> {
         self.best_of_all(self.spectrum().as_ref(), false)
     }
 
-    /// Finds the best rigid map with a scale, s = (σ₁ + σ₂ ± σ₃)/Σ w|x|² (Umeyama 1991,
-    /// equation 42).
+    /// Finds the map with the least squares among rigid maps with a scale, s = (σ₁ + σ₂ ±
+    /// σ₃)/Σ w|x|² with the singular values of Σ w y xᵀ (Umeyama 1991, equation 42).
     ///
     /// ```
     /// use dq8::fit::PointPairs;
@@ -199,9 +205,9 @@ impl<'a, R: Real> PointPairs<'a, R> {
         self.best_of_all(self.spectrum().as_ref(), true)
     }
 
-    /// The motion with least squares of those that turn about the direction `axis`, of any length
-    /// but zero, and shift in any direction: [0, 0, 1] for the yaw of what knows which way is down.
-    /// The angle is atan2(a·Σ w x×y, Σ w x·y across the axis a).
+    /// Finds the motion with the least squares among those that turn about the direction `axis`, of
+    /// any length but zero, and shift in any direction. The axis [0, 0, 1] fits the yaw of a sensor
+    /// that knows the vertical. The angle is atan2(a·Σ w x×y, Σ w x·y across the axis a).
     ///
     /// ```
     /// use dq8::fit::PointPairs;
@@ -216,7 +222,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// If the axis has no direction; if one of the sets is in a point, seen along the axis, within
+    /// If the axis has no direction; if one of the sets, seen along the axis, is in a point within
     /// rounding; or if the map overflows.
     pub fn about(&self, axis: [R; 3]) -> Result<Fit<R>, FitError> {
         let length = vector::norm(axis);
@@ -224,8 +230,9 @@ impl<'a, R: Real> PointPairs<'a, R> {
             return Err(FitError::Axis { length: length.into() });
         }
         let axis = vector::direction(axis, length);
-        // The sum of the products depends on the angle ψ by (uMu + vMv) cos ψ + (vMu − uMv) sin
-        // ψ, in coordinates u, v across the axis, so what lies along it cannot drown them.
+        // For the turn by ψ, the sum of the products of elements is (uMu + vMv) cos ψ + (vMu −
+        // uMv) sin ψ, plus a constant, where M is `products`. The coordinates u and v are
+        // orthogonal to the axis, so large components along the axis cost no digits.
         let u = vector::any_across(axis);
         let v = vector::cross(axis, u);
         let [to_u, to_v] = [u, v].map(|of| self.products.map(|row| vector::dot(row, of)));
@@ -237,8 +244,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
         self.fit(rotation, gap, R::ONE, ambiguous)
     }
 
-    /// The root of the mean square of what a fit of these pairs leaves, and what rank and condition
-    /// the pairs have for a rotation about any axis.
+    /// Returns the root mean square of the distances that a fit of these pairs leaves, and the rank
+    /// and the condition of the pairs for a rotation about any axis.
     #[must_use]
     pub fn quality(&self, fit: &Fit<R>) -> Quality<R> {
         self.quality_of(self.spectrum().as_ref(), fit)
@@ -351,31 +358,31 @@ fn finite<R: Real>(what: &'static str, points: &[[R; 3]]) -> Result<(), FitError
 }
 
 errors! {
-    /// Points that have no best map, or many.
+    /// Points for which no best map exists, or many.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     FitError {
-        /// Slices that go together have different lengths.
+        /// A slice has another length than `points`.
         Length {
-            /// `moved` or `weights`.
+            /// The name of the slice, `moved` or `weights`.
             what: &'static str,
-            /// Its length.
+            /// The length of the slice.
             found: usize,
             /// The number of points.
             expected: usize,
         } => "{what} has the length {found}, for {expected} points";
         /// A coordinate is not finite.
         NotFinite {
-            /// `points` or `moved`.
+            /// The name of the slice, `points` or `moved`.
             what: &'static str,
-            /// The number of the point.
+            /// The index of the point.
             index: usize,
             /// The coordinate.
             value: f64,
         } => "point {index} of {what} is not finite: a coordinate is {value}";
         /// A weight is negative or not finite.
         Weight {
-            /// The number of the pair.
+            /// The index of the pair.
             index: usize,
             /// The weight.
             value: f64,
@@ -384,15 +391,15 @@ errors! {
         Empty => "no pair of points has a weight";
         /// An axis has no direction.
         Axis {
-            /// Its length.
+            /// The length of the axis.
             length: f64,
         } => "the axis has no direction: its length is {length}";
         /// Many rotations fit equally well within rounding.
         Ambiguous {
-            /// The number of pairs whose weight is not zero.
+            /// The count of pairs whose weight is not zero.
             pairs: usize,
-            /// The rank of Σ w y xᵀ: 0 where one of the sets is in a point, 1 where one is on a
-            /// line.
+            /// The rank of Σ w y xᵀ: 0 if one of the sets is in a point, 1 if one of them is on
+            /// a line.
             rank: usize,
         } => "many rotations fit the {pairs} pairs equally well: their rank is {rank}";
         /// A square of a distance, or the map itself, overflows.

@@ -1,6 +1,6 @@
 //! Inverse kinematics of limbs of two bones, such as hip, knee and ankle. The two bones and the
-//! line from the root to the target form a triangle, which gives the angles. For robots and other
-//! chains of joints there is `Reach` of the crate `dq8-robot`.
+//! line from the root to the target form a triangle, whose sides give the angles. For robots and
+//! other chains of joints, the crate `dq8-robot` has `Reach`.
 
 pub use crate::scalar::two_bone::{LimbError, Span, TwoBone};
 
@@ -12,14 +12,14 @@ use dq8_simd::{Lanes, Mask};
 
 /// Three joints of a skeleton that are a limb: hip, knee and ankle, or shoulder, elbow and wrist.
 ///
-/// [`Job::two_bone`](crate::Job::two_bone) bends it.
+/// [`Job::two_bone`](crate::Job::two_bone) bends such a limb.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limb<R> {
-    /// The joint at the root, its child, and the child of that.
+    /// The indices of the joint at the root, of its child, and of the child of that child.
     pub joints: [usize; 3],
-    /// The axis of the hinge, in the frame of the second joint, of any length: a positive turn
-    /// about it bends the limb. Of a character that looks along z and stands on y up, with joints
-    /// that have these axes too, it is x for a knee. What of it is along a bone does not count.
+    /// The axis of the hinge in the frame of the second joint, of any length. A positive turn about
+    /// it bends the limb. For a character that looks along z with y up, whose joints have these
+    /// axes too, the axis of a knee is x. A component along a bone is ignored.
     pub hinge: [R; 3],
 }
 
@@ -41,12 +41,12 @@ impl<R: Real> Limb<R> {
     }
 }
 
-/// The roots, lengths of bones, targets and poles of limbs, one limb in each lane.
+/// The roots, lengths of bones, targets and poles of limbs, with one limb in each lane.
 pub(crate) type Asked<L> = ([L; 3], [L; 2], [L; 3], [L; 3]);
 
 /// Returns the error of the first limb that cannot be bent. `first` is the index of the limb in the
-/// first lane. The check on lanes finds out whether there is such a limb; then the limbs are
-/// checked again one by one to find the error.
+/// first lane. The check on lanes finds out whether such a limb exists; only then are the limbs
+/// checked one by one to find the error.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn fault<L: Lanes<Real: Scalar>>(asked: Asked<L>, first: usize) -> Option<LimbsError> {
     let (root, lengths, target, pole) = asked;
@@ -76,31 +76,31 @@ fn one_by_one<R: Real, A: AsRef<[R]>>(lanes: [A; 11], first: usize) -> Option<Li
 }
 
 errors! {
-    /// Limbs that cannot be bent, or slices that do not fit. Nothing has been written.
+    /// Limbs that cannot be bent, or slices whose lengths do not match. Nothing has been written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     LimbsError {
-        /// The slices do not fit each other.
+        /// The lengths of the slices do not match.
         Shape(error: ShapeError) => "{error}";
         /// A limb cannot be bent.
         Limb {
-            /// The number of the first such limb; in blocks, things count one after the other.
+            /// The index of the first such limb. In blocks, limbs are counted block after block.
             limb: usize,
-            /// The fault.
+            /// The reason.
             error: LimbError,
         } from error => "limb {limb}: {error}";
-        /// Joints of a skeleton that are no limb.
+        /// The joints of a skeleton do not form a limb.
         NotChild {
-            /// The joint.
+            /// The index of the joint.
             joint: usize,
-            /// The joint that should be its parent.
+            /// The index of the joint that should be its parent.
             parent: usize,
         } => "joint {joint} is not a child of joint {parent}";
-        /// A hinge that is no axis.
+        /// A hinge has a coordinate that is not finite.
         Hinge {
-            /// The coordinate.
+            /// The index of the coordinate.
             index: usize,
-            /// Its value.
+            /// The value of the coordinate.
             value: f64,
         } => "the hinge is not finite: coordinate {index} is {value}";
     }

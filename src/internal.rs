@@ -1,4 +1,4 @@
-//! Parts of dq8 for dq8-robot, dq8-trajectory and dq8-capi alone: they may change in any version.
+//! Parts of dq8 for dq8-robot, dq8-trajectory and dq8-capi alone. They may change in any version.
 
 pub use crate::backend::{Choice, Outputs, Rows, options};
 pub use crate::batch::even::{exponential_integrals, half_cotangent};

@@ -3,8 +3,8 @@
 use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
-/// A law by which poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions,
-/// [`NlerpLerp`] for rotations and translations. Sealed.
+/// A law by which poses of `C` components are interpolated: [`Nlerp`] or [`Sclerp`] for motions,
+/// [`NlerpLerp`] for rotations and translations. The trait is sealed.
 pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::Sealed {
     /// Interpolates from `a` (t = 0) to `b` (t = 1).
     #[must_use]
@@ -14,29 +14,29 @@ pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::S
     fn add<L: Lanes>(self, base: [L; C], delta: [L; C], weight: L) -> [L; C];
     /// Returns the pose as a motion.
     fn motion<L: Lanes>(self, pose: [L; C]) -> DualQuat<L>;
-    /// parent · pose
+    /// Returns the product parent · pose as a motion.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<L: Lanes>(self, parent: DualQuat<L>, pose: [L; C]) -> DualQuat<L> {
         parent * self.motion(pose)
     }
 }
 
-/// normalize((1−t)a ± tb), by the shorter way; differences: base · nlerp(1, delta, weight). See
-/// [`DualQuat::nlerp`](crate::DualQuat::nlerp).
+/// The law normalize((1−t)a ± tb), by the shorter way. It adds a difference as base · nlerp(1,
+/// delta, weight). See [`DualQuat::nlerp`](crate::DualQuat::nlerp).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Nlerp;
 
-/// a(a*b)ᵗ, by the shorter way; differences: base · delta to the power of weight. See
-/// [`DualQuat::sclerp`](crate::DualQuat::sclerp).
+/// The law a(a*b)ᵗ, by the shorter way. It adds a difference as base · delta to the power of
+/// weight. See [`DualQuat::sclerp`](crate::DualQuat::sclerp).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sclerp;
 
-/// The law of animation engines, rotations and translations apart: rotations normalize((1−t)a ±
-/// tb) by the shorter way, translations (1−t)a + tb. A joint goes straight from one place to the
-/// other, however it turns.
+/// The law of animation engines, which interpolates rotations and translations independently:
+/// rotations by normalize((1−t)a ± tb) by the shorter way, translations by (1−t)a + tb. A
+/// joint goes from one place to the other on a straight line, even while it turns.
 ///
-/// Differences stand to the left, as in ozz-animation and Unreal: rotation nlerp(1, delta, weight)
-/// · base, translation base + weight · delta.
+/// A difference is multiplied from the left, as in ozz-animation and Unreal: the rotation is
+/// nlerp(1, delta, weight) · base, the translation base + weight · delta.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NlerpLerp;
 

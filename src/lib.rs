@@ -1,9 +1,9 @@
 //! Rigid motions as dual quaternions, many at a time on SIMD lanes.
 //!
-//! A dual quaternion is eight floats: a rotation and a translation in one number. This crate
-//! multiplies, blends and interpolates them, moves points with them, and runs them down joint
-//! hierarchies; one at a time in a textbook reference, or as many at a time as the lanes of a SIMD
-//! register, with the same laws.
+//! A dual quaternion is eight floats that represent a rotation and a translation. This crate
+//! multiplies, blends and interpolates dual quaternions, moves points with them, and runs them down
+//! joint hierarchies. It does so for one motion at a time in a textbook reference, or for as many
+//! motions at a time as a SIMD register has lanes, with the same laws.
 //!
 //! ```
 //! use dq8::{Crowd, DualQuat, Hierarchy, Quat};
@@ -27,7 +27,7 @@
 //! | I have | I use |
 //! |---|---|
 //! | one motion | [`DualQuat`], [`Quat`], [`representation`] |
-//! | numbers of my own, or derivatives | the same types with any [`Real`], such as [`Dual`] |
+//! | my own element type, or derivatives | the same types with any [`Real`], such as [`Dual`] |
 //! | an array of motions, points, lines or twists | [`Backend::best`] and its methods, [`slices`] |
 //! | one skeleton, or many in plain arrays | [`Skeleton`] |
 //! | a skeleton without a heap | [`Hierarchy`], [`hierarchy::Plan`] |
@@ -49,7 +49,7 @@
 //!
 //! | page | what it answers |
 //! |---|---|
-//! | [conventions](guide::conventions) | the eight numbers, which factor acts first, units |
+//! | [conventions](guide::conventions) | the eight components, which factor acts first, units |
 //! | [layout](guide::layout) | plain arrays or blocks, how many lanes |
 //! | [kernel](guide::kernel) | kernels of your own |
 //! | [clips](guide::clips) | which form of an animation to keep |
@@ -60,9 +60,9 @@
 //! | [firmware](guide::firmware) | no heap, no panic, sizes |
 //! | [migration](guide::migration) | coming from another library |
 //!
-//! [`Motion`] states the laws of motions, once for single motions and for lanes; every operation is
-//! a method of the types, so no program needs to import it. What most programs need is at the root;
-//! everything else is in its module alone.
+//! [`Motion`] states the laws of motions, once for single motions and for lanes. Every operation is
+//! a method of the types, so no program needs to import this trait. The crate's root has the items
+//! that most programs need; all other items are in their modules.
 //!
 //! # Features
 //!
@@ -70,9 +70,9 @@
 //! |---|---|---|
 //! | `std` | yes | square roots of the standard library; implies `alloc` |
 //! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `Skeleton` |
-//! | `libm` | | what replaces `std` on targets without it |
+//! | `libm` | | mathematical functions on targets without `std` |
 //! | `reproducible` | | `Backend::reproducible`: lanes with the [same bits] on every machine |
-//! | `rayon` | | `threads` of every job and of [`Backend`]: any number of them, and the same bits |
+//! | `rayon` | | `threads` of every job and of [`Backend`]: any count gives the same bits |
 //! | `serde`, `rkyv_08`, `defmt` | | motions written to files and logs: see [`interop`] |
 //! | `mint_05`, `glam_034`, `nalgebra_035`, `approx_05` | | types of other crates of mathematics |
 //! | `rand_010`, `arbitrary`, `proptest` | | random motions |
@@ -81,20 +81,20 @@
 //! [dq8-trajectory]: https://docs.rs/dq8-trajectory
 //! [same bits]: crate::guide::reproducible
 //!
-//! Unit length is a precondition that nothing checks by default.
+//! Operations need motions of unit length, and nothing checks this by default.
 //! `RUSTFLAGS="--cfg dq8_debug_assert_unit"` makes debug builds panic where [`DualQuat`] and
-//! [`Quat`] are plainly not unit, as [`Motion`](crate::Motion#where-unit-length-is-a-precondition)
-//! says. It is a flag of the whole build and not a feature: a feature that one dependency enables
-//! would let all others panic.
+//! [`Quat`] are clearly not unit, as [`Motion`](crate::Motion#where-unit-length-is-a-precondition)
+//! says. It is a flag of the whole build and not a feature: if one dependency enabled a feature, it
+//! would make the code of all others panic.
 //!
-//! Without `std` only `core` is linked (and `alloc` if asked for). No operation on borrowed memory
-//! allocates.
+//! Without `std` the crate links only `core` (and `alloc` if that feature is enabled). No operation
+//! on borrowed memory allocates.
 //!
 //! # Not here
 //!
-//! Scale and shear in hierarchies: they are not rigid motions, and dual quaternions cannot hold
-//! them ([`Affine`](representation::Affine) has the reason). A skeleton that needs them keeps them
-//! next to the motion; [`skinning`] takes them from there.
+//! Hierarchies have no scale and no shear: these are not rigid motions, and dual quaternions cannot
+//! hold them ([`Affine`](representation::Affine) has the reason). A skeleton that needs them stores
+//! them beside the motions; [`skinning`] reads them from there.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
@@ -116,7 +116,7 @@ pub mod geometry;
 mod quick;
 #[cfg(dq8_record)]
 pub mod quick;
-// Pages, and no code: nothing that a build needs.
+// The guide has pages of documentation and no code, so no other build needs it.
 #[cfg(any(doc, doctest))]
 pub mod guide;
 pub mod hierarchy;
@@ -135,17 +135,17 @@ pub mod skinning;
 pub mod slices;
 pub mod storage;
 
-/// The number of the set of bits that [reproducible](crate::guide::reproducible) results have: a
-/// minor release raises it when they change, a patch release changes none. Machines that compute in
-/// lockstep compare it.
+/// The version of the bits of [reproducible](crate::guide::reproducible) results. A minor release
+/// raises it if these bits change; a patch release never changes them. Machines that compute in
+/// lockstep compare this number.
 pub const BITS: u32 = 2;
 
-/// The front page is tested like the documentation.
+/// The examples of the README are tested like those of the documentation.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
+/// The crate of lanes: their element types, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
 
 pub use backend::{Backend, Kernel, UnavailableBackend};

@@ -1,8 +1,8 @@
 //! Macros that write implementations from a list: errors, conversions, and a short `Debug`.
 
-/// Defines an enum of errors. The list has the documentation of each variant and of its fields, its
-/// message, and its source. The source is an error that the variant wraps and is converted from, or
-/// the field that `from` names.
+/// Defines an enum of errors. The list contains the documentation of each variant and of its
+/// fields, its message, and its source. The source is an error that the variant wraps and is
+/// converted from, or the field after `from`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __errors {
@@ -48,7 +48,8 @@ macro_rules! __errors {
 }
 pub use __errors as errors;
 
-/// A count of things with their name, which is written as "1 element" or "2 elements".
+/// A count of things and the noun for one of them, which are written as "1 element" or "2
+/// elements".
 pub(crate) struct Count(pub(crate) usize, pub(crate) &'static str);
 
 impl core::fmt::Display for Count {
@@ -91,7 +92,7 @@ macro_rules! __brief {
 }
 pub use __brief as brief;
 
-/// The macro that implements `bytemuck::Pod` for structs that consist of numbers only. Its proof
-/// and its `unsafe` code are in `dq8_simd`; the modules with such structs import nothing else of
-/// that crate.
+/// This macro implements `bytemuck::Pod` for structs that consist of numbers only. Its proof and
+/// its `unsafe` code are in `dq8_simd`; the modules with such structs import nothing else of that
+/// crate.
 pub(crate) use dq8_simd::pod;

@@ -1,4 +1,4 @@
-//! Lines: from points and planes, points near them, and two of them together.
+//! Lines: from points and planes, the points of lines, and relations of two lines.
 
 use super::{IncidenceError, finite, parallel_sine, size, unit};
 use crate::geometry::{Line, Plane};
@@ -6,10 +6,10 @@ use crate::number::Real;
 use crate::scalar::{Dual, vector};
 
 impl<R: Real> Line<R> {
-    /// The line from `start` toward `end`.
+    /// Makes the line from `start` toward `end`.
     ///
     /// # Errors
-    /// If the points are equal, or their distance or the moment is not finite.
+    /// If the points are equal, or if their distance or the moment is not finite.
     ///
     /// ```
     /// use dq8::Line;
@@ -24,13 +24,15 @@ impl<R: Real> Line<R> {
         Self::from_point_direction(start, direction).orthogonal()
     }
 
-    /// The line in which two planes meet: l = n₁ × n₂, m = d₂n₁ − d₁n₂, made unit.
+    /// Returns the line in which two planes n₁·x = d₁ and n₂·x = d₂ meet: l = n₁ ×
+    /// n₂ and m = d₂n₁ − d₁n₂, divided by |l|.
     ///
-    /// For a point x of both, x × (n₁ × n₂) = n₁(x·n₂) − n₂(x·n₁). The error of
-    /// the moment is that of the offsets over the sine between the planes.
+    /// For a point x of both planes, x × (n₁ × n₂) = n₁(x·n₂) − n₂(x·n₁). The
+    /// error of the moment is the error of the offsets over the sine of the angle between the
+    /// planes.
     ///
     /// # Errors
-    /// If the planes are parallel, a normal is zero, or a number is not finite.
+    /// If the planes are parallel, a normal is zero, or a component is not finite.
     ///
     /// ```
     /// use dq8::{Line, Plane};
@@ -53,12 +55,13 @@ impl<R: Real> Line<R> {
         Self { direction, moment }.try_normalize()
     }
 
-    /// (l + εm)/√(l̂·l̂): l has length 1, and m is orthogonal to it. As with dual
-    /// quaternions, of which this is the vector part, the norm is a dual number: m/|l| alone would
-    /// keep a part along l. That part is the pitch of a screw, whose axis is what remains.
+    /// Returns (l + εm)/√(l̂·l̂), where l̂ = l + εm: l then has length 1, and m is
+    /// orthogonal to l. The norm is a dual number, as for dual quaternions, because l + εm is the
+    /// vector part of one. Dividing by |l| alone would keep a part of m along l. This part is the
+    /// pitch of a screw, and the result is the screw's axis.
     ///
     /// # Errors
-    /// If l is zero, or a number or the result is not finite.
+    /// If l is zero, or if a component of the line or of the result is not finite.
     ///
     /// ```
     /// use dq8::Line;
@@ -73,8 +76,8 @@ impl<R: Real> Line<R> {
         Self { direction, moment }.orthogonal()
     }
 
-    /// `true` if l + εm is a line, of any length: l ≠ 0 and |l·m| ≤
-    /// tolerance·|l|·max(|l|, |m|), the Plücker condition. False where a component is not
+    /// Returns `true` if l + εm is a line, with l of any length: l ≠ 0 and |l·m| ≤
+    /// tolerance·|l|·max(|l|, |m|), the Plücker condition. Returns `false` if a component is not
     /// finite.
     #[must_use]
     pub fn is_line(self, tolerance: R) -> bool {
@@ -83,10 +86,10 @@ impl<R: Real> Line<R> {
         size.is_finite() && vector::dot(direction, self.moment).abs() <= tolerance * size
     }
 
-    /// |x × l − m| over |l|, the distance of a point from the line.
+    /// Returns |x × l − m| over |l|, the distance of the point x from the line.
     ///
     /// # Errors
-    /// If l is zero, or a number is not finite.
+    /// If l is zero, or a component is not finite.
     ///
     /// ```
     /// use dq8::Line;
@@ -101,8 +104,9 @@ impl<R: Real> Line<R> {
         Ok(distance)
     }
 
-    /// Returns the unit line without the part of m along l, which is a rounding error: the error of
-    /// p × l is a rounding of |p|, however near to the origin the line passes.
+    /// Returns the unit line without the part of m along l, which is a rounding error. It arises
+    /// because a moment p × l is rounded in proportion to |p|, even if the line passes near the
+    /// origin.
     pub(super) fn orthogonal(self) -> Result<Self, IncidenceError> {
         let Self { direction, moment } = self;
         let moment = finite(vector::across(direction, moment), "the moment of a line")?;
@@ -110,41 +114,42 @@ impl<R: Real> Line<R> {
     }
 }
 
-/// The relation of two lines: the answer of [`Line::common_perpendicular`].
+/// The relation of two lines, which [`Line::common_perpendicular`] returns.
 ///
-/// The screw about `axis` by the angle and slide of `angle` takes the first line to the second,
-/// sense included.
+/// The screw about `axis` by the angle and the slide of `angle` takes the first line to the second,
+/// including the sense of the lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommonPerpendicular<R> {
-    /// The line that crosses both at right angles, unit, with the sense of l₁ × l₂.
+    /// The line that crosses both lines at right angles. It is unit and has the sense of l₁ ×
+    /// l₂.
     pub axis: Line<R>,
-    /// The points where it crosses the first line, and the second.
+    /// The point where the axis crosses the first line, and the point where it crosses the second.
     pub feet: [[R; 3]; 2],
-    /// θ̂ = θ + εd, see [`Line::dual_angle`].
+    /// The dual angle θ̂ = θ + εd between the lines; see [`Line::dual_angle`].
     pub angle: Dual<R>,
-    /// `true` if the lines are parallel or antiparallel within rounding: then `axis` is one
-    /// perpendicular of many.
+    /// `true` if the lines are parallel or antiparallel within rounding. Many common perpendiculars
+    /// then exist, and `axis` is one of them.
     pub parallel: bool,
 }
 
 impl<R: Real> Line<R> {
-    /// The dual angle θ + εd between two lines: the angle and the distance in one number (Study
-    /// 1891). θ is in radians in [0, π]; d is the way from this line to the other along l₁ ×
-    /// l₂, negative if that points back. The order of the two does not matter, the sense of each
+    /// Returns the dual angle θ + εd between this line and `other`: their angle and their
+    /// distance in one dual number (Study 1891). θ is in radians in [0, π]. d is the length of
+    /// the way from this line to `other` along l₁ × l₂, negative if the way has the opposite
+    /// direction. Exchanging the lines does not change the result; reversing the sense of a line
     /// does.
     ///
     /// cos θ̂ = cos θ − ε d sin θ is the inner product of the unit lines, and sin θ̂ times
-    /// the common perpendicular their cross product ([`DualVector`](crate::geometry::DualVector)).
-    /// These two formulas lose small angles and the distance of parallel lines. Here θ is an
-    /// arctangent, accurate to a few roundings for every angle, and d is right for parallel lines.
-    /// d is never negative for them.
+    /// the common perpendicular is their cross product
+    /// ([`DualVector`](crate::geometry::DualVector)). These two formulas lose small angles and the
+    /// distance of parallel lines. Here θ is an arctangent, accurate to a few roundings for every
+    /// angle, and d is also correct for parallel lines, where it is never negative.
     ///
-    /// The error of d is a few roundings of how far lines and feet are from the origin, or may be:
-    /// the feet of lines that are *almost* parallel are often far away, and have errors over sin²
-    /// θ.
+    /// The error of d is a few roundings of the largest distance of lines and feet from the origin.
+    /// The feet of *almost* parallel lines are often far away, and their errors are over sin² θ.
     ///
     /// # Errors
-    /// If a direction is zero, or a number or the result is not finite.
+    /// If a direction is zero, or if a component of a line or of the result is not finite.
     ///
     /// ```
     /// use dq8::{Dual, Line};
@@ -157,7 +162,7 @@ impl<R: Real> Line<R> {
         Ok(self.common_perpendicular(other)?.angle)
     }
 
-    /// The shortest distance between two lines, |d| of [`dual_angle`](Self::dual_angle).
+    /// Returns the shortest distance between two lines, |d| of [`dual_angle`](Self::dual_angle).
     ///
     /// # Errors
     /// The errors of [`dual_angle`](Self::dual_angle).
@@ -165,7 +170,8 @@ impl<R: Real> Line<R> {
         Ok(self.dual_angle(other)?.dual.abs())
     }
 
-    /// The common perpendicular of two lines, with the two points that are nearest to each other.
+    /// Returns the common perpendicular of two lines, with its feet: the two points where the lines
+    /// are nearest to each other.
     ///
     /// | lines | axis | feet | angle |
     /// |---|---|---|---|
@@ -176,8 +182,8 @@ impl<R: Real> Line<R> {
     /// | identical | any perpendicular | nearest to the origin | 0 + ε0 |
     /// | opposite | any perpendicular | nearest to the origin | π + ε0 |
     ///
-    /// All cases give an answer. Lines are identical when their distance is within the rounding of
-    /// their moments.
+    /// Every case has a result. Lines count as identical if their distance is within the rounding
+    /// of their moments.
     ///
     /// # Errors
     /// The errors of [`dual_angle`](Self::dual_angle).
@@ -210,12 +216,12 @@ impl<R: Real> Line<R> {
         Ok(CommonPerpendicular { axis, feet, angle: Dual::new(theta, distance), parallel })
     }
 
-    /// The point in which two lines meet: the middle of their common perpendicular, if that is not
-    /// longer than `tolerance`, a length.
+    /// Returns the point in which two lines meet: the midpoint of their common perpendicular, if
+    /// this is not longer than the length `tolerance`.
     ///
     /// # Errors
-    /// If the lines are skew or parallel (or the same): the error has their distance. Otherwise as
-    /// [`dual_angle`](Self::dual_angle).
+    /// If the lines are skew, parallel or identical; the error has their distance. Otherwise the
+    /// errors are those of [`dual_angle`](Self::dual_angle).
     ///
     /// ```
     /// use dq8::{Line, incidence::IncidenceError};
@@ -248,11 +254,12 @@ type Perpendicular<R> = ([R; 3], [[R; 3]; 2], R);
 /// its length.
 fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Perpendicular<R> {
     let n = vector::over_norm(normal, sine);
-    // From the way between two points: the other formula, −(l₁·m₂ + m₁·l₂)/sin θ,
-    // would multiply the roundings of both moments by 1/sin θ.
+    // The distance is computed from the way between two points. The formula −(l₁·m₂ +
+    // m₁·l₂)/sin θ would multiply the rounding errors of both moments by 1/sin θ.
     let [on_a, on_b] = [a, b].map(Line::closest_point_to_origin);
     let way = vector::sub(on_b, on_a);
-    // on_a + s l₁ + d n = on_b + t l₂, multiplied by l₂ × n and by l₁ × n.
+    // The feet satisfy on_a + s l₁ + d n = on_b + t l₂. Products with l₂ × n and with l₁
+    // × n give s and t.
     let s = vector::dot(vector::cross(way, b.direction), n) / sine;
     let t = vector::dot(vector::cross(way, a.direction), n) / sine;
     let first = vector::add(on_a, vector::scale(a.direction, s));

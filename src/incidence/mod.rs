@@ -1,10 +1,11 @@
 //! Lines, planes and points together: joins, intersections and distances.
 //!
-//! Directions and normals may have any length but zero; what is returned has length 1. Numbers may
-//! be of any size as long as the answer is finite: no square of a coordinate is taken.
+//! Directions and normals may have any length but zero; results have length 1. Coordinates may be
+//! of any size as long as the result is finite, because no square of a coordinate is computed.
 //!
-//! Two directions count as parallel if the sine of their angle is at most eight roundoffs. Rounding
-//! of unit vectors alone can make such a sine, and a result divided by it would be noise.
+//! Two directions count as parallel if the sine of their angle is at most eight roundoffs. The
+//! rounding of unit vectors alone can produce such a sine, so a result divided by it would be
+//! noise.
 
 mod line;
 mod plane;
@@ -20,18 +21,18 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     IncidenceError {
-        /// A vector whose direction is needed is zero, or its length is not finite.
+        /// A vector that must have a direction is zero, or its length is not finite.
         NoDirection {
             /// The name of the vector.
             what: &'static str,
             /// Its length.
             length: f64,
         } => "{what} has no direction: its length is {length}";
-        /// A number given is not finite, or the one asked for would not be.
+        /// A value of the input is not finite, or the result would not be.
         NotFinite {
-            /// The name of the number.
+            /// The name of the value.
             what: &'static str,
-            /// Its value.
+            /// The value.
             value: f64,
         } => "{what} is {value}";
         /// Three points lie on one line, so many planes contain them.
@@ -56,12 +57,12 @@ errors! {
         } => "the line is parallel to the plane, {distance} from it";
         /// Two lines are parallel, or the same.
         ParallelLines {
-            /// Their distance.
+            /// The distance between the lines.
             distance: f64,
         } => "the lines are parallel, {distance} apart";
-        /// Two lines pass each other.
+        /// Two lines are skew: they do not meet.
         SkewLines {
-            /// Their distance.
+            /// The distance between the lines.
             distance: f64,
         } => "the lines do not meet: they are {distance} apart";
     }

@@ -1,4 +1,4 @@
-//! Planes: from points and lines, points near them, and where a line meets one.
+//! Planes: from points and lines, the points of planes, and the intersections of lines with planes.
 
 use super::{IncidenceError, finite, parallel_sine, size, unit};
 use crate::geometry::{Line, Plane};
@@ -6,11 +6,11 @@ use crate::number::Real;
 use crate::scalar::vector;
 
 impl<R: Real> Plane<R> {
-    /// The plane through three points, which turn counter-clockwise as seen from the side that the
-    /// normal (b − a) × (c − a) points to.
+    /// Makes the plane through three points. Seen from the side that the normal (b − a) × (c −
+    /// a) points to, the points turn counter-clockwise.
     ///
     /// # Errors
-    /// If the points lie on one line, or a distance of two of them is not finite.
+    /// If the points lie on one line, or if a distance between two of them is not finite.
     ///
     /// ```
     /// use dq8::Plane;
@@ -29,11 +29,12 @@ impl<R: Real> Plane<R> {
         Self::from_point_normal(a, vector::over_norm(normal, sine)).checked()
     }
 
-    /// The plane through a line and a point off the line; its normal is along m − x × l:
-    /// direction of the line, way from the line to the point, and normal are right-handed.
+    /// Makes the plane through a line and a point x off the line. The normal is along m − x × l:
+    /// the direction of the line, the way from the line to the point, and the normal are
+    /// right-handed.
     ///
     /// # Errors
-    /// If the point is on the line within rounding, l is zero, or a number is not finite.
+    /// If the point is on the line within rounding, l is zero, or a component is not finite.
     ///
     /// ```
     /// use dq8::{Line, Plane};
@@ -53,10 +54,10 @@ impl<R: Real> Plane<R> {
         Self::from_point_normal(point, normal).checked()
     }
 
-    /// n and d over |n|.
+    /// Returns the plane with n and d divided by |n|.
     ///
     /// # Errors
-    /// If n is zero, or a number or the result is not finite.
+    /// If n is zero, or if a component of the plane or of the result is not finite.
     pub fn try_normalize(self) -> Result<Self, IncidenceError> {
         let (normal, length) = unit(self.normal, "the normal of a plane")?;
         let [offset] = length.divide([self.offset]);
@@ -80,12 +81,12 @@ enum Crossing<R> {
 }
 
 impl<R: Real> Line<R> {
-    /// The point in which the line meets a plane. Its error is that of the moment and the offset
-    /// over the sine between them.
+    /// Returns the point in which the line meets a plane. Its error is the error of the moment and
+    /// of the offset over the sine of the angle between line and plane.
     ///
     /// # Errors
-    /// If the line is parallel to the plane or lies in it: the error has the distance. If the
-    /// direction or the normal is zero, or a number is not finite.
+    /// If the line is parallel to the plane or lies in it; the error has the distance. Also if the
+    /// direction or the normal is zero, or if a component is not finite.
     ///
     /// ```
     /// use dq8::{Line, Plane};
@@ -104,10 +105,10 @@ impl<R: Real> Line<R> {
         }
     }
 
-    /// The distance of a line from a plane: 0 unless they are parallel.
+    /// Returns the distance of the line from a plane, which is 0 unless they are parallel.
     ///
     /// # Errors
-    /// If the direction or the normal is zero, or a number is not finite.
+    /// If the direction or the normal is zero, or if a component is not finite.
     pub fn distance_to_plane(self, plane: Plane<R>) -> Result<R, IncidenceError> {
         match self.crossing(plane)? {
             Crossing::At(_) => Ok(R::ZERO),
