@@ -293,8 +293,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
         self.fit(rotation, gap, scale, || self.ambiguous(spectrum))
     }
 
-    /// Returns the map with this rotation, if every other rotation fits worse by more than
-    /// rounding: `gap` says by how much.
+    /// Returns the map with this rotation if every other rotation fits worse by more than
+    /// rounding. `gap` measures how much worse the others fit.
     fn fit(
         &self,
         rotation: Quat<R>,
@@ -398,8 +398,8 @@ errors! {
         Ambiguous {
             /// The count of pairs whose weight is not zero.
             pairs: usize,
-            /// The rank of Σ w y xᵀ: 0 if one of the sets is in a point, 1 if one of them is on
-            /// a line.
+            /// The rank of Σ w y xᵀ: 0 if all points of one set coincide, 1 if they are on a
+            /// line.
             rank: usize,
         } => "many rotations fit the {pairs} pairs equally well: their rank is {rank}";
         /// A square of a distance, or the map itself, overflows.

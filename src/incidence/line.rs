@@ -104,9 +104,9 @@ impl<R: Real> Line<R> {
         Ok(distance)
     }
 
-    /// Returns the unit line without the part of m along l, which is a rounding error. It arises
-    /// because a moment p × l is rounded in proportion to |p|, even if the line passes near the
-    /// origin.
+    /// Returns this unit line l + εm without the part of m along l, which is a rounding error. It
+    /// arises because a moment p × l is rounded in proportion to |p|, even if the line passes near
+    /// the origin.
     pub(super) fn orthogonal(self) -> Result<Self, IncidenceError> {
         let Self { direction, moment } = self;
         let moment = finite(vector::across(direction, moment), "the moment of a line")?;

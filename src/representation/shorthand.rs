@@ -151,7 +151,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(self.rotation(), translation)
     }
 
-    /// Returns this motion's translation with another rotation. Both must be unit.
+    /// Returns this motion's translation with another rotation. The motion and the rotation must be
+    /// unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]

@@ -1,4 +1,5 @@
-//! [`NormalizeError`], [`InverseError`], [`MatrixError`]: motions that do not exist.
+//! [`NormalizeError`], [`InverseError`] and [`MatrixError`], the errors of motions that do not
+//! exist.
 
 use crate::macros::errors;
 use core::fmt;

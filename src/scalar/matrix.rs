@@ -41,7 +41,7 @@ impl<R: Real> Quat<R> {
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
         let one = R::ONE;
-        // Each of these values is four times the square of a component.
+        // Each of these values is four times the square of a component of the quaternion.
         let x2 = one + m00 - m11 - m22;
         let y2 = one - m00 + m11 - m22;
         let z2 = one - m00 - m11 + m22;

@@ -30,7 +30,7 @@ impl<R: Real> DualQuat<R> {
     /// the identity, and it is as accurate near π. Between other poses the rounding of the
     /// components limits the accuracy.
     ///
-    /// Both must be unit. NaN if a real part is not finite.
+    /// Both motions must be unit. The result is NaN if a real part is not finite.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -49,7 +49,7 @@ impl<R: Real> DualQuat<R> {
 
     /// Returns the distance between two positions, |t_a − t_b|, in the user's unit of length. No
     /// intermediate result overflows or underflows, and the signs of both σ do not matter. Both
-    /// must be unit.
+    /// motions must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -73,7 +73,8 @@ impl<R: Real> DualQuat<R> {
     /// motions, symmetric, and d(a, c) ≤ d(a, b) + d(b, c). Angles of rotations and distances of
     /// points obey the triangle inequality, and so does the root of the sum of their squares. The
     /// metric does not change with a common motion of the world, d(ca, cb) = d(a, b). It does
-    /// change with a common motion of the body, which moves the body's origin. Both must be unit.
+    /// change with a common motion of the body, which moves the body's origin. Both motions must be
+    /// unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -90,7 +91,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Returns |a v − b v|, the distance between the places to which the motions a and b carry
-    /// one point v of the body. Both must be unit.
+    /// one point v of the body. Both motions must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -113,7 +114,7 @@ impl<R: Real> DualQuat<R> {
     /// By the triangle inequality |av − bv| ≤ |t_a − t_b| + |(R_a − R_b)v|, and a turn by
     /// θ moves a point at most by the chord 2|v| sin(θ/2). The bound is reached if the
     /// translation between the motions is zero or orthogonal to the axis of the turn between them.
-    /// Both must be unit.
+    /// Both motions must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};

@@ -6,8 +6,8 @@ use crate::number::Real;
 use crate::quick;
 
 impl<R: Real> DualQuat<R> {
-    /// Returns the screw of a unit σ (Jia §8.2), with an angle in [0, π]. Both σ and −σ are
-    /// the same motion; the [canonical](Self::canonical) sign is taken.
+    /// Returns the screw of a unit σ (Jia §8.2), with an angle in [0, π]. σ and −σ are the
+    /// same motion; the [canonical](Self::canonical) sign is taken.
     ///
     /// A pure translation has angle 0, its own direction as axis and moment 0, although Jia's
     /// moment is infinite for it. The identity has the axis (1, 0, 0).
@@ -236,9 +236,9 @@ impl<R: Real> DualQuat<R> {
 
     /// Interpolates like [`sclerp`](Self::sclerp), but always from `self` (a) to `other` (b) and
     /// never to −`other`: a exp(t log(a*b)), where the logarithm keeps the sign of a*b. This is
-    /// the longer way where the real parts of the two have a negative scalar product. Both must be
-    /// unit. The way from σ to −σ has no axis, so every component is NaN. This is Jia's eq. 46
-    /// as written; it leaves the sign of b open.
+    /// the longer way where the real parts of the two have a negative scalar product. Both motions
+    /// must be unit. The way from σ to −σ has no axis, so every component is NaN. This is Jia's
+    /// eq. 46 as written; it leaves the sign of b open.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]

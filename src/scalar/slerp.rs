@@ -43,8 +43,8 @@ impl<R: Real> Quat<R> {
         let (sum, difference) = (near + self, near - self);
         let sum_length = sum.norm();
         let middle = sum.scale(R::ONE / sum_length);
-        // The part of the difference along the middle is removed. It is there if the ends have
-        // unequal lengths; it is small, but it is a large part of the difference of close ends.
+        // The part of the difference along the middle is removed. It is not zero if the ends have
+        // unequal lengths. It is small, but a large part of the difference of close ends.
         let across = difference - middle.scale(difference.dot(middle));
         let length = across.norm();
         let angle = R::TWO * length.atan2(sum_length);
