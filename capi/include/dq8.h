@@ -44,7 +44,7 @@
  *   dq8_motion_line                            Moves a line by a unit motion
  *   dq8_motion_plane                           Moves a plane by a unit motion
  *   dq8_motion_twist                           Applies the adjoint of a unit motion to a twist, which turns a body ...
- *   dq8_motion_to_twist                        Writes the constant twist that leads to a unit motion in one ...
+ *   dq8_motion_to_twist                        Writes the constant twist that moves the identity to a unit motion ...
  *   dq8_motion_integrate_body                  Moves a unit motion on by a constant body twist for `dt` seconds
  *   dq8_motion_angle_to                        Writes the angle between two unit motions, in radians from 0 to pi
  *   dq8_motion_distance_to                     Writes the distance between the translations of two unit motions
@@ -448,8 +448,8 @@ enum dq8_joint_kind
   DQ8_JOINT_KIND_SCREW = 3,
   /**
    * The joint slides in the plane at right angles to `axis`, then turns about `axis`. It has
-   * three values: x, y and the angle in radians. The shortest rotation that takes the z axis of
-   * the joint's frame to `axis` takes its x and y axes to the directions of x and y.
+   * three values: x, y and the angle in radians. The directions of x and y are the x and y axes
+   * of the joint's frame after the shortest rotation that takes its z axis to `axis`.
    */
   DQ8_JOINT_KIND_PLANAR = 4,
   /**
@@ -1064,11 +1064,11 @@ typedef struct dq8_trajectory_options {
    */
   int32_t frame;
   /**
-   * The time of frame 3, in seconds on the clock of the stamps.
+   * If `frame` is 3, the time of the frame, in seconds on the clock of the stamps.
    */
   double time;
   /**
-   * The pose of frame 4 in the world, a unit motion.
+   * If `frame` is 4, the pose of the frame in the world, a unit motion.
    */
   double pose[8];
 } dq8_trajectory_options;
@@ -1237,8 +1237,8 @@ dq8_status dq8_motion_plane_f32(const float *motion, const float *plane, float *
 dq8_status dq8_motion_twist_f32(const float *motion, const float *twist, float *out);
 
 /**
- * Writes the constant twist that leads to a unit motion in one second, from the
- * identity. A twist has six components: angular x y z, then linear x y z.
+ * Writes the constant twist that moves the identity to a unit motion in one second. A
+ * twist has six components: angular x y z, then linear x y z.
  */
 dq8_status dq8_motion_to_twist_f32(const float *motion, float *twist);
 
@@ -1281,8 +1281,8 @@ dq8_status dq8_motion_plane_f64(const double *motion, const double *plane, doubl
 dq8_status dq8_motion_twist_f64(const double *motion, const double *twist, double *out);
 
 /**
- * Writes the constant twist that leads to a unit motion in one second, from the
- * identity. A twist has six components: angular x y z, then linear x y z.
+ * Writes the constant twist that moves the identity to a unit motion in one second. A
+ * twist has six components: angular x y z, then linear x y z.
  */
 dq8_status dq8_motion_to_twist_f64(const double *motion, double *twist);
 

@@ -34,8 +34,8 @@ macro_rules! functions {
                 two(motion, twist, out, |motion: DualQuat<$R>, twist: Twist<$R>| Ok(motion.adjoint(twist)))
         }
         export_one! { $R
-            /// Writes the constant twist that leads to a unit motion in one second, from the
-            /// identity. A twist has six components: angular x y z, then linear x y z.
+            /// Writes the constant twist that moves the identity to a unit motion in one second. A
+            /// twist has six components: angular x y z, then linear x y z.
             motion::to_twist(motion: *const $R, twist: *mut $R) =
                 one(motion, twist, |motion: DualQuat<$R>| Ok(motion.to_twist()))
         }

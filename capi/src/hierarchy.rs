@@ -256,8 +256,8 @@ pub unsafe extern "C" fn dq8_check_parents(
 unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize) -> Done {
     let (parents, bad_joint) = (parents(start, joints)?, Output::unless_null(bad_joint)?);
     disjoint(&[bad_joint.span], &[parents.span])?;
-    // SAFETY: the caller guarantees the elements of both, and `disjoint` has checked that
-    // `bad_joint` does not overlap `parents`.
+    // SAFETY: the caller guarantees `joints` parents and a `bad_joint` that is null or points to a
+    // `usize`, and `disjoint` has checked that the two do not overlap.
     unsafe { checked(&parents, &bad_joint).map(|_| ()) }
 }
 

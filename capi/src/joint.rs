@@ -18,8 +18,8 @@ pub enum JointKind {
     /// value, in radians.
     Screw = 3,
     /// The joint slides in the plane at right angles to `axis`, then turns about `axis`. It has
-    /// three values: x, y and the angle in radians. The shortest rotation that takes the z axis of
-    /// the joint's frame to `axis` takes its x and y axes to the directions of x and y.
+    /// three values: x, y and the angle in radians. The directions of x and y are the x and y axes
+    /// of the joint's frame after the shortest rotation that takes its z axis to `axis`.
     Planar = 4,
     /// The joint moves freely. It has seven values: a quaternion x y z w of any length but zero,
     /// then a translation x y z. It has six rates, the body twist: angular x y z, then linear x y

@@ -26,9 +26,9 @@ pub struct Options {
     /// The frame of the results. 0: the world. 1: the body at the first stamp. 2: the body at the
     /// last stamp. 3: the body at `time`. 4: a frame whose pose in the world is `pose`.
     pub frame: i32,
-    /// The time of frame 3, in seconds on the clock of the stamps.
+    /// If `frame` is 3, the time of the frame, in seconds on the clock of the stamps.
     pub time: f64,
-    /// The pose of frame 4 in the world, a unit motion.
+    /// If `frame` is 4, the pose of the frame in the world, a unit motion.
     pub pose: [f64; 8],
 }
 

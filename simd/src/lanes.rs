@@ -88,7 +88,7 @@ pub trait Lanes:
     /// and `to` is aligned to the register. Otherwise it stores through the caches.
     ///
     /// # Safety
-    /// [`Level::fence`] must be called before anything else reads or writes `to`.
+    /// [`Level::fence`] must be called before any other code reads or writes `to`.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn stream(self, to: &mut Self::Array) {

@@ -109,7 +109,7 @@ macro_rules! pod {
             @define transparent [0] $(#[$($attribute)+])* $seen struct $name<$number>($shown $type);
         }
     };
-    // A user who calls this rule directly gets all its checks too.
+    // A call of this rule from outside of the macro makes the same checks as a call of the others.
     (@define $layout:ident [$($field:tt)+] $(#[$($attribute:tt)+])*
         $seen:vis struct $name:ident<$number:ident> $fields:tt $($end:tt)?) => {
         $crate::pod! { @without_padding $layout }
