@@ -44,51 +44,51 @@
  *   dq8_motion_line                            Moves a line by a unit motion
  *   dq8_motion_plane                           Moves a plane by a unit motion
  *   dq8_motion_twist                           Applies the adjoint of a unit motion to a twist, which turns a body ...
- *   dq8_motion_to_twist                        Writes the twist that leads to a unit motion in one second
+ *   dq8_motion_to_twist                        Writes the constant twist that moves the identity to a unit motion ...
  *   dq8_motion_integrate_body                  Moves a unit motion on by a constant body twist for `dt` seconds
- *   dq8_motion_angle_to                        Writes the angle between two unit motions
+ *   dq8_motion_angle_to                        Writes the angle between two unit motions, in radians from 0 to pi
  *   dq8_motion_distance_to                     Writes the distance between the translations of two unit motions
  *   dq8_motion_mean                            Computes the intrinsic mean of `count` unit motions
  *   dq8_motion_identity                        Writes the identity
  *   dq8_motion_from_rotation_translation       Makes the motion that rotates by the unit quaternion `rotation` (x, ...
  *   dq8_motion_to_rotation_translation         Writes the parts of a unit motion
  *   dq8_motion_from_matrix_3x4                 Makes the motion of a matrix of three rows and four columns
- *   dq8_motion_from_matrix_4x4                 Makes the motion of a matrix of sixteen numbers, otherwise like ...
+ *   dq8_motion_from_matrix_4x4                 Makes the motion of a matrix of four rows and four columns
  *   dq8_motion_to_matrix_3x4                   Writes the matrix `[R | t]` of a unit motion
- *   dq8_motion_to_matrix_4x4                   Writes the matrix of a unit motion with the last row 0 0 0 1: ...
+ *   dq8_motion_to_matrix_4x4                   Writes the 4x4 matrix of a unit motion, with the last row 0 0 0 1: ...
  *   dq8_motion_mul                             Computes the product `a * b`, in which b acts first
  *   dq8_motion_conjugate                       Computes the inverse of a unit motion, which only flips signs
  *   dq8_motion_inverse                         Computes the inverse of a motion that need not be unit
  *   dq8_motion_normalize                       Normalizes a dual quaternion to a unit motion
  *   dq8_motion_check_unit                      Checks that a motion is unit
- *   dq8_motion_point                           Moves a point, three numbers, by a unit motion
- *   dq8_motion_vector                          Turns a direction, three numbers, by a unit motion
+ *   dq8_motion_point                           Moves a point (x, y, z) by a unit motion
+ *   dq8_motion_vector                          Turns a direction (x, y, z) by a unit motion, which does not ...
  *   dq8_motion_nlerp                           Interpolates from `a` (t = 0) to `b` (t = 1) by the shorter way
- *   dq8_motion_sclerp                          Interpolates from unit `a` (t = 0) to unit `b` (t = 1) by the ...
+ *   dq8_motion_sclerp                          Interpolates along one screw, from unit `a` (t = 0) to unit `b` (t ...
  *   dq8_motion_blend                           Blends `count` unit motions by `weights`, which need not sum to 1. ...
- *   dq8_motion_log                             Writes the logarithm of a unit motion, six numbers
- *   dq8_motion_exp                             Writes the unit motion whose logarithm is `log`, six numbers
+ *   dq8_motion_log                             Writes the logarithm of a unit motion
+ *   dq8_motion_exp                             Writes the unit motion whose logarithm is `log`
  *   dq8_motion_pow                             Raises a unit motion to the power `t`
- *   dq8_motion_to_screw                        Writes the screw of a unit motion, eight numbers
- *   dq8_motion_from_screw                      Writes the motion of a screw, eight numbers
+ *   dq8_motion_to_screw                        Writes the screw of a unit motion as eight values
+ *   dq8_motion_from_screw                      Writes the motion of a screw, which `numbers` gives as eight values
  *
  * One instance of a hierarchy, in the fastest order
- *   dq8_plan_make                              Finds the order in which dq8_plan_local_to_model computes the ...
- *   dq8_plan_local_to_model                    Computes model poses like dq8_local_to_model, in the `order` that ...
+ *   dq8_plan_make                              Finds the fastest order of joints for dq8_plan_local_to_model
+ *   dq8_plan_local_to_model                    Computes model poses like dq8_local_to_model, in a faster order
  *
  * Packed clips
- *   dq8_clips_make                             Makes `clips` of `length` bytes of a packed clip file, which the ...
- *   dq8_clips_duration                         Writes the time from the first frame of a clip to its last frame, ...
+ *   dq8_clips_make                             Makes `clips` from the `length` bytes of a packed clip file
+ *   dq8_clips_duration                         Writes the time from the first to the last frame of a clip
  *   dq8_clips_place                            Finds the time `at` in a clip
- *   dq8_clips_to_model                         Computes the model poses of many instances that play packed clips, ...
+ *   dq8_clips_to_model                         Computes the model poses of instances that play packed clips
  *
  * Poses at stamps
- *   dq8_trajectory_sample                      The unit poses of a trajectory at the `times`, `count` of them as ...
- *   dq8_trajectory_deskew                      Points, x y z, that the body of a trajectory measured, each at its ...
- *   dq8_trajectory_skew                        The inverse of dq8_trajectory_deskew
+ *   dq8_trajectory_sample                      Samples the poses and velocities of a trajectory at `count` times
+ *   dq8_trajectory_deskew                      Moves points that a moving body has measured into one frame
+ *   dq8_trajectory_skew                        Computes the inverse of dq8_trajectory_deskew
  *
  * A smooth curve by control poses
- *   dq8_spline_poses                           A cubic spline at the `times`, `count` of them as of `out` and, ...
+ *   dq8_spline_poses                           Samples the poses of a cubic spline, and its twists, at `count` times
  *
  * One configuration of a mechanism
  *   dq8_mechanism_make                         Makes a mechanism of `count` joints
@@ -96,7 +96,7 @@
  *   dq8_mechanism_link_pose                    Computes the pose of one link in the frame of the base
  *   dq8_mechanism_link_jacobian                Computes the geometric Jacobian of a link
  *   dq8_mechanism_reach_options                Writes the default options
- *   dq8_mechanism_reach_scratch                Writes the size in numbers that `scratch` of dq8_mechanism_reach ...
+ *   dq8_mechanism_reach_scratch                Writes the size that `scratch` of dq8_mechanism_reach must have
  *   dq8_mechanism_reach                        Solves the inverse kinematics of one configuration
  *
  * A joint of a mechanism, filled in
@@ -109,26 +109,26 @@
  *
  * A mesh
  *   dq8_skin_products                          Computes a palette of matrices, `matrices[j] = models[j] * ...
- *   dq8_skin_split                             Splits the matrices of a palette into stretches, which act first, ...
+ *   dq8_skin_split                             Splits the matrices of a palette into stretches and unit motions
  *   dq8_skin_make                              Makes a skin of the joints that move each vertex and their weights
  *   dq8_skin_make_interleaved                  Makes a skin of a vertex buffer, otherwise like dq8_skin_make
- *   dq8_skin_linear_interleaved                Poses a vertex buffer, otherwise like the function without ...
+ *   dq8_skin_linear_interleaved                Poses a vertex buffer, like the function without _interleaved poses ...
  *   dq8_skin_linear                            Poses a mesh by linear blends
- *   dq8_skin_dual_interleaved                  Poses a vertex buffer, otherwise like the function without ...
+ *   dq8_skin_dual_interleaved                  Poses a vertex buffer, like the function without _interleaved poses ...
  *   dq8_skin_dual                              Poses a mesh by dual quaternion blends, otherwise like dq8_skin_linear
- *   dq8_skin_stretched_interleaved             Poses a vertex buffer, otherwise like the function without ...
+ *   dq8_skin_stretched_interleaved             Poses a vertex buffer, like the function without _interleaved poses ...
  *   dq8_skin_stretched                         Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual
- *   dq8_skin_mixed_interleaved                 Poses a vertex buffer, otherwise like the function without ...
- *   dq8_skin_mixed                             Poses a mesh by dq8_skin_linear and dq8_skin_dual, and mixes the ...
+ *   dq8_skin_mixed_interleaved                 Poses a vertex buffer, like the function without _interleaved poses ...
+ *   dq8_skin_mixed                             Poses a mesh by a mix of dq8_skin_linear and dq8_skin_dual
  *
  * Arrays: dq8_NAME plain, dq8_blocks_NAME in blocks of lanes
  *   dq8_chain_products                         Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model ...
  *   dq8_local_to_model                         Computes model poses from local poses
  *   dq8_model_to_local                         Computes local poses from unit model poses
- *   dq8_rotations_to_model                     Computes model poses from rotations and fixed offsets, as animation ...
- *   dq8_rotations_translations_to_model        Computes model poses from rotations and translations, otherwise ...
- *   dq8_palette                                Computes model poses like dq8_local_to_model, and in the same pass ...
- *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, with the ...
+ *   dq8_rotations_to_model                     Computes model poses from rotations and fixed offsets
+ *   dq8_rotations_translations_to_model        Computes model poses from rotations and translations
+ *   dq8_palette                                Computes model poses and the skinning palette in one pass
+ *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, as matrices
  *   dq8_link_poses                             Computes the poses of all links for many configurations
  *   dq8_mul                                    Computes the products `a[i] b[i]`, in which b acts first
  *   dq8_normalize                              Normalizes `motions` to unit motions, exactly; NaN where there is none
@@ -153,24 +153,24 @@
  *   dq8_lines_each                             Moves `lines[i]` by the unit `motions[i]`
  *   dq8_planes_each                            Moves `planes[i]` by the unit `motions[i]`
  *   dq8_twists_each                            Applies the adjoint of the unit `motions[i]` to `twists[i]`, six ...
- *   dq8_points                                 Moves `points`, three numbers each, by one unit `motion`
- *   dq8_vectors                                Turns `vectors`, three numbers each, by one unit `motion`
- *   dq8_matrices_3x4                           Writes the matrices `[R | t]` of unit `motions`, twelve numbers ...
- *   dq8_matrices_4x4                           Writes the matrices of unit `motions` with the last row 0 0 0 1, ...
+ *   dq8_points                                 Moves `points`, three components each, by one unit `motion`
+ *   dq8_vectors                                Turns `vectors`, three components each, by one unit `motion`
+ *   dq8_matrices_3x4                           Writes the matrices `[R | t]` of unit `motions`
+ *   dq8_matrices_4x4                           Writes the 4x4 matrices of unit `motions`, with the last row 0 0 0 ...
  *
  * Arrays, plain, and the library itself
- *   dq8_backend_name                           Returns the name of the instructions that compute now, for logs
- *   dq8_backend_limit                          Limits the instructions that compute, in all threads and from now ...
- *   dq8_set_reproducible                       Makes the results of functions of arrays and blocks the same on ...
+ *   dq8_backend_name                           Returns the name of the instruction set in use, for logs
+ *   dq8_backend_limit                          Limits the instruction set to `most`, one of enum dq8_backend
+ *   dq8_set_reproducible                       Makes results the same on every machine, bit by bit
  *   dq8_check_parents                          Checks that `parents` is a hierarchy
  *   dq8_pack                                   Packs plain poses into blocks
  *   dq8_unpack                                 Unpacks blocks into plain poses
- *   dq8_pack_chain                             Packs the links of a chain into blocks, with a segment of ...
+ *   dq8_pack_chain                             Packs the links of a chain into blocks
  *   dq8_unpack_chain                           Unpacks the blocks of a chain into plain links
- *   dq8_block_size                             Returns the size of a block in numbers
+ *   dq8_block_size                             Returns the size of a block, counted in floats or doubles
  *   dq8_status_text                            Returns the meaning of a status in English
- *   dq8_reach_scratch                          Writes the size in numbers that `scratch` of dq8_reach must have
- *   dq8_reach                                  Solves the inverse kinematics of `count` configurations, several at ...
+ *   dq8_reach_scratch                          Writes the size that `scratch` of dq8_reach must have
+ *   dq8_reach                                  Solves the inverse kinematics of `count` configurations
  *   dq8_resample                               Samples a trajectory at other times
  */
 
@@ -186,9 +186,9 @@
 #define DQ8_VERSION_PATCH 0
 
 /**
- * The result of a call. If it is not DQ8_STATUS_OK, the outputs are as they were, except an
- * index such as `bad_joint` or `bad_vertex`, the steps of a mechanism that was to be made, and
- * scratch.
+ * The result of a call. If it is not DQ8_STATUS_OK, the outputs are as they were. Exceptions
+ * are an index such as `bad_joint` or `bad_vertex`, the steps of a mechanism that could not be
+ * made, and scratch.
  */
 enum dq8_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -204,12 +204,12 @@ enum dq8_status
    */
   DQ8_STATUS_NULL_POINTER = 1,
   /**
-   * A pointer is not aligned to its number type or, for blocks, to 64 bytes.
+   * A pointer is not aligned to its element type or, for blocks, to 64 bytes.
    */
   DQ8_STATUS_MISALIGNED = 2,
   /**
-   * An output overlaps an input or another output. Where a function allows that an output is
-   * one of the inputs, it must be exactly the same array.
+   * An output overlaps an input or another output. If a function allows an output to be one
+   * of its inputs, the two must be exactly the same array.
    */
   DQ8_STATUS_OVERLAP = 3,
   /**
@@ -218,12 +218,12 @@ enum dq8_status
   DQ8_STATUS_TOO_LARGE = 4,
   /**
    * Lengths do not fit each other. For example, `count` is no multiple of the number of
-   * joints; it is the number of all poses, of all instances or configurations.
+   * joints: it must be the number of poses of all instances or configurations together.
    */
   DQ8_STATUS_LENGTH = 5,
   /**
-   * There are no blocks with that number of lanes. float has blocks of 8 and 16 lanes,
-   * double of 4 and 8.
+   * There are no blocks with this number of lanes. Blocks of float have 8 or 16 lanes, and
+   * blocks of double 4 or 8.
    */
   DQ8_STATUS_LANES = 6,
   /**
@@ -231,12 +231,12 @@ enum dq8_status
    */
   DQ8_STATUS_NOT_UNIT = 7,
   /**
-   * The dual quaternion cannot be normalized, because its real part is zero or a number is
-   * not finite.
+   * The dual quaternion cannot be normalized, because its real part is zero or a component
+   * is not finite.
    */
   DQ8_STATUS_NOT_NORMALIZABLE = 8,
   /**
-   * The motion has no inverse, because its real part is zero or a number is not finite.
+   * The motion has no inverse, because its real part is zero or a component is not finite.
    */
   DQ8_STATUS_NO_INVERSE = 9,
   /**
@@ -248,7 +248,8 @@ enum dq8_status
    */
   DQ8_STATUS_MIRRORS = 11,
   /**
-   * The translation of the matrix, or a number of a joint, is not finite.
+   * An input that must be finite is not, such as the translation of a matrix or a field of a
+   * joint.
    */
   DQ8_STATUS_NOT_FINITE = 12,
   /**
@@ -272,8 +273,9 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_MANY_JOINTS = 17,
   /**
-   * A number is none of the allowed ones: no value of its enum (a backend, an order of
-   * matrices, a kind of joint, a frame), no 0 or 1 where only these are allowed, or no clip.
+   * An argument has no allowed value: it is no value of its enum (a backend, an order of
+   * matrices, a kind of joint, a frame), or neither 0 nor 1 where only these are allowed, or
+   * no index of a clip.
    */
   DQ8_STATUS_UNKNOWN_VALUE = 18,
   /**
@@ -281,12 +283,12 @@ enum dq8_status
    */
   DQ8_STATUS_AXIS = 19,
   /**
-   * A joint cannot mimic its leader: there is no such joint, the leader mimics another one,
-   * or one of the two does not have exactly one value.
+   * A joint cannot mimic its leader: there is no joint with the leader's index, the leader
+   * mimics another joint, or one of the two joints does not have exactly one value.
    */
   DQ8_STATUS_MIMIC = 20,
   /**
-   * There is no such link.
+   * The mechanism has no link with the given index.
    */
   DQ8_STATUS_NO_LINK = 21,
   /**
@@ -312,8 +314,8 @@ enum dq8_status
   DQ8_STATUS_NO_SKIN = 26,
   /**
    * The limits of a joint are not in order, or they allow no value together with the limits
-   * of joints that mimic it, or they are angles so large that the number type cannot resolve
-   * them.
+   * of joints that mimic it, or they are angles so large that the element type cannot
+   * resolve them.
    */
   DQ8_STATUS_LIMITS = 27,
   /**
@@ -321,7 +323,7 @@ enum dq8_status
    */
   DQ8_STATUS_FIELD = 28,
   /**
-   * The order was made for other parents.
+   * The order of a plan was made for other parents.
    */
   DQ8_STATUS_NO_PLAN = 29,
   /**
@@ -341,12 +343,12 @@ enum dq8_status
    */
   DQ8_STATUS_NOT_CLIPS = 33,
   /**
-   * A time of a trajectory is not later than the one before, or is not finite.
+   * A stamp of a trajectory is not later than the stamp before it, or is not finite.
    */
   DQ8_STATUS_TIMES = 34,
   /**
-   * A time is before the first stamp of a trajectory or after its last one and the options
-   * refuse that, or the time of the frame is not finite.
+   * A time is before the first stamp or after the last stamp of a trajectory, and the
+   * options refuse such times. Or the time of the frame is not finite.
    */
   DQ8_STATUS_OUTSIDE = 35,
 };
@@ -359,7 +361,8 @@ typedef int32_t dq8_status;
 #endif // __cplusplus
 
 /**
- * The instructions that functions of arrays and blocks may use, from the least to the most.
+ * The instruction sets that functions of arrays and blocks may use, each with more instructions
+ * than the one before.
  */
 enum dq8_backend
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -380,7 +383,8 @@ enum dq8_backend
    */
   DQ8_BACKEND_AVX512 = 2,
   /**
-   * No limit. Newer versions of the library may have more levels than the ones above.
+   * No limit. Newer versions of the library may use instruction sets that this enum does not
+   * have.
    */
   DQ8_BACKEND_ANY = 255,
 };
@@ -393,7 +397,7 @@ typedef int32_t dq8_backend;
 #endif // __cplusplus
 
 /**
- * The order of the numbers of a matrix in memory.
+ * The order of the components of a matrix in memory.
  */
 enum dq8_matrix_order
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -418,7 +422,7 @@ typedef int32_t dq8_matrix_order;
 #endif // __cplusplus
 
 /**
- * The motion of a joint, in its own frame.
+ * The kind of a joint: the motion that it makes in its own frame.
  */
 enum dq8_joint_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -444,13 +448,14 @@ enum dq8_joint_kind
   DQ8_JOINT_KIND_SCREW = 3,
   /**
    * The joint slides in the plane at right angles to `axis`, then turns about `axis`. It has
-   * three values: x, y and the angle in radians. The directions of x and y are those of the
-   * joint's frame after the shortest rotation that takes z to `axis`.
+   * three values: x, y and the angle in radians. The directions of x and y are the x and y axes
+   * of the joint's frame after the shortest rotation that takes its z axis to `axis`.
    */
   DQ8_JOINT_KIND_PLANAR = 4,
   /**
    * The joint moves freely. It has seven values: a quaternion x y z w of any length but zero,
-   * and a translation x y z. It has six rates: the body twist, the angular part first.
+   * then a translation x y z. It has six rates, the body twist: angular x y z, then linear x y
+   * z.
    */
   DQ8_JOINT_KIND_FLOATING = 5,
 };
@@ -463,7 +468,8 @@ typedef int32_t dq8_joint_kind;
 #endif // __cplusplus
 
 /**
- * The frame of the columns of a Jacobian: their axes and the point that they are about.
+ * The frame of the columns of a Jacobian: the axes of their components, and the point whose
+ * velocity their linear parts are.
  */
 enum dq8_frame
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -471,15 +477,15 @@ enum dq8_frame
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * The axes of the base, about the origin of the base: spatial twists.
+   * The axes of the base and the origin of the base: columns are spatial twists.
    */
   DQ8_FRAME_WORLD = 0,
   /**
-   * The axes of the link, about the origin of the link: body twists.
+   * The axes of the link and the origin of the link: columns are body twists.
    */
   DQ8_FRAME_BODY = 1,
   /**
-   * The axes of the base, about the origin of the link.
+   * The axes of the base and the origin of the link.
    */
   DQ8_FRAME_WORLD_ALIGNED = 2,
 };
@@ -492,7 +498,7 @@ typedef int32_t dq8_frame;
 #endif // __cplusplus
 
 /**
- * The outcome of a search.
+ * The outcome of a search for the values that bring links to their targets.
  */
 enum dq8_outcome
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -504,7 +510,7 @@ enum dq8_outcome
    */
   DQ8_OUTCOME_CONVERGED = 0,
   /**
-   * A target is farther away than the joints that carry its link are long.
+   * A target is farther away than the chain of joints that carries its link can reach.
    */
   DQ8_OUTCOME_OUT_OF_REACH = 1,
   /**
@@ -516,11 +522,12 @@ enum dq8_outcome
    */
   DQ8_OUTCOME_STALLED = 3,
   /**
-   * The iterations ran out while the links still came nearer. More iterations would help.
+   * The search took all its iterations while the links still came nearer. More iterations would
+   * help.
    */
   DQ8_OUTCOME_UNFINISHED = 4,
   /**
-   * An input is invalid: a target is not unit to 0.001, a number is not finite, an option is
+   * An input is invalid: a target is not unit to 0.001, an input is not finite, an option is
    * negative or NaN, or max_step is 0. The values are as they were.
    */
   DQ8_OUTCOME_INVALID = 5,
@@ -534,13 +541,13 @@ typedef int32_t dq8_outcome;
 #endif // __cplusplus
 
 /**
- * Packed clips of one skeleton, made by dq8_clips_make. This struct may be copied and moved. The
- * bytes that it was made of must stay where they are and must not change.
+ * Packed clips of one skeleton, made by dq8_clips_make. This struct may be copied and moved. It
+ * points to the bytes of the file, which must stay where they are and must not change.
  */
 typedef struct dq8_clips {
   /**
-   * The number of joints of the skeleton. It is 0 in a zeroed struct that no clips have been
-   * made in.
+   * The number of joints of the skeleton. It is 0 in a zeroed struct, in which no clips have
+   * been made.
    */
   size_t joints;
   /**
@@ -554,7 +561,7 @@ typedef struct dq8_clips {
 } dq8_clips;
 
 /**
- * A frame of a clip, made by dq8_clips_place, for use with the same clips.
+ * A place in a clip: a frame, found by dq8_clips_place. It is valid for the same clips only.
  */
 typedef struct dq8_place {
   /**
@@ -564,7 +571,7 @@ typedef struct dq8_place {
 } dq8_place;
 
 /**
- * The memory of a mechanism for one of its joints. Its content is private to the library.
+ * The memory that a mechanism needs for one joint. Its content is private to the library.
  */
 typedef struct dq8_step_f32 {
   /**
@@ -574,8 +581,8 @@ typedef struct dq8_step_f32 {
 } dq8_step_f32;
 
 /**
- * A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. Its steps must
- * stay where they are.
+ * A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. It points to its
+ * steps, which must stay where they are and must not change.
  */
 typedef struct dq8_mechanism_f32 {
   /**
@@ -583,16 +590,17 @@ typedef struct dq8_mechanism_f32 {
    */
   size_t links;
   /**
-   * The number of values of a configuration: those of joint 0, then those of joint 1, and so on.
+   * The number of values of a configuration. A configuration holds the values of joint 0, then
+   * the values of joint 1, and so on.
    */
   size_t values;
   /**
-   * The number of rates, and of columns of a Jacobian. It is the number of values, except that a
-   * floating joint has seven values and six rates.
+   * The number of rates, which is the number of columns of a Jacobian. Each joint has as many
+   * rates as values, except that a floating joint has seven values and six rates.
    */
   size_t rates;
   /**
-   * The steps. This is null in a zeroed struct that no mechanism has been made in.
+   * The array of steps. It is null in a zeroed struct, in which no mechanism has been made.
    */
   const struct dq8_step_f32 *steps;
   /**
@@ -602,7 +610,7 @@ typedef struct dq8_mechanism_f32 {
 } dq8_mechanism_f32;
 
 /**
- * The memory of a mechanism for one of its joints. Its content is private to the library.
+ * The memory that a mechanism needs for one joint. Its content is private to the library.
  */
 typedef struct dq8_step_f64 {
   /**
@@ -612,8 +620,8 @@ typedef struct dq8_step_f64 {
 } dq8_step_f64;
 
 /**
- * A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. Its steps must
- * stay where they are.
+ * A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. It points to its
+ * steps, which must stay where they are and must not change.
  */
 typedef struct dq8_mechanism_f64 {
   /**
@@ -621,16 +629,17 @@ typedef struct dq8_mechanism_f64 {
    */
   size_t links;
   /**
-   * The number of values of a configuration: those of joint 0, then those of joint 1, and so on.
+   * The number of values of a configuration. A configuration holds the values of joint 0, then
+   * the values of joint 1, and so on.
    */
   size_t values;
   /**
-   * The number of rates, and of columns of a Jacobian. It is the number of values, except that a
-   * floating joint has seven values and six rates.
+   * The number of rates, which is the number of columns of a Jacobian. Each joint has as many
+   * rates as values, except that a floating joint has seven values and six rates.
    */
   size_t rates;
   /**
-   * The steps. This is null in a zeroed struct that no mechanism has been made in.
+   * The array of steps. It is null in a zeroed struct, in which no mechanism has been made.
    */
   const struct dq8_step_f64 *steps;
   /**
@@ -640,27 +649,29 @@ typedef struct dq8_mechanism_f64 {
 } dq8_mechanism_f64;
 
 /**
- * The joint between a link and its parent link. Joint j carries link j.
+ * The joint between a link and its parent link. The joint with index j carries the link with index
+ * j.
  *
- * The fields `axis` and `pitch` are read only for the kinds that have them, and may be 0
- * otherwise.
+ * The fields `axis` and `pitch` are read only for kinds of joints that have an axis or a pitch.
+ * For other kinds they may be 0.
  */
 typedef struct dq8_joint_f32 {
   /**
-   * The number of the parent link, which must be less than that of this one, or -1 for the base.
+   * The index of the parent link, which must be less than the index of this link, or -1 for the
+   * base.
    */
   int32_t parent;
   /**
-   * One of enum dq8_joint_kind.
+   * The kind, one of enum dq8_joint_kind.
    */
   int32_t kind;
   /**
-   * The pose of the link in its parent when the values of the joint are zero: a motion that is
-   * unit to 0.001.
+   * The pose of the link in its parent link when the values of the joint are zero. It must be a
+   * motion that is unit to 0.001.
    */
   float placement[8];
   /**
-   * The axis, or the normal of a planar joint. Its length must be 1 to 0.001.
+   * The axis of the joint, or the normal of a planar joint. Its length must be 1 to 0.001.
    */
   float axis[3];
   /**
@@ -668,56 +679,58 @@ typedef struct dq8_joint_f32 {
    */
   float pitch;
   /**
-   * 1 if the joint has no value of its own, but `multiplier` times the value of joint `leader`
-   * plus `offset`; otherwise 0. Both joints must be of kinds with one value, and the leader must
-   * have its own.
+   * 1 if the joint has no value of its own and mimics joint `leader`: it moves as if its value
+   * were `multiplier` times the value of the leader plus `offset`. Otherwise 0. Both joints must
+   * be of kinds with one value, and the leader must not mimic another joint.
    */
   int32_t mimics;
   /**
-   * The joint whose value this joint takes.
+   * The index of the joint whose value this joint takes, if `mimics` is 1.
    */
   int32_t leader;
   /**
-   * The factor of that value.
+   * The factor of the leader's value, if `mimics` is 1.
    */
   float multiplier;
   /**
-   * The number that is added to the product.
+   * The value that is added to the product, if `mimics` is 1.
    */
   float offset;
   /**
-   * 1 if the joint has limits, otherwise 0. Only a joint of one value can have limits. Inverse
-   * kinematics keeps to them; all other functions ignore them.
+   * 1 if the joint has limits, otherwise 0. Only a joint with one value can have limits. Inverse
+   * kinematics keeps to the limits, and all other functions ignore them.
    */
   int32_t limited;
   /**
-   * The smallest and the largest value. Either may be infinite.
+   * The smallest and the largest value of the joint, if `limited` is 1. Either may be infinite.
    */
   float limits[2];
 } dq8_joint_f32;
 
 /**
- * The joint between a link and its parent link. Joint j carries link j.
+ * The joint between a link and its parent link. The joint with index j carries the link with index
+ * j.
  *
- * The fields `axis` and `pitch` are read only for the kinds that have them, and may be 0
- * otherwise.
+ * The fields `axis` and `pitch` are read only for kinds of joints that have an axis or a pitch.
+ * For other kinds they may be 0.
  */
 typedef struct dq8_joint_f64 {
   /**
-   * The number of the parent link, which must be less than that of this one, or -1 for the base.
+   * The index of the parent link, which must be less than the index of this link, or -1 for the
+   * base.
    */
   int32_t parent;
   /**
-   * One of enum dq8_joint_kind.
+   * The kind, one of enum dq8_joint_kind.
    */
   int32_t kind;
   /**
-   * The pose of the link in its parent when the values of the joint are zero: a motion that is
-   * unit to 0.001.
+   * The pose of the link in its parent link when the values of the joint are zero. It must be a
+   * motion that is unit to 0.001.
    */
   double placement[8];
   /**
-   * The axis, or the normal of a planar joint. Its length must be 1 to 0.001.
+   * The axis of the joint, or the normal of a planar joint. Its length must be 1 to 0.001.
    */
   double axis[3];
   /**
@@ -725,30 +738,30 @@ typedef struct dq8_joint_f64 {
    */
   double pitch;
   /**
-   * 1 if the joint has no value of its own, but `multiplier` times the value of joint `leader`
-   * plus `offset`; otherwise 0. Both joints must be of kinds with one value, and the leader must
-   * have its own.
+   * 1 if the joint has no value of its own and mimics joint `leader`: it moves as if its value
+   * were `multiplier` times the value of the leader plus `offset`. Otherwise 0. Both joints must
+   * be of kinds with one value, and the leader must not mimic another joint.
    */
   int32_t mimics;
   /**
-   * The joint whose value this joint takes.
+   * The index of the joint whose value this joint takes, if `mimics` is 1.
    */
   int32_t leader;
   /**
-   * The factor of that value.
+   * The factor of the leader's value, if `mimics` is 1.
    */
   double multiplier;
   /**
-   * The number that is added to the product.
+   * The value that is added to the product, if `mimics` is 1.
    */
   double offset;
   /**
-   * 1 if the joint has limits, otherwise 0. Only a joint of one value can have limits. Inverse
-   * kinematics keeps to them; all other functions ignore them.
+   * 1 if the joint has limits, otherwise 0. Only a joint with one value can have limits. Inverse
+   * kinematics keeps to the limits, and all other functions ignore them.
    */
   int32_t limited;
   /**
-   * The smallest and the largest value. Either may be infinite.
+   * The smallest and the largest value of the joint, if `limited` is 1. Either may be infinite.
    */
   double limits[2];
 } dq8_joint_f64;
@@ -758,74 +771,75 @@ typedef struct dq8_joint_f64 {
  */
 typedef struct dq8_reach_options_f32 {
   /**
-   * The largest angle in radians that a converged link may be turned from its target.
+   * The largest angle in radians between a link and its target at which the search has
+   * converged.
    */
   float angular_tolerance;
   /**
-   * The largest distance of a converged link from its target.
+   * The largest distance between a link and its target at which the search has converged.
    */
   float linear_tolerance;
   /**
-   * The largest number of iterations, which are steps and restarts together.
+   * The largest number of iterations. Steps and restarts both count as iterations.
    */
   uint32_t max_iterations;
   /**
-   * 1 to begin again from another configuration when a search gets stuck. 0 to converge from the
-   * given start only, which is for following a target that moves.
+   * 1 to begin again from another configuration when the search gets stuck. 0 to search from the
+   * given start only, which suits a target that moves and is followed.
    */
   uint32_t restarts;
   /**
-   * The distance that weighs as much as a radian. 0 stands for an eighth of the mechanism's
-   * length. If a joint floats or slides without limits, it stands for an eighth of the distance
-   * from the base to the farthest target, or of the farthest slide, if one of these is longer.
+   * The distance whose error weighs as much as an error of a radian. 0 stands for an eighth of
+   * the mechanism's length. If a joint floats or slides without limits, that length is at least
+   * the distance from the base to the farthest target, and at least the farthest slide.
    */
   float length_per_radian;
   /**
-   * The largest angle in radians that a joint turns in one step. More than a full turn counts as
-   * one.
+   * The largest angle in radians by which a joint turns in one step. A value of more than a full
+   * turn counts as a full turn.
    */
   float max_step;
   /**
-   * The damping at the target itself, in radians. With 0, the search converges fastest.
+   * The damping of steps at the target itself, in radians. With 0, the search converges fastest.
    */
   float damping;
 } dq8_reach_options_f32;
 
 /**
  * A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
- * components of its error, in the axes of the target. A weight of 0 leaves its component free.
- * Weights matter where not all components can vanish.
+ * components of its error, in the axes of the target. A component with the weight 0 is free. The
+ * sizes of the other weights matter only if not all components can vanish.
  */
 typedef struct dq8_goal_f32 {
   /**
-   * The number of the link.
+   * The index of the link.
    */
   size_t link;
   /**
-   * The weights of the rotation about the target's x, y and z, none of them negative.
+   * The weights of the rotation about the target's axes x, y and z. They must not be negative.
    */
   float angular[3];
   /**
-   * The weights of the distance along the target's x, y and z, none of them negative.
+   * The weights of the distance along the target's axes x, y and z. They must not be negative.
    */
   float linear[3];
   /**
-   * The point of the link that is to be at the target, in the frame of the link. Zero is its
-   * origin.
+   * The point of the link that is to be at the target, in the frame of the link. Zero is the
+   * origin of the link.
    */
   float point[3];
 } dq8_goal_f32;
 
 /**
- * The report of a search, about the values that it returns.
+ * The report of a search. Its errors are those of the values that the search returns.
  */
 typedef struct dq8_reach_report_f32 {
   /**
-   * One of enum dq8_outcome.
+   * The outcome, one of enum dq8_outcome.
    */
   int32_t outcome;
   /**
-   * The number of iterations, which are steps and restarts together.
+   * The number of iterations. Steps and restarts both count as iterations.
    */
   uint32_t iterations;
   /**
@@ -833,11 +847,12 @@ typedef struct dq8_reach_report_f32 {
    */
   uint32_t restarts;
   /**
-   * The largest angle in radians between a link and its target, in components with a weight.
+   * The largest angle in radians between a link and its target. Components with weight 0 do not
+   * count.
    */
   float angular_error;
   /**
-   * The largest distance of a link from its target, in components with a weight.
+   * The largest distance between a link and its target. Components with weight 0 do not count.
    */
   float linear_error;
 } dq8_reach_report_f32;
@@ -847,74 +862,75 @@ typedef struct dq8_reach_report_f32 {
  */
 typedef struct dq8_reach_options_f64 {
   /**
-   * The largest angle in radians that a converged link may be turned from its target.
+   * The largest angle in radians between a link and its target at which the search has
+   * converged.
    */
   double angular_tolerance;
   /**
-   * The largest distance of a converged link from its target.
+   * The largest distance between a link and its target at which the search has converged.
    */
   double linear_tolerance;
   /**
-   * The largest number of iterations, which are steps and restarts together.
+   * The largest number of iterations. Steps and restarts both count as iterations.
    */
   uint32_t max_iterations;
   /**
-   * 1 to begin again from another configuration when a search gets stuck. 0 to converge from the
-   * given start only, which is for following a target that moves.
+   * 1 to begin again from another configuration when the search gets stuck. 0 to search from the
+   * given start only, which suits a target that moves and is followed.
    */
   uint32_t restarts;
   /**
-   * The distance that weighs as much as a radian. 0 stands for an eighth of the mechanism's
-   * length. If a joint floats or slides without limits, it stands for an eighth of the distance
-   * from the base to the farthest target, or of the farthest slide, if one of these is longer.
+   * The distance whose error weighs as much as an error of a radian. 0 stands for an eighth of
+   * the mechanism's length. If a joint floats or slides without limits, that length is at least
+   * the distance from the base to the farthest target, and at least the farthest slide.
    */
   double length_per_radian;
   /**
-   * The largest angle in radians that a joint turns in one step. More than a full turn counts as
-   * one.
+   * The largest angle in radians by which a joint turns in one step. A value of more than a full
+   * turn counts as a full turn.
    */
   double max_step;
   /**
-   * The damping at the target itself, in radians. With 0, the search converges fastest.
+   * The damping of steps at the target itself, in radians. With 0, the search converges fastest.
    */
   double damping;
 } dq8_reach_options_f64;
 
 /**
  * A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
- * components of its error, in the axes of the target. A weight of 0 leaves its component free.
- * Weights matter where not all components can vanish.
+ * components of its error, in the axes of the target. A component with the weight 0 is free. The
+ * sizes of the other weights matter only if not all components can vanish.
  */
 typedef struct dq8_goal_f64 {
   /**
-   * The number of the link.
+   * The index of the link.
    */
   size_t link;
   /**
-   * The weights of the rotation about the target's x, y and z, none of them negative.
+   * The weights of the rotation about the target's axes x, y and z. They must not be negative.
    */
   double angular[3];
   /**
-   * The weights of the distance along the target's x, y and z, none of them negative.
+   * The weights of the distance along the target's axes x, y and z. They must not be negative.
    */
   double linear[3];
   /**
-   * The point of the link that is to be at the target, in the frame of the link. Zero is its
-   * origin.
+   * The point of the link that is to be at the target, in the frame of the link. Zero is the
+   * origin of the link.
    */
   double point[3];
 } dq8_goal_f64;
 
 /**
- * The report of a search, about the values that it returns.
+ * The report of a search. Its errors are those of the values that the search returns.
  */
 typedef struct dq8_reach_report_f64 {
   /**
-   * One of enum dq8_outcome.
+   * The outcome, one of enum dq8_outcome.
    */
   int32_t outcome;
   /**
-   * The number of iterations, which are steps and restarts together.
+   * The number of iterations. Steps and restarts both count as iterations.
    */
   uint32_t iterations;
   /**
@@ -922,32 +938,33 @@ typedef struct dq8_reach_report_f64 {
    */
   uint32_t restarts;
   /**
-   * The largest angle in radians between a link and its target, in components with a weight.
+   * The largest angle in radians between a link and its target. Components with weight 0 do not
+   * count.
    */
   double angular_error;
   /**
-   * The largest distance of a link from its target, in components with a weight.
+   * The largest distance between a link and its target. Components with weight 0 do not count.
    */
   double linear_error;
 } dq8_reach_report_f64;
 
 /**
  * The joints and weights that move the vertices of a mesh, made by dq8_skin_make. This struct may
- * be copied and moved. The arrays of joints and weights must stay where they are and must not
- * change.
+ * be copied and moved. It points to the arrays of joint indices and weights, which must stay where
+ * they are and must not change.
  */
 typedef struct dq8_skin_f32 {
   /**
-   * The number of vertices.
+   * The number of vertices of the mesh.
    */
   size_t vertices;
   /**
-   * The number of influences that every vertex has. It is 0 in a zeroed struct that no skin has
-   * been made in.
+   * The number of influences of each vertex, which are its joints with their weights. It is 0 in
+   * a zeroed struct, in which no skin has been made.
    */
   size_t influences;
   /**
-   * The number of joints that its palettes have.
+   * The number of joints, which is the number of entries of a palette.
    */
   size_t joints;
   /**
@@ -957,27 +974,28 @@ typedef struct dq8_skin_f32 {
 } dq8_skin_f32;
 
 /**
- * The layout of the joints, or of the weights, in an array that holds one vertex after the other.
- * Both fields of this struct count elements of the array.
+ * The layout of the joint indices, or of the weights, in an array that holds one vertex after the
+ * other. Both fields of this struct count elements of the array, not bytes.
  */
 typedef struct dq8_influence_field {
   /**
-   * The distance from the beginning of a vertex to that of the next.
+   * The distance from the beginning of a vertex to the beginning of the next vertex.
    */
   size_t stride;
   /**
-   * The offset of the field in a vertex.
+   * The offset of the first joint index, or of the first weight, in a vertex.
    */
   size_t first;
 } dq8_influence_field;
 
 /**
  * The layout of a vertex buffer, which holds one vertex after the other. All fields of this struct
- * count numbers. A position, a normal or a tangent is three numbers.
+ * count elements, that is, floats or doubles, and not bytes. A position, a normal or a tangent has
+ * three components.
  */
 typedef struct dq8_vertex_fields {
   /**
-   * The distance from the beginning of a vertex to that of the next.
+   * The distance from the beginning of a vertex to the beginning of the next vertex.
    */
   size_t stride;
   /**
@@ -989,29 +1007,29 @@ typedef struct dq8_vertex_fields {
    */
   int32_t normal;
   /**
-   * The offset of the tangent in a vertex, or -1 to pose no tangents. A fourth number, the sign
-   * of the bitangent, is no part of it.
+   * The offset of the tangent in a vertex, or -1 to pose no tangents. A fourth component, the
+   * sign of the bitangent, does not belong to the tangent and is not written.
    */
   int32_t tangent;
 } dq8_vertex_fields;
 
 /**
  * The joints and weights that move the vertices of a mesh, made by dq8_skin_make. This struct may
- * be copied and moved. The arrays of joints and weights must stay where they are and must not
- * change.
+ * be copied and moved. It points to the arrays of joint indices and weights, which must stay where
+ * they are and must not change.
  */
 typedef struct dq8_skin_f64 {
   /**
-   * The number of vertices.
+   * The number of vertices of the mesh.
    */
   size_t vertices;
   /**
-   * The number of influences that every vertex has. It is 0 in a zeroed struct that no skin has
-   * been made in.
+   * The number of influences of each vertex, which are its joints with their weights. It is 0 in
+   * a zeroed struct, in which no skin has been made.
    */
   size_t influences;
   /**
-   * The number of joints that its palettes have.
+   * The number of joints, which is the number of entries of a palette.
    */
   size_t joints;
   /**
@@ -1021,33 +1039,36 @@ typedef struct dq8_skin_f64 {
 } dq8_skin_f64;
 
 /**
- * The clock of the times, the frame that results come out in, and what is outside the stamps.
+ * The options of a trajectory: the clock of the times, the poses outside of the stamps, and the
+ * frame of the results.
  */
 typedef struct dq8_trajectory_options {
   /**
-   * The time t is the stamp origin + unit * t, in seconds; 0 and 1 for times in seconds.
+   * The stamp, in seconds, of the time 0. A time t is at the stamp origin + unit * t. It is 0 if
+   * times are on the clock of the stamps.
    */
   double origin;
   /**
-   * The seconds of a unit of the times, such as 1e-9.
+   * The seconds in one unit of the times: 1 for times in seconds, and 1e-9 for nanoseconds.
    */
   double unit;
   /**
-   * Before the first stamp and after the last one: 0 if the body stands there, 1 if it goes on
-   * as it moved there, 2 if such a time is refused.
+   * The pose before the first stamp and after the last stamp. 0: the body stands at the first or
+   * last pose. 1: it goes on as it moves between the first two or the last two poses. 2: a time
+   * there is an error.
    */
   int32_t outside;
   /**
-   * 0: the world. 1: the body at the first stamp, 2: at the last one, 3: at `time`. 4: a frame
-   * with the pose `pose`.
+   * The frame of the results. 0: the world. 1: the body at the first stamp. 2: the body at the
+   * last stamp. 3: the body at `time`. 4: a frame whose pose in the world is `pose`.
    */
   int32_t frame;
   /**
-   * In seconds, on the clock of the stamps.
+   * If `frame` is 3, the time of the frame, in seconds on the clock of the stamps.
    */
   double time;
   /**
-   * Unit, in the world.
+   * If `frame` is 4, the pose of the frame in the world, a unit motion.
    */
   double pose[8];
 } dq8_trajectory_options;
@@ -1057,24 +1078,25 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * Returns the name of the instructions that compute now, for logs. The text lives as long as the
- * program.
+ * Returns the name of the instruction set in use, for logs. The text lives as long as the program.
  */
 const char *dq8_backend_name(void);
 
 /**
- * Limits the instructions that compute, in all threads and from now on, to `most`, one of enum
- * dq8_backend. Instructions that the CPU does not have are never used, so every limit is safe.
+ * Limits the instruction set to `most`, one of enum dq8_backend. The limit holds in all threads
+ * and from now on. Instructions that the CPU does not have are never used, so every limit is safe.
  *
- * Returns DQ8_STATUS_UNKNOWN_VALUE if `most` is none of them; the limit then stays as it was.
+ * Returns DQ8_STATUS_UNKNOWN_VALUE if `most` is no value of enum dq8_backend. The limit then stays
+ * as it was.
  */
 dq8_status dq8_backend_limit(int32_t most);
 
 /**
- * Makes the results of functions of arrays and blocks the same on every machine, bit by bit, in
- * all threads and from now on. 1 switches this on, and then functions take 1.0 to 1.5 times as
- * long. 0, the state at the start, switches it off. It works together with every limit. Functions
- * of one motion always have the same bits.
+ * Makes results the same on every machine, bit by bit. This concerns functions of arrays and
+ * blocks, in all threads and from now on. The value 1 switches this on, and functions then take
+ * 1.0 to 1.5 times as long. The value 0, which is the state at the start, switches it off. The
+ * limit of dq8_backend_limit holds all the same. Functions of one motion have the same bits on
+ * every machine in either state.
  *
  * Returns DQ8_STATUS_UNKNOWN_VALUE if `reproducible` is neither 0 nor 1, or if it is 1 and the
  * library was built without the feature `reproducible`; nothing changes then.
@@ -1083,8 +1105,9 @@ dq8_status dq8_set_reproducible(int32_t reproducible);
 
 /**
  * Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
- * chain. This is fast if the chain has dozens of links. Blocks hold one chain, with a
- * segment in each lane, as dq8_pack_chain writes them. `out` may be `links`.
+ * chain. `links` and `out` hold `count` motions. This is fast if the chain has dozens
+ * of links. Blocks hold one chain, with a segment of it in each lane, as
+ * dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f32(const float *links, float *out, size_t count);
 
@@ -1098,8 +1121,9 @@ dq8_status dq8_blocks_chain_products_f32(size_t lanes,
 
 /**
  * Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
- * chain. This is fast if the chain has dozens of links. Blocks hold one chain, with a
- * segment in each lane, as dq8_pack_chain writes them. `out` may be `links`.
+ * chain. `links` and `out` hold `count` motions. This is fast if the chain has dozens
+ * of links. Blocks hold one chain, with a segment of it in each lane, as
+ * dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f64(const double *links, double *out, size_t count);
 
@@ -1112,11 +1136,12 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Makes `clips` of `length` bytes of a packed clip file, which the Rust package, the Python
- * package and the example mocap write. It reads and checks all bytes once, and copies none.
+ * Makes `clips` from the `length` bytes of a packed clip file. The Rust package, the Python
+ * package and the example mocap write such files. The function reads and checks all bytes once,
+ * and copies none.
  *
- * Returns DQ8_STATUS_NOT_CLIPS if the bytes are no packed clips, and sets `bad_offset`, which may
- * be null, to the offset of the first wrong byte.
+ * Returns DQ8_STATUS_NOT_CLIPS if the bytes are no packed clips. It then sets `bad_offset`, which
+ * may be null, to the offset of the first wrong byte.
  */
 dq8_status dq8_clips_make(const uint8_t *bytes,
                           size_t length,
@@ -1124,17 +1149,19 @@ dq8_status dq8_clips_make(const uint8_t *bytes,
                           size_t *bad_offset);
 
 /**
- * Writes the time from the first frame of a clip to its last frame, in seconds if the clip has a
- * rate, and in frames otherwise. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * Writes the time from the first to the last frame of a clip. The time is in seconds if the clip
+ * has a rate, and in frames otherwise. `clip` is the index of the clip. Returns
+ * DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
  */
 dq8_status dq8_clips_duration(const struct dq8_clips *clips, size_t clip, double *duration);
 
 /**
- * Finds the time `at` in a clip: writes the frame before it to `place`, and the
- * fraction of the way from that frame to the next, from 0 to 1, to `t`. Times are
- * seconds if the clip has a rate, and frames otherwise. A time before the first frame
- * or after the last one is at that frame, unless the clip loops. Returns
- * DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * Finds the time `at` in a clip. It writes the frame before this time to `place`, and
+ * to `t` the fraction of the way from this frame to the next frame, from 0 to 1. Times
+ * are in seconds if the clip has a rate, and in frames otherwise. A time before the
+ * first frame counts as the first frame, and a time after the last frame as the last
+ * frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
+ * clip.
  */
 dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                size_t clip,
@@ -1143,12 +1170,12 @@ dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                float *t);
 
 /**
- * Computes the model poses of many instances that play packed clips, like
- * dq8_local_to_model. The local poses of instance i are at the fraction `t[i]` of the
- * way from the frame `places[i]` to the next one. `t` is clamped to [0, 1], and NaN
- * gives model poses of NaN. `models` is `[instance][joint]`, with `joint_count` times
- * `instances` motions. Returns DQ8_STATUS_LENGTH if the clips have another number of
- * joints, or if a place belongs to other clips.
+ * Computes the model poses of instances that play packed clips. The local poses of
+ * instance i are at the fraction `t[i]` of the way from the frame `places[i]` to the
+ * next frame. `t` is clamped to [0, 1], and NaN gives model poses of NaN. `parents`
+ * and `root` are those of dq8_local_to_model. `models` is `[instance][joint]` and
+ * holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH if the
+ * clips do not have `joint_count` joints, or if a place belongs to other clips.
  */
 dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   size_t joint_count,
@@ -1160,11 +1187,12 @@ dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   float *models);
 
 /**
- * Finds the time `at` in a clip: writes the frame before it to `place`, and the
- * fraction of the way from that frame to the next, from 0 to 1, to `t`. Times are
- * seconds if the clip has a rate, and frames otherwise. A time before the first frame
- * or after the last one is at that frame, unless the clip loops. Returns
- * DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ * Finds the time `at` in a clip. It writes the frame before this time to `place`, and
+ * to `t` the fraction of the way from this frame to the next frame, from 0 to 1. Times
+ * are in seconds if the clip has a rate, and in frames otherwise. A time before the
+ * first frame counts as the first frame, and a time after the last frame as the last
+ * frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
+ * clip.
  */
 dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                size_t clip,
@@ -1173,12 +1201,12 @@ dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                double *t);
 
 /**
- * Computes the model poses of many instances that play packed clips, like
- * dq8_local_to_model. The local poses of instance i are at the fraction `t[i]` of the
- * way from the frame `places[i]` to the next one. `t` is clamped to [0, 1], and NaN
- * gives model poses of NaN. `models` is `[instance][joint]`, with `joint_count` times
- * `instances` motions. Returns DQ8_STATUS_LENGTH if the clips have another number of
- * joints, or if a place belongs to other clips.
+ * Computes the model poses of instances that play packed clips. The local poses of
+ * instance i are at the fraction `t[i]` of the way from the frame `places[i]` to the
+ * next frame. `t` is clamped to [0, 1], and NaN gives model poses of NaN. `parents`
+ * and `root` are those of dq8_local_to_model. `models` is `[instance][joint]` and
+ * holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH if the
+ * clips do not have `joint_count` joints, or if a place belongs to other clips.
  */
 dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   size_t joint_count,
@@ -1190,32 +1218,33 @@ dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   double *models);
 
 /**
- * Moves a line by a unit motion. A line is six numbers, its Plücker coordinates: its
- * direction, and its moment, which is p x direction for any point p on it.
+ * Moves a line by a unit motion. A line is given by its six Plücker coordinates: the
+ * direction x y z, then the moment x y z, which is the cross product of any point on
+ * the line and the direction.
  */
 dq8_status dq8_motion_line_f32(const float *motion, const float *line, float *out);
 
 /**
- * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
- * dot product of n and any point on it.
+ * Moves a plane by a unit motion. A plane is given by four values: its unit normal x y
+ * z, then the dot product of the normal and any point on the plane.
  */
 dq8_status dq8_motion_plane_f32(const float *motion, const float *plane, float *out);
 
 /**
  * Applies the adjoint of a unit motion to a twist, which turns a body twist into the
- * spatial one. A twist is six numbers, the angular part first.
+ * spatial twist. A twist has six components: angular x y z, then linear x y z.
  */
 dq8_status dq8_motion_twist_f32(const float *motion, const float *twist, float *out);
 
 /**
- * Writes the twist that leads to a unit motion in one second: six numbers, the angular
- * part first.
+ * Writes the constant twist that moves the identity to a unit motion in one second. A
+ * twist has six components: angular x y z, then linear x y z.
  */
 dq8_status dq8_motion_to_twist_f32(const float *motion, float *twist);
 
 /**
- * Moves a unit motion on by a constant body twist for `dt` seconds. A twist is six
- * numbers, the angular part first.
+ * Moves a unit motion on by a constant body twist for `dt` seconds. A twist has six
+ * components: angular x y z in radians per second, then linear x y z.
  */
 dq8_status dq8_motion_integrate_body_f32(const float *motion,
                                          const float *twist,
@@ -1223,42 +1252,43 @@ dq8_status dq8_motion_integrate_body_f32(const float *motion,
                                          float *out);
 
 /**
- * Writes the angle between two unit motions: one number in radians, from 0 to pi.
+ * Writes the angle between two unit motions, in radians from 0 to pi.
  */
 dq8_status dq8_motion_angle_to_f32(const float *a, const float *b, float *angle);
 
 /**
- * Writes the distance between the translations of two unit motions: one number.
+ * Writes the distance between the translations of two unit motions.
  */
 dq8_status dq8_motion_distance_to_f32(const float *a, const float *b, float *distance);
 
 /**
- * Moves a line by a unit motion. A line is six numbers, its Plücker coordinates: its
- * direction, and its moment, which is p x direction for any point p on it.
+ * Moves a line by a unit motion. A line is given by its six Plücker coordinates: the
+ * direction x y z, then the moment x y z, which is the cross product of any point on
+ * the line and the direction.
  */
 dq8_status dq8_motion_line_f64(const double *motion, const double *line, double *out);
 
 /**
- * Moves a plane by a unit motion. A plane is four numbers: its unit normal n, and the
- * dot product of n and any point on it.
+ * Moves a plane by a unit motion. A plane is given by four values: its unit normal x y
+ * z, then the dot product of the normal and any point on the plane.
  */
 dq8_status dq8_motion_plane_f64(const double *motion, const double *plane, double *out);
 
 /**
  * Applies the adjoint of a unit motion to a twist, which turns a body twist into the
- * spatial one. A twist is six numbers, the angular part first.
+ * spatial twist. A twist has six components: angular x y z, then linear x y z.
  */
 dq8_status dq8_motion_twist_f64(const double *motion, const double *twist, double *out);
 
 /**
- * Writes the twist that leads to a unit motion in one second: six numbers, the angular
- * part first.
+ * Writes the constant twist that moves the identity to a unit motion in one second. A
+ * twist has six components: angular x y z, then linear x y z.
  */
 dq8_status dq8_motion_to_twist_f64(const double *motion, double *twist);
 
 /**
- * Moves a unit motion on by a constant body twist for `dt` seconds. A twist is six
- * numbers, the angular part first.
+ * Moves a unit motion on by a constant body twist for `dt` seconds. A twist has six
+ * components: angular x y z in radians per second, then linear x y z.
  */
 dq8_status dq8_motion_integrate_body_f64(const double *motion,
                                          const double *twist,
@@ -1266,34 +1296,36 @@ dq8_status dq8_motion_integrate_body_f64(const double *motion,
                                          double *out);
 
 /**
- * Writes the angle between two unit motions: one number in radians, from 0 to pi.
+ * Writes the angle between two unit motions, in radians from 0 to pi.
  */
 dq8_status dq8_motion_angle_to_f64(const double *a, const double *b, double *angle);
 
 /**
- * Writes the distance between the translations of two unit motions: one number.
+ * Writes the distance between the translations of two unit motions.
  */
 dq8_status dq8_motion_distance_to_f64(const double *a, const double *b, double *distance);
 
 /**
  * Checks that `parents` is a hierarchy: `parents[j]`, the parent of joint j, is less than j, or
- * -1. Every function that takes parents makes the same check, which costs little beside its work;
- * this one also tells which joint is wrong.
+ * -1. Every function that takes parents makes the same check, which costs little beside its work.
+ * This function also tells which joint is wrong.
  *
  * Returns DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE for the first joint whose parent is
- * wrong, and sets `bad_joint` to it. `bad_joint` may be null, and must not be in `parents`.
+ * wrong, and sets `bad_joint` to the index of this joint. `bad_joint` may be null, and must not
+ * point into `parents`.
  */
 dq8_status dq8_check_parents(const int32_t *parents, size_t joints, size_t *bad_joint);
 
 /**
  * Computes model poses from local poses: `models[j] = models[parents[j]] * locals[j]`.
  *
- * `parents` holds `joints` numbers, -1 for a joint without a parent. `root` is a
- * motion that moves all joints without a parent, or null. `locals` and `models` are
- * `[instance][joint]` and hold `count` motions in all, which is `joints` times the
- * number of instances. In blocks they are `[block of instances][joint]`, and `count`
- * is `joints` times the number of instances over `lanes`, rounded up. `models` may be
- * `locals`. Returns DQ8_STATUS_LENGTH if `count` is no multiple of `joints`.
+ * `parents` holds `joints` indices of parents, or -1 for a joint without a parent.
+ * `root` is a motion that moves all joints without a parent, or null. `locals` and
+ * `models` are `[instance][joint]` and hold `count` motions in all, which is `joints`
+ * times the number of instances. In blocks they are `[block of instances][joint]`, and
+ * `count` is `joints` times the number of blocks of instances: the number of instances
+ * over `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if
+ * `count` is no multiple of `joints`.
  */
 dq8_status dq8_local_to_model_f32(const int32_t *parents,
                                   size_t joints,
@@ -1314,8 +1346,8 @@ dq8_status dq8_blocks_local_to_model_f32(size_t lanes,
                                          size_t count);
 
 /**
- * Computes local poses from unit model poses: the inverse of dq8_local_to_model, with
- * the same arrays. `locals` may be `models`.
+ * Computes local poses from unit model poses. This is the inverse of
+ * dq8_local_to_model, and the arrays have the same shapes. `locals` may be `models`.
  */
 dq8_status dq8_model_to_local_f32(const int32_t *parents,
                                   size_t joints,
@@ -1336,10 +1368,10 @@ dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
                                          size_t count);
 
 /**
- * Computes model poses from rotations and fixed offsets, as animation clips hold them,
- * otherwise like dq8_local_to_model. `rotations` holds `count` unit quaternions (x, y,
- * z, w). `offsets` holds the translation of each joint in its parent (x, y, z), which
- * is the same in all instances: three numbers for each of `joints`.
+ * Computes model poses from rotations and fixed offsets. Animation clips often hold
+ * local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
+ * `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
+ * are the same in all instances. All else is as for dq8_local_to_model.
  */
 dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
                                       size_t joints,
@@ -1362,9 +1394,9 @@ dq8_status dq8_blocks_rotations_to_model_f32(size_t lanes,
                                              size_t count);
 
 /**
- * Computes model poses from rotations and translations, otherwise like
- * dq8_local_to_model. `locals` holds seven numbers each: a unit quaternion (x, y, z,
- * w) and a translation (x, y, z).
+ * Computes model poses from rotations and translations. `locals` holds `count` local
+ * poses of seven components: a unit quaternion (x, y, z, w), then a translation (x, y,
+ * z). All else is as for dq8_local_to_model.
  */
 dq8_status dq8_rotations_translations_to_model_f32(const int32_t *parents,
                                                    size_t joints,
@@ -1385,12 +1417,13 @@ dq8_status dq8_blocks_rotations_translations_to_model_f32(size_t lanes,
                                                           size_t count);
 
 /**
- * Computes model poses like dq8_local_to_model, and in the same pass the skinning
- * palette: `palette[j] = models[j] * inverse_binds[j]`, the motion of joint j from the
- * mesh at rest.
+ * Computes model poses and the skinning palette in one pass. The model poses are those
+ * of dq8_local_to_model. The palette is `palette[j] = models[j] * inverse_binds[j]`,
+ * which moves the mesh at rest with joint j.
  *
- * `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
- * and `palette` hold `count` motions, like `locals`, and must overlap nothing.
+ * `inverse_binds` holds `joints` plain motions, which are the same for all instances.
+ * `models` and `palette` hold `count` motions, like `locals`, and must not overlap any
+ * other array.
  */
 dq8_status dq8_palette_f32(const int32_t *parents,
                            size_t joints,
@@ -1415,8 +1448,8 @@ dq8_status dq8_blocks_palette_f32(size_t lanes,
                                   size_t count);
 
 /**
- * Computes model poses and the palette like dq8_palette, with the palette as matrices
- * `[R | t]` of twelve numbers each, row by row.
+ * Computes model poses and the palette like dq8_palette, as matrices. Each entry of
+ * the palette is a matrix `[R | t]` of twelve components, row by row.
  */
 dq8_status dq8_palette_matrices_f32(const int32_t *parents,
                                     size_t joints,
@@ -1443,12 +1476,13 @@ dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
 /**
  * Computes model poses from local poses: `models[j] = models[parents[j]] * locals[j]`.
  *
- * `parents` holds `joints` numbers, -1 for a joint without a parent. `root` is a
- * motion that moves all joints without a parent, or null. `locals` and `models` are
- * `[instance][joint]` and hold `count` motions in all, which is `joints` times the
- * number of instances. In blocks they are `[block of instances][joint]`, and `count`
- * is `joints` times the number of instances over `lanes`, rounded up. `models` may be
- * `locals`. Returns DQ8_STATUS_LENGTH if `count` is no multiple of `joints`.
+ * `parents` holds `joints` indices of parents, or -1 for a joint without a parent.
+ * `root` is a motion that moves all joints without a parent, or null. `locals` and
+ * `models` are `[instance][joint]` and hold `count` motions in all, which is `joints`
+ * times the number of instances. In blocks they are `[block of instances][joint]`, and
+ * `count` is `joints` times the number of blocks of instances: the number of instances
+ * over `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if
+ * `count` is no multiple of `joints`.
  */
 dq8_status dq8_local_to_model_f64(const int32_t *parents,
                                   size_t joints,
@@ -1469,8 +1503,8 @@ dq8_status dq8_blocks_local_to_model_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Computes local poses from unit model poses: the inverse of dq8_local_to_model, with
- * the same arrays. `locals` may be `models`.
+ * Computes local poses from unit model poses. This is the inverse of
+ * dq8_local_to_model, and the arrays have the same shapes. `locals` may be `models`.
  */
 dq8_status dq8_model_to_local_f64(const int32_t *parents,
                                   size_t joints,
@@ -1491,10 +1525,10 @@ dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Computes model poses from rotations and fixed offsets, as animation clips hold them,
- * otherwise like dq8_local_to_model. `rotations` holds `count` unit quaternions (x, y,
- * z, w). `offsets` holds the translation of each joint in its parent (x, y, z), which
- * is the same in all instances: three numbers for each of `joints`.
+ * Computes model poses from rotations and fixed offsets. Animation clips often hold
+ * local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
+ * `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
+ * are the same in all instances. All else is as for dq8_local_to_model.
  */
 dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
                                       size_t joints,
@@ -1517,9 +1551,9 @@ dq8_status dq8_blocks_rotations_to_model_f64(size_t lanes,
                                              size_t count);
 
 /**
- * Computes model poses from rotations and translations, otherwise like
- * dq8_local_to_model. `locals` holds seven numbers each: a unit quaternion (x, y, z,
- * w) and a translation (x, y, z).
+ * Computes model poses from rotations and translations. `locals` holds `count` local
+ * poses of seven components: a unit quaternion (x, y, z, w), then a translation (x, y,
+ * z). All else is as for dq8_local_to_model.
  */
 dq8_status dq8_rotations_translations_to_model_f64(const int32_t *parents,
                                                    size_t joints,
@@ -1540,12 +1574,13 @@ dq8_status dq8_blocks_rotations_translations_to_model_f64(size_t lanes,
                                                           size_t count);
 
 /**
- * Computes model poses like dq8_local_to_model, and in the same pass the skinning
- * palette: `palette[j] = models[j] * inverse_binds[j]`, the motion of joint j from the
- * mesh at rest.
+ * Computes model poses and the skinning palette in one pass. The model poses are those
+ * of dq8_local_to_model. The palette is `palette[j] = models[j] * inverse_binds[j]`,
+ * which moves the mesh at rest with joint j.
  *
- * `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
- * and `palette` hold `count` motions, like `locals`, and must overlap nothing.
+ * `inverse_binds` holds `joints` plain motions, which are the same for all instances.
+ * `models` and `palette` hold `count` motions, like `locals`, and must not overlap any
+ * other array.
  */
 dq8_status dq8_palette_f64(const int32_t *parents,
                            size_t joints,
@@ -1570,8 +1605,8 @@ dq8_status dq8_blocks_palette_f64(size_t lanes,
                                   size_t count);
 
 /**
- * Computes model poses and the palette like dq8_palette, with the palette as matrices
- * `[R | t]` of twelve numbers each, row by row.
+ * Computes model poses and the palette like dq8_palette, as matrices. Each entry of
+ * the palette is a matrix `[R | t]` of twelve components, row by row.
  */
 dq8_status dq8_palette_matrices_f64(const int32_t *parents,
                                     size_t joints,
@@ -1597,16 +1632,16 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
 
 /**
  * Computes the poses of all links for many configurations: forward kinematics.
- * `values` is `[configuration][value]` and holds `value_count` numbers in all, which
- * is the number of the mechanism's values times that of configurations. `poses` is
- * `[configuration][link]` and holds `count` motions in all, which is the number of
- * links times that of configurations.
+ * `values` is `[configuration][value]` and holds `value_count` values in all: the
+ * mechanism's number of values times the number of configurations. `poses` is
+ * `[configuration][link]` and holds `count` motions in all: the mechanism's number of
+ * links times the number of configurations.
  *
  * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
- * of links times the number of configurations over `lanes`, rounded up. `values` stays
- * plain. Lanes without a configuration get the poses for values that are all zero.
- * Returns DQ8_STATUS_LENGTH if `value_count` and `count` belong to different numbers
- * of configurations.
+ * of links times the number of blocks of configurations: the number of configurations
+ * over `lanes`, rounded up. `values` is a plain array in either case. Lanes without a
+ * configuration get the poses for values that are all zero. Returns DQ8_STATUS_LENGTH
+ * if `value_count` and `count` belong to different numbers of configurations.
  */
 dq8_status dq8_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                               const float *values,
@@ -1626,16 +1661,16 @@ dq8_status dq8_blocks_link_poses_f32(size_t lanes,
 
 /**
  * Computes the poses of all links for many configurations: forward kinematics.
- * `values` is `[configuration][value]` and holds `value_count` numbers in all, which
- * is the number of the mechanism's values times that of configurations. `poses` is
- * `[configuration][link]` and holds `count` motions in all, which is the number of
- * links times that of configurations.
+ * `values` is `[configuration][value]` and holds `value_count` values in all: the
+ * mechanism's number of values times the number of configurations. `poses` is
+ * `[configuration][link]` and holds `count` motions in all: the mechanism's number of
+ * links times the number of configurations.
  *
  * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
- * of links times the number of configurations over `lanes`, rounded up. `values` stays
- * plain. Lanes without a configuration get the poses for values that are all zero.
- * Returns DQ8_STATUS_LENGTH if `value_count` and `count` belong to different numbers
- * of configurations.
+ * of links times the number of blocks of configurations: the number of configurations
+ * over `lanes`, rounded up. `values` is a plain array in either case. Lanes without a
+ * configuration get the poses for values that are all zero. Returns DQ8_STATUS_LENGTH
+ * if `value_count` and `count` belong to different numbers of configurations.
  */
 dq8_status dq8_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                               const double *values,
@@ -1654,19 +1689,20 @@ dq8_status dq8_blocks_link_poses_f64(size_t lanes,
                                      size_t count);
 
 /**
- * Computes the intrinsic mean of `count` unit motions: the motion from which the
- * screws to all of them, times their weights, sum to zero. `weights` may be null for
- * equal weights.
+ * Computes the intrinsic mean of `count` unit motions: the logarithms of the motions,
+ * as seen from the mean, sum to zero when they are multiplied by `weights`. `weights`
+ * may be null for equal weights.
  *
  * The search begins at dq8_motion_blend and takes at most `max_iterations` steps, for
- * which 32 are enough. It ends with a step that turns by at most `tolerance` radians
- * and moves by at most `tolerance` times the longest dual part. 1e-6 is a good
- * tolerance for float, and 1e-14 for double. `converged`, which may be null, is set to
- * 1 if the search ended so, and otherwise to 0.
+ * which 32 are enough. The search has converged when a step turns by at most
+ * `tolerance` radians and moves by at most `tolerance` times the longest dual part. A
+ * good tolerance is 1e-6 for float, and 1e-14 for double. `converged`, which may be
+ * null, is set to 1 if the search has converged, and to 0 if it has not.
  *
- * If all motions are moved, so is their mean. There may be several means if motions
- * are more than a quarter of a turn away from it. Returns DQ8_STATUS_NO_INFLUENCES if
- * `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ * If all motions are multiplied by the same motion, so is their mean. There may be
+ * several means if motions are more than a quarter of a turn away from a mean. Returns
+ * DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if there
+ * is no mean.
  */
 dq8_status dq8_motion_mean_f32(const float *motions,
                                const float *weights,
@@ -1677,19 +1713,20 @@ dq8_status dq8_motion_mean_f32(const float *motions,
                                int32_t *converged);
 
 /**
- * Computes the intrinsic mean of `count` unit motions: the motion from which the
- * screws to all of them, times their weights, sum to zero. `weights` may be null for
- * equal weights.
+ * Computes the intrinsic mean of `count` unit motions: the logarithms of the motions,
+ * as seen from the mean, sum to zero when they are multiplied by `weights`. `weights`
+ * may be null for equal weights.
  *
  * The search begins at dq8_motion_blend and takes at most `max_iterations` steps, for
- * which 32 are enough. It ends with a step that turns by at most `tolerance` radians
- * and moves by at most `tolerance` times the longest dual part. 1e-6 is a good
- * tolerance for float, and 1e-14 for double. `converged`, which may be null, is set to
- * 1 if the search ended so, and otherwise to 0.
+ * which 32 are enough. The search has converged when a step turns by at most
+ * `tolerance` radians and moves by at most `tolerance` times the longest dual part. A
+ * good tolerance is 1e-6 for float, and 1e-14 for double. `converged`, which may be
+ * null, is set to 1 if the search has converged, and to 0 if it has not.
  *
- * If all motions are moved, so is their mean. There may be several means if motions
- * are more than a quarter of a turn away from it. Returns DQ8_STATUS_NO_INFLUENCES if
- * `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ * If all motions are multiplied by the same motion, so is their mean. There may be
+ * several means if motions are more than a quarter of a turn away from a mean. Returns
+ * DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if there
+ * is no mean.
  */
 dq8_status dq8_motion_mean_f64(const double *motions,
                                const double *weights,
@@ -1700,15 +1737,15 @@ dq8_status dq8_motion_mean_f64(const double *motions,
                                int32_t *converged);
 
 /**
- * Makes a mechanism of `count` joints. It checks them once, so that the functions of
- * the mechanism only compute. `steps` is memory for `count` steps, which the mechanism
- * keeps using; its functions are undefined if anything else has written there. The
- * `joints` are not needed later.
+ * Makes a mechanism of `count` joints. It checks the joints once, so that the
+ * functions of the mechanism need not. `steps` is memory for `count` steps, to which
+ * the mechanism points. The behaviour of its functions is undefined if the program
+ * changes or frees the steps. The `joints` are not needed afterwards.
  *
  * Returns DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (of a
  * placement), _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (of a kind,
- * `mimics` or `limited`), and sets `bad_joint`, which may be null, to that joint.
- * `steps` may then have been written, but not the mechanism.
+ * `mimics` or `limited`) if a joint is wrong, and sets `bad_joint`, which may be null,
+ * to its index. The function may then have written `steps`, but not the mechanism.
  */
 dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
                                   size_t count,
@@ -1719,8 +1756,8 @@ dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
 /**
  * Computes the poses of all links in the frame of the base: forward kinematics of one
  * configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
- * Returns DQ8_STATUS_LENGTH if `value_count` or `link_count` is not that of the
- * mechanism.
+ * Returns DQ8_STATUS_LENGTH if `value_count` is not the mechanism's number of values,
+ * or `link_count` not its number of links.
  */
 dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                                         const float *values,
@@ -1729,8 +1766,9 @@ dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanis
                                         size_t link_count);
 
 /**
- * Computes the pose of one link in the frame of the base. Only the joints that carry
- * the link are computed. Returns DQ8_STATUS_NO_LINK if there is no such link.
+ * Computes the pose of one link in the frame of the base. It computes only the joints
+ * that carry the link. `link` is the index of the link. Returns DQ8_STATUS_NO_LINK if
+ * there is no such link.
  */
 dq8_status dq8_mechanism_link_pose_f32(const struct dq8_mechanism_f32 *mechanism,
                                        const float *values,
@@ -1740,13 +1778,13 @@ dq8_status dq8_mechanism_link_pose_f32(const struct dq8_mechanism_f32 *mechanism
 
 /**
  * Computes the geometric Jacobian of a link. It has a column for each rate of the
- * mechanism, of six numbers: angular velocity x y z, then linear velocity x y z, in
- * `frame`, one of enum dq8_frame. Columns of joints that do not carry the link are
- * zero.
+ * mechanism. A column has six components: angular velocity x y z, then linear velocity
+ * x y z, in `frame`, one of enum dq8_frame. Columns of joints that do not carry the
+ * link are zero.
  *
  * `column_count` must be the mechanism's number of rates. The pose of the link is
  * written to `pose`, which may be null. Returns DQ8_STATUS_NO_LINK if there is no such
- * link, and DQ8_STATUS_UNKNOWN_VALUE if there is no such frame.
+ * link, and DQ8_STATUS_UNKNOWN_VALUE if `frame` is no value of the enum.
  */
 dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mechanism,
                                            int32_t frame,
@@ -1758,15 +1796,15 @@ dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mecha
                                            float *pose);
 
 /**
- * Makes a mechanism of `count` joints. It checks them once, so that the functions of
- * the mechanism only compute. `steps` is memory for `count` steps, which the mechanism
- * keeps using; its functions are undefined if anything else has written there. The
- * `joints` are not needed later.
+ * Makes a mechanism of `count` joints. It checks the joints once, so that the
+ * functions of the mechanism need not. `steps` is memory for `count` steps, to which
+ * the mechanism points. The behaviour of its functions is undefined if the program
+ * changes or frees the steps. The `joints` are not needed afterwards.
  *
  * Returns DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (of a
  * placement), _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (of a kind,
- * `mimics` or `limited`), and sets `bad_joint`, which may be null, to that joint.
- * `steps` may then have been written, but not the mechanism.
+ * `mimics` or `limited`) if a joint is wrong, and sets `bad_joint`, which may be null,
+ * to its index. The function may then have written `steps`, but not the mechanism.
  */
 dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
                                   size_t count,
@@ -1777,8 +1815,8 @@ dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
 /**
  * Computes the poses of all links in the frame of the base: forward kinematics of one
  * configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
- * Returns DQ8_STATUS_LENGTH if `value_count` or `link_count` is not that of the
- * mechanism.
+ * Returns DQ8_STATUS_LENGTH if `value_count` is not the mechanism's number of values,
+ * or `link_count` not its number of links.
  */
 dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                                         const double *values,
@@ -1787,8 +1825,9 @@ dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanis
                                         size_t link_count);
 
 /**
- * Computes the pose of one link in the frame of the base. Only the joints that carry
- * the link are computed. Returns DQ8_STATUS_NO_LINK if there is no such link.
+ * Computes the pose of one link in the frame of the base. It computes only the joints
+ * that carry the link. `link` is the index of the link. Returns DQ8_STATUS_NO_LINK if
+ * there is no such link.
  */
 dq8_status dq8_mechanism_link_pose_f64(const struct dq8_mechanism_f64 *mechanism,
                                        const double *values,
@@ -1798,13 +1837,13 @@ dq8_status dq8_mechanism_link_pose_f64(const struct dq8_mechanism_f64 *mechanism
 
 /**
  * Computes the geometric Jacobian of a link. It has a column for each rate of the
- * mechanism, of six numbers: angular velocity x y z, then linear velocity x y z, in
- * `frame`, one of enum dq8_frame. Columns of joints that do not carry the link are
- * zero.
+ * mechanism. A column has six components: angular velocity x y z, then linear velocity
+ * x y z, in `frame`, one of enum dq8_frame. Columns of joints that do not carry the
+ * link are zero.
  *
  * `column_count` must be the mechanism's number of rates. The pose of the link is
  * written to `pose`, which may be null. Returns DQ8_STATUS_NO_LINK if there is no such
- * link, and DQ8_STATUS_UNKNOWN_VALUE if there is no such frame.
+ * link, and DQ8_STATUS_UNKNOWN_VALUE if `frame` is no value of the enum.
  */
 dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mechanism,
                                            int32_t frame,
@@ -1837,9 +1876,9 @@ dq8_status dq8_motion_to_rotation_translation_f32(const float *motion,
                                                   float *translation);
 
 /**
- * Makes the motion of a matrix of three rows and four columns: twelve numbers, row by
- * row. Dot products of the rows of its rotation may differ from 0 and 1 by
- * `tolerance`.
+ * Makes the motion of a matrix of three rows and four columns. `matrix` has twelve
+ * components, row by row. The rows of its rotation must be orthonormal: their dot
+ * products may differ from 0 and 1 by at most `tolerance`.
  *
  * Returns DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if the matrix is no
  * rigid motion.
@@ -1847,20 +1886,20 @@ dq8_status dq8_motion_to_rotation_translation_f32(const float *motion,
 dq8_status dq8_motion_from_matrix_3x4_f32(const float *matrix, float tolerance, float *out);
 
 /**
- * Makes the motion of a matrix of sixteen numbers, otherwise like
- * dq8_motion_from_matrix_3x4. Returns DQ8_STATUS_NOT_AFFINE if the last row is not
- * 0 0 0 1.
+ * Makes the motion of a matrix of four rows and four columns. `matrix` has sixteen
+ * components, row by row. Returns DQ8_STATUS_NOT_AFFINE if the last row is not 0 0
+ * 0 1. All else is as for dq8_motion_from_matrix_3x4.
  */
 dq8_status dq8_motion_from_matrix_4x4_f32(const float *matrix, float tolerance, float *out);
 
 /**
- * Writes the matrix `[R | t]` of a unit motion: twelve numbers, row by row.
+ * Writes the matrix `[R | t]` of a unit motion: twelve components, row by row.
  */
 dq8_status dq8_motion_to_matrix_3x4_f32(const float *motion, float *matrix);
 
 /**
- * Writes the matrix of a unit motion with the last row 0 0 0 1: sixteen numbers, row
- * by row.
+ * Writes the 4x4 matrix of a unit motion, with the last row 0 0 0 1: sixteen
+ * components, row by row.
  */
 dq8_status dq8_motion_to_matrix_4x4_f32(const float *motion, float *matrix);
 
@@ -1876,13 +1915,13 @@ dq8_status dq8_motion_conjugate_f32(const float *motion, float *out);
 
 /**
  * Computes the inverse of a motion that need not be unit. Returns
- * DQ8_STATUS_NO_INVERSE if there is none.
+ * DQ8_STATUS_NO_INVERSE if the motion has no inverse.
  */
 dq8_status dq8_motion_inverse_f32(const float *motion, float *out);
 
 /**
  * Normalizes a dual quaternion to a unit motion. Returns DQ8_STATUS_NOT_NORMALIZABLE
- * if there is none.
+ * if its real part is zero or a component is not finite.
  */
 dq8_status dq8_motion_normalize_f32(const float *motion, float *out);
 
@@ -1893,12 +1932,12 @@ dq8_status dq8_motion_normalize_f32(const float *motion, float *out);
 dq8_status dq8_motion_check_unit_f32(const float *motion, float tolerance);
 
 /**
- * Moves a point, three numbers, by a unit motion.
+ * Moves a point (x, y, z) by a unit motion.
  */
 dq8_status dq8_motion_point_f32(const float *motion, const float *point, float *out);
 
 /**
- * Turns a direction, three numbers, by a unit motion.
+ * Turns a direction (x, y, z) by a unit motion, which does not translate it.
  */
 dq8_status dq8_motion_vector_f32(const float *motion, const float *vector, float *out);
 
@@ -1924,9 +1963,9 @@ dq8_status dq8_motion_to_rotation_translation_f64(const double *motion,
                                                   double *translation);
 
 /**
- * Makes the motion of a matrix of three rows and four columns: twelve numbers, row by
- * row. Dot products of the rows of its rotation may differ from 0 and 1 by
- * `tolerance`.
+ * Makes the motion of a matrix of three rows and four columns. `matrix` has twelve
+ * components, row by row. The rows of its rotation must be orthonormal: their dot
+ * products may differ from 0 and 1 by at most `tolerance`.
  *
  * Returns DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if the matrix is no
  * rigid motion.
@@ -1934,20 +1973,20 @@ dq8_status dq8_motion_to_rotation_translation_f64(const double *motion,
 dq8_status dq8_motion_from_matrix_3x4_f64(const double *matrix, double tolerance, double *out);
 
 /**
- * Makes the motion of a matrix of sixteen numbers, otherwise like
- * dq8_motion_from_matrix_3x4. Returns DQ8_STATUS_NOT_AFFINE if the last row is not
- * 0 0 0 1.
+ * Makes the motion of a matrix of four rows and four columns. `matrix` has sixteen
+ * components, row by row. Returns DQ8_STATUS_NOT_AFFINE if the last row is not 0 0
+ * 0 1. All else is as for dq8_motion_from_matrix_3x4.
  */
 dq8_status dq8_motion_from_matrix_4x4_f64(const double *matrix, double tolerance, double *out);
 
 /**
- * Writes the matrix `[R | t]` of a unit motion: twelve numbers, row by row.
+ * Writes the matrix `[R | t]` of a unit motion: twelve components, row by row.
  */
 dq8_status dq8_motion_to_matrix_3x4_f64(const double *motion, double *matrix);
 
 /**
- * Writes the matrix of a unit motion with the last row 0 0 0 1: sixteen numbers, row
- * by row.
+ * Writes the 4x4 matrix of a unit motion, with the last row 0 0 0 1: sixteen
+ * components, row by row.
  */
 dq8_status dq8_motion_to_matrix_4x4_f64(const double *motion, double *matrix);
 
@@ -1963,13 +2002,13 @@ dq8_status dq8_motion_conjugate_f64(const double *motion, double *out);
 
 /**
  * Computes the inverse of a motion that need not be unit. Returns
- * DQ8_STATUS_NO_INVERSE if there is none.
+ * DQ8_STATUS_NO_INVERSE if the motion has no inverse.
  */
 dq8_status dq8_motion_inverse_f64(const double *motion, double *out);
 
 /**
  * Normalizes a dual quaternion to a unit motion. Returns DQ8_STATUS_NOT_NORMALIZABLE
- * if there is none.
+ * if its real part is zero or a component is not finite.
  */
 dq8_status dq8_motion_normalize_f64(const double *motion, double *out);
 
@@ -1980,20 +2019,21 @@ dq8_status dq8_motion_normalize_f64(const double *motion, double *out);
 dq8_status dq8_motion_check_unit_f64(const double *motion, double tolerance);
 
 /**
- * Moves a point, three numbers, by a unit motion.
+ * Moves a point (x, y, z) by a unit motion.
  */
 dq8_status dq8_motion_point_f64(const double *motion, const double *point, double *out);
 
 /**
- * Turns a direction, three numbers, by a unit motion.
+ * Turns a direction (x, y, z) by a unit motion, which does not translate it.
  */
 dq8_status dq8_motion_vector_f64(const double *motion, const double *vector, double *out);
 
 /**
  * Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
  * `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
- * instance get the identity. `block_count` must be `joints` times the number of
- * instances over `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
+ * instance get the identity. Returns DQ8_STATUS_LENGTH if `block_count` is not
+ * `joints` times the number of blocks of instances: the number of instances over
+ * `lanes`, rounded up.
  */
 dq8_status dq8_pack_f32(size_t lanes,
                         size_t joints,
@@ -2003,8 +2043,8 @@ dq8_status dq8_pack_f32(size_t lanes,
                         size_t block_count);
 
 /**
- * Unpacks blocks into plain poses: the inverse of dq8_pack, with the same arrays.
- * Lanes after the last instance are ignored.
+ * Unpacks blocks into plain poses. This is the inverse of dq8_pack, and the arrays
+ * have the same shapes. Lanes after the last instance are ignored.
  */
 dq8_status dq8_unpack_f32(size_t lanes,
                           size_t joints,
@@ -2014,10 +2054,10 @@ dq8_status dq8_unpack_f32(size_t lanes,
                           size_t pose_count);
 
 /**
- * Packs the links of a chain into blocks, with a segment of `block_count` links in
- * each lane: link i goes to lane `i / block_count` of block `i % block_count`. Lanes
- * after the last link get the identity. `block_count` must be `link_count` over
- * `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
+ * Packs the links of a chain into blocks. Each lane holds a segment of `block_count`
+ * links: link i goes to lane `i / block_count` of block `i % block_count`. Places
+ * after the last link get the identity. Returns DQ8_STATUS_LENGTH if `block_count` is
+ * not `link_count` over `lanes`, rounded up.
  */
 dq8_status dq8_pack_chain_f32(size_t lanes,
                               const float *links,
@@ -2026,7 +2066,8 @@ dq8_status dq8_pack_chain_f32(size_t lanes,
                               size_t block_count);
 
 /**
- * Unpacks the blocks of a chain into plain links: the inverse of dq8_pack_chain.
+ * Unpacks the blocks of a chain into plain links. This is the inverse of
+ * dq8_pack_chain.
  */
 dq8_status dq8_unpack_chain_f32(size_t lanes,
                                 const float *blocks,
@@ -2035,17 +2076,18 @@ dq8_status dq8_unpack_chain_f32(size_t lanes,
                                 size_t link_count);
 
 /**
- * Returns the size of a block in numbers: `lanes` times `components`, rounded up to whole
- * 64 bytes. A motion has 8 components, a point 3, a rotation 4, a rotation with a
- * translation 7, and a matrix 12 or 16.
+ * Returns the size of a block, counted in floats or doubles. It is `lanes` times
+ * `components`, rounded up to whole 64 bytes. A motion has 8 components, a point 3, a
+ * rotation 4, a rotation with a translation 7, and a matrix 12 or 16.
  */
 size_t dq8_block_size_f32(size_t lanes, size_t components);
 
 /**
  * Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
  * `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
- * instance get the identity. `block_count` must be `joints` times the number of
- * instances over `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
+ * instance get the identity. Returns DQ8_STATUS_LENGTH if `block_count` is not
+ * `joints` times the number of blocks of instances: the number of instances over
+ * `lanes`, rounded up.
  */
 dq8_status dq8_pack_f64(size_t lanes,
                         size_t joints,
@@ -2055,8 +2097,8 @@ dq8_status dq8_pack_f64(size_t lanes,
                         size_t block_count);
 
 /**
- * Unpacks blocks into plain poses: the inverse of dq8_pack, with the same arrays.
- * Lanes after the last instance are ignored.
+ * Unpacks blocks into plain poses. This is the inverse of dq8_pack, and the arrays
+ * have the same shapes. Lanes after the last instance are ignored.
  */
 dq8_status dq8_unpack_f64(size_t lanes,
                           size_t joints,
@@ -2066,10 +2108,10 @@ dq8_status dq8_unpack_f64(size_t lanes,
                           size_t pose_count);
 
 /**
- * Packs the links of a chain into blocks, with a segment of `block_count` links in
- * each lane: link i goes to lane `i / block_count` of block `i % block_count`. Lanes
- * after the last link get the identity. `block_count` must be `link_count` over
- * `lanes`, rounded up, or DQ8_STATUS_LENGTH is returned.
+ * Packs the links of a chain into blocks. Each lane holds a segment of `block_count`
+ * links: link i goes to lane `i / block_count` of block `i % block_count`. Places
+ * after the last link get the identity. Returns DQ8_STATUS_LENGTH if `block_count` is
+ * not `link_count` over `lanes`, rounded up.
  */
 dq8_status dq8_pack_chain_f64(size_t lanes,
                               const double *links,
@@ -2078,7 +2120,8 @@ dq8_status dq8_pack_chain_f64(size_t lanes,
                               size_t block_count);
 
 /**
- * Unpacks the blocks of a chain into plain links: the inverse of dq8_pack_chain.
+ * Unpacks the blocks of a chain into plain links. This is the inverse of
+ * dq8_pack_chain.
  */
 dq8_status dq8_unpack_chain_f64(size_t lanes,
                                 const double *blocks,
@@ -2087,18 +2130,18 @@ dq8_status dq8_unpack_chain_f64(size_t lanes,
                                 size_t link_count);
 
 /**
- * Returns the size of a block in numbers: `lanes` times `components`, rounded up to whole
- * 64 bytes. A motion has 8 components, a point 3, a rotation 4, a rotation with a
- * translation 7, and a matrix 12 or 16.
+ * Returns the size of a block, counted in floats or doubles. It is `lanes` times
+ * `components`, rounded up to whole 64 bytes. A motion has 8 components, a point 3, a
+ * rotation 4, a rotation with a translation 7, and a matrix 12 or 16.
  */
 size_t dq8_block_size_f64(size_t lanes, size_t components);
 
 /**
- * Computes a palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`. Inputs
- * are 4x4 matrices whose numbers are in `order`, one of enum dq8_matrix_order. The
- * palette has twelve numbers per joint, row by row.
- *
- * Returns DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if an input is so.
+ * Computes a palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`.
+ * `models` and `inverse_binds` are 4x4 matrices whose components are in `order`, one
+ * of enum dq8_matrix_order. `matrices` has twelve components per joint, row by row, in
+ * either order. Returns DQ8_STATUS_NOT_FINITE if an input is not finite, and
+ * DQ8_STATUS_NOT_AFFINE if the last row of an input is not 0 0 0 1.
  */
 dq8_status dq8_skin_products_f32(const float *models,
                                  const float *inverse_binds,
@@ -2107,9 +2150,10 @@ dq8_status dq8_skin_products_f32(const float *models,
                                  size_t joint_count);
 
 /**
- * Splits the matrices of a palette into stretches, which act first, and unit motions,
- * as dq8_skin_stretched takes them. Returns DQ8_STATUS_NOT_FINITE if a number is not
- * finite.
+ * Splits the matrices of a palette into stretches and unit motions. Both are palettes
+ * for dq8_skin_stretched. A matrix is the product of the motion and the stretch, and
+ * the stretch acts first. `matrices` and `stretches` have twelve components per joint,
+ * row by row. Returns DQ8_STATUS_NOT_FINITE if a component is not finite.
  */
 dq8_status dq8_skin_split_f32(const float *matrices,
                               float *motions,
@@ -2117,11 +2161,11 @@ dq8_status dq8_skin_split_f32(const float *matrices,
                               size_t joint_count);
 
 /**
- * Computes a palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`. Inputs
- * are 4x4 matrices whose numbers are in `order`, one of enum dq8_matrix_order. The
- * palette has twelve numbers per joint, row by row.
- *
- * Returns DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if an input is so.
+ * Computes a palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`.
+ * `models` and `inverse_binds` are 4x4 matrices whose components are in `order`, one
+ * of enum dq8_matrix_order. `matrices` has twelve components per joint, row by row, in
+ * either order. Returns DQ8_STATUS_NOT_FINITE if an input is not finite, and
+ * DQ8_STATUS_NOT_AFFINE if the last row of an input is not 0 0 0 1.
  */
 dq8_status dq8_skin_products_f64(const double *models,
                                  const double *inverse_binds,
@@ -2130,9 +2174,10 @@ dq8_status dq8_skin_products_f64(const double *models,
                                  size_t joint_count);
 
 /**
- * Splits the matrices of a palette into stretches, which act first, and unit motions,
- * as dq8_skin_stretched takes them. Returns DQ8_STATUS_NOT_FINITE if a number is not
- * finite.
+ * Splits the matrices of a palette into stretches and unit motions. Both are palettes
+ * for dq8_skin_stretched. A matrix is the product of the motion and the stretch, and
+ * the stretch acts first. `matrices` and `stretches` have twelve components per joint,
+ * row by row. Returns DQ8_STATUS_NOT_FINITE if a component is not finite.
  */
 dq8_status dq8_skin_split_f64(const double *matrices,
                               double *motions,
@@ -2140,12 +2185,14 @@ dq8_status dq8_skin_split_f64(const double *matrices,
                               size_t joint_count);
 
 /**
- * Finds the order in which dq8_plan_local_to_model computes the joints of one instance fastest:
- * joints that others wait for come early, and between a joint and its parent there are others.
+ * Finds the fastest order of joints for dq8_plan_local_to_model. Joints at the head of long chains
+ * come early, and between a joint and its parent the order has other joints, so that the CPU need
+ * not wait for the parent.
  *
- * `order` holds two numbers per joint, and must not change while it is used. `scratch` holds six
- * numbers per joint, which are not needed afterwards. Errors of `parents` are those of
- * dq8_check_parents, with the joint in `bad_joint`, which may be null.
+ * `order` holds two elements per joint, and must not change while it is used. `scratch` holds six
+ * elements per joint, whose content is not needed afterwards. If `parents` is wrong, the function
+ * returns the status of dq8_check_parents and sets `bad_joint`, which may be null, to the index of
+ * the wrong joint.
  */
 dq8_status dq8_plan_make(const int32_t *parents,
                          size_t joints,
@@ -2154,13 +2201,15 @@ dq8_status dq8_plan_make(const int32_t *parents,
                          size_t *bad_joint);
 
 /**
- * Computes model poses like dq8_local_to_model, in the `order` that dq8_plan_make
- * found for the same parents. This is the fastest way for one instance. Several
- * instances are computed as by dq8_local_to_model: `count` is `joints` times the
- * number of instances. `models` may be `locals`.
+ * Computes model poses like dq8_local_to_model, in a faster order. `order` is the
+ * order that dq8_plan_make has found for the same parents. This is the fastest
+ * function for one instance. Several instances are computed in the order of
+ * dq8_local_to_model. `count` is `joints` times the number of instances. `models` may
+ * be `locals`.
  *
  * Returns DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or if
- * a root comes after other joints. It does not notice if pairs have been exchanged.
+ * a root comes after other joints. The function does not notice whether pairs have
+ * changed places.
  */
 dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
                                        const uint32_t *order,
@@ -2170,13 +2219,15 @@ dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
                                        size_t count);
 
 /**
- * Computes model poses like dq8_local_to_model, in the `order` that dq8_plan_make
- * found for the same parents. This is the fastest way for one instance. Several
- * instances are computed as by dq8_local_to_model: `count` is `joints` times the
- * number of instances. `models` may be `locals`.
+ * Computes model poses like dq8_local_to_model, in a faster order. `order` is the
+ * order that dq8_plan_make has found for the same parents. This is the fastest
+ * function for one instance. Several instances are computed in the order of
+ * dq8_local_to_model. `count` is `joints` times the number of instances. `models` may
+ * be `locals`.
  *
  * Returns DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or if
- * a root comes after other joints. It does not notice if pairs have been exchanged.
+ * a root comes after other joints. The function does not notice whether pairs have
+ * changed places.
  */
 dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
                                        const uint32_t *order,
@@ -2186,35 +2237,36 @@ dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
                                        size_t count);
 
 /**
- * Writes the default options: tolerances of 1e-5 rad and 1e-5 lengths, 100 iterations,
- * with restarts.
+ * Writes the default options: tolerances of 1e-5 radians and 1e-5 units of length, 100
+ * iterations, with restarts.
  */
 dq8_status dq8_mechanism_reach_options_f32(struct dq8_reach_options_f32 *options);
 
 /**
- * Writes the size in numbers that `scratch` of dq8_mechanism_reach must have. It
- * depends on the mechanism and the number of goals only. Returns DQ8_STATUS_TOO_LARGE
- * if there are more than 1024 goals.
+ * Writes the size that `scratch` of dq8_mechanism_reach must have. The size counts
+ * floats or doubles. It depends on the mechanism and the number of goals only. Returns
+ * DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
  */
 dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
                                            size_t goal_count,
                                            size_t *scratch_count);
 
 /**
- * Solves the inverse kinematics of one configuration. Beginning at `values`, it moves
- * them within the limits of the joints until the link of each goal is at its target.
- * `targets` holds a unit motion for each goal. From a start nearby the search
- * converges in a few steps.
+ * Solves the inverse kinematics of one configuration. The search begins at `values`
+ * and changes them, within the limits of the joints, until the link of each goal is at
+ * its target. `targets` holds a unit motion for each goal. From a start nearby the
+ * search converges in a few steps.
  *
- * `posture` holds as many numbers as `values`, a configuration that is preferred where
- * the goals leave freedom, or is null. `options` may be null for those of
- * dq8_mechanism_reach_options. The content of `scratch` does not matter. DQ8_STATUS_OK
- * means that there is a report; its `outcome` tells if the targets are reached.
+ * `posture` is a configuration that the search prefers where the goals leave freedom.
+ * It holds as many elements as `values`, or is null. `options` may be null for the
+ * options that dq8_mechanism_reach_options writes. The content of `scratch` does not
+ * matter. DQ8_STATUS_OK means that `report` has been written, whose `outcome` tells
+ * whether the targets are reached.
  *
- * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or all
- * of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the posture or a
- * point), _LENGTH or _UNKNOWN_VALUE (of `restarts`). `scratch` may then have been
- * written, but not the values and the report.
+ * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (a weight is negative or not finite,
+ * or all weights of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the
+ * posture or of a point), _LENGTH or _UNKNOWN_VALUE (of `restarts`) for wrong inputs.
+ * The function may then have written `scratch`, but not the values and the report.
  */
 dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                                    const struct dq8_goal_f32 *goals,
@@ -2229,35 +2281,36 @@ dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                                    struct dq8_reach_report_f32 *report);
 
 /**
- * Writes the default options: tolerances of 1e-5 rad and 1e-5 lengths, 100 iterations,
- * with restarts.
+ * Writes the default options: tolerances of 1e-5 radians and 1e-5 units of length, 100
+ * iterations, with restarts.
  */
 dq8_status dq8_mechanism_reach_options_f64(struct dq8_reach_options_f64 *options);
 
 /**
- * Writes the size in numbers that `scratch` of dq8_mechanism_reach must have. It
- * depends on the mechanism and the number of goals only. Returns DQ8_STATUS_TOO_LARGE
- * if there are more than 1024 goals.
+ * Writes the size that `scratch` of dq8_mechanism_reach must have. The size counts
+ * floats or doubles. It depends on the mechanism and the number of goals only. Returns
+ * DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
  */
 dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
                                            size_t goal_count,
                                            size_t *scratch_count);
 
 /**
- * Solves the inverse kinematics of one configuration. Beginning at `values`, it moves
- * them within the limits of the joints until the link of each goal is at its target.
- * `targets` holds a unit motion for each goal. From a start nearby the search
- * converges in a few steps.
+ * Solves the inverse kinematics of one configuration. The search begins at `values`
+ * and changes them, within the limits of the joints, until the link of each goal is at
+ * its target. `targets` holds a unit motion for each goal. From a start nearby the
+ * search converges in a few steps.
  *
- * `posture` holds as many numbers as `values`, a configuration that is preferred where
- * the goals leave freedom, or is null. `options` may be null for those of
- * dq8_mechanism_reach_options. The content of `scratch` does not matter. DQ8_STATUS_OK
- * means that there is a report; its `outcome` tells if the targets are reached.
+ * `posture` is a configuration that the search prefers where the goals leave freedom.
+ * It holds as many elements as `values`, or is null. `options` may be null for the
+ * options that dq8_mechanism_reach_options writes. The content of `scratch` does not
+ * matter. DQ8_STATUS_OK means that `report` has been written, whose `outcome` tells
+ * whether the targets are reached.
  *
- * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or all
- * of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the posture or a
- * point), _LENGTH or _UNKNOWN_VALUE (of `restarts`). `scratch` may then have been
- * written, but not the values and the report.
+ * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (a weight is negative or not finite,
+ * or all weights of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the
+ * posture or of a point), _LENGTH or _UNKNOWN_VALUE (of `restarts`) for wrong inputs.
+ * The function may then have written `scratch`, but not the values and the report.
  */
 dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                                    const struct dq8_goal_f64 *goals,
@@ -2273,23 +2326,25 @@ dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
 
 /**
  * Interpolates from `a` (t = 0) to `b` (t = 1) by the shorter way: the normalized
- * linear interpolation. Returns DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ * linear interpolation. Returns DQ8_STATUS_NOT_NORMALIZABLE if the weighted sum cannot
+ * be normalized to a motion.
  */
 dq8_status dq8_motion_nlerp_f32(const float *a, const float *b, float t, float *out);
 
 /**
- * Interpolates from unit `a` (t = 0) to unit `b` (t = 1) by the shorter way, along one
- * screw at constant speed.
+ * Interpolates along one screw, from unit `a` (t = 0) to unit `b` (t = 1). The motion
+ * has constant speed and goes by the shorter way.
  */
 dq8_status dq8_motion_sclerp_f32(const float *a, const float *b, float t, float *out);
 
 /**
  * Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
- * quaternion linear blending: each motion gets the sign that turns it toward the
- * first, and their weighted sum is normalized.
+ * quaternion linear blending: each motion gets the sign with which its real part has a
+ * dot product of at least 0 with that of the first motion, and the weighted sum is
+ * normalized.
  *
  * Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
- * the sum is no motion.
+ * the weighted sum cannot be normalized to a motion.
  */
 dq8_status dq8_motion_blend_f32(const float *motions,
                                 const float *weights,
@@ -2297,53 +2352,58 @@ dq8_status dq8_motion_blend_f32(const float *motions,
                                 float *out);
 
 /**
- * Writes the logarithm of a unit motion, six numbers: half the angle times the axis,
- * and the dual part of that.
+ * Writes the logarithm of a unit motion. It has six components: the real part x y z,
+ * which is half the angle times the axis, then the dual part x y z.
  */
 dq8_status dq8_motion_log_f32(const float *motion, float *log);
 
 /**
- * Writes the unit motion whose logarithm is `log`, six numbers.
+ * Writes the unit motion whose logarithm is `log`: six components, as dq8_motion_log
+ * writes them.
  */
 dq8_status dq8_motion_exp_f32(const float *log, float *out);
 
 /**
- * Raises a unit motion to the power `t`: the same screw axis, with t times the angle
- * and the slide.
+ * Raises a unit motion to the power `t`. The power has the same screw axis, and t
+ * times the angle and the slide.
  */
 dq8_status dq8_motion_pow_f32(const float *motion, float t, float *out);
 
 /**
- * Writes the screw of a unit motion, eight numbers: direction of the axis, moment of
- * the axis, angle from 0 to pi, slide along the axis. A translation has angle 0.
+ * Writes the screw of a unit motion as eight values. They are the direction x y z of
+ * the axis, the moment x y z of the axis, the angle from 0 to pi, and the slide along
+ * the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f32(const float *motion, float *screw);
 
 /**
- * Writes the motion of a screw, eight numbers: direction of the axis, of length 1;
- * moment of the axis, at right angles to that; angle; slide.
+ * Writes the motion of a screw, which `numbers` gives as eight values. They are the
+ * direction x y z of the axis, of length 1, the moment x y z of the axis, at right
+ * angles to the direction, the angle, and the slide along the axis.
  */
 dq8_status dq8_motion_from_screw_f32(const float *numbers, float *out);
 
 /**
  * Interpolates from `a` (t = 0) to `b` (t = 1) by the shorter way: the normalized
- * linear interpolation. Returns DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ * linear interpolation. Returns DQ8_STATUS_NOT_NORMALIZABLE if the weighted sum cannot
+ * be normalized to a motion.
  */
 dq8_status dq8_motion_nlerp_f64(const double *a, const double *b, double t, double *out);
 
 /**
- * Interpolates from unit `a` (t = 0) to unit `b` (t = 1) by the shorter way, along one
- * screw at constant speed.
+ * Interpolates along one screw, from unit `a` (t = 0) to unit `b` (t = 1). The motion
+ * has constant speed and goes by the shorter way.
  */
 dq8_status dq8_motion_sclerp_f64(const double *a, const double *b, double t, double *out);
 
 /**
  * Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
- * quaternion linear blending: each motion gets the sign that turns it toward the
- * first, and their weighted sum is normalized.
+ * quaternion linear blending: each motion gets the sign with which its real part has a
+ * dot product of at least 0 with that of the first motion, and the weighted sum is
+ * normalized.
  *
  * Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
- * the sum is no motion.
+ * the weighted sum cannot be normalized to a motion.
  */
 dq8_status dq8_motion_blend_f64(const double *motions,
                                 const double *weights,
@@ -2351,44 +2411,48 @@ dq8_status dq8_motion_blend_f64(const double *motions,
                                 double *out);
 
 /**
- * Writes the logarithm of a unit motion, six numbers: half the angle times the axis,
- * and the dual part of that.
+ * Writes the logarithm of a unit motion. It has six components: the real part x y z,
+ * which is half the angle times the axis, then the dual part x y z.
  */
 dq8_status dq8_motion_log_f64(const double *motion, double *log);
 
 /**
- * Writes the unit motion whose logarithm is `log`, six numbers.
+ * Writes the unit motion whose logarithm is `log`: six components, as dq8_motion_log
+ * writes them.
  */
 dq8_status dq8_motion_exp_f64(const double *log, double *out);
 
 /**
- * Raises a unit motion to the power `t`: the same screw axis, with t times the angle
- * and the slide.
+ * Raises a unit motion to the power `t`. The power has the same screw axis, and t
+ * times the angle and the slide.
  */
 dq8_status dq8_motion_pow_f64(const double *motion, double t, double *out);
 
 /**
- * Writes the screw of a unit motion, eight numbers: direction of the axis, moment of
- * the axis, angle from 0 to pi, slide along the axis. A translation has angle 0.
+ * Writes the screw of a unit motion as eight values. They are the direction x y z of
+ * the axis, the moment x y z of the axis, the angle from 0 to pi, and the slide along
+ * the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f64(const double *motion, double *screw);
 
 /**
- * Writes the motion of a screw, eight numbers: direction of the axis, of length 1;
- * moment of the axis, at right angles to that; angle; slide.
+ * Writes the motion of a screw, which `numbers` gives as eight values. They are the
+ * direction x y z of the axis, of length 1, the moment x y z of the axis, at right
+ * angles to the direction, the angle, and the slide along the axis.
  */
 dq8_status dq8_motion_from_screw_f64(const double *numbers, double *out);
 
 /**
- * Makes a skin of the joints that move each vertex and their weights. It checks them
- * once, so that the functions that pose the mesh only compute. `joint_indices` and
- * `weights` hold `influences` numbers for the first vertex, then those for the next,
- * and so on. Fill unused influences with any joint and weight 0. The skin keeps using
- * both arrays; its functions are undefined if these change.
+ * Makes a skin of the joints that move each vertex and their weights. It checks both
+ * arrays once, so that the functions that pose the mesh need not. `joint_indices` and
+ * `weights` hold `influences` elements per vertex, one vertex after the other. Fill
+ * unused influences with any joint and weight 0. The skin points to both arrays, and
+ * the behaviour of its functions is undefined if the program changes or frees them.
  *
- * Returns DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM, and sets
- * `bad_vertex`, which may be null, to that vertex. Returns DQ8_STATUS_NO_INFLUENCES if
- * `influences` is 0. The skin is then not written.
+ * Returns DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM if a vertex is wrong,
+ * and sets `bad_vertex`, which may be null, to its index. Returns
+ * DQ8_STATUS_NO_INFLUENCES if `influences` is 0. After an error the skin has not been
+ * written.
  */
 dq8_status dq8_skin_make_f32(size_t joint_count,
                              size_t influences,
@@ -2400,10 +2464,10 @@ dq8_status dq8_skin_make_f32(size_t joint_count,
 
 /**
  * Makes a skin of a vertex buffer, otherwise like dq8_skin_make. `joint_indices` and
- * `weights` hold `stride` elements per vertex, of which `influences` elements from
- * `first` on are read. Both may be the same memory. Divide strides and offsets in
- * bytes by the size of an element. Returns DQ8_STATUS_FIELD if a field is not inside
- * of its vertex.
+ * `weights` hold `stride` elements per vertex, of which the skin reads `influences`
+ * elements from `first` on. Both pointers may be to the same memory. Divide strides
+ * and offsets in bytes by the size of an element. Returns DQ8_STATUS_FIELD if a field
+ * is not inside of its vertex.
  */
 dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
                                          size_t influences,
@@ -2416,13 +2480,14 @@ dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
                                          size_t *bad_vertex);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
                                            const float *matrices,
@@ -2434,13 +2499,15 @@ dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
                                            size_t vertices);
 
 /**
- * Poses a mesh by linear blends: each vertex moves by the weighted sum of `matrices`,
- * the palette, with twelve numbers per joint, row by row. Weights must sum to 1.
+ * Poses a mesh by linear blends: each vertex moves by the weighted sum of its joints'
+ * matrices. `matrices` is the palette, with twelve components per joint, row by row.
+ * The weights of a vertex must sum to 1.
  *
- * `positions`, `normals` and `tangents` hold three numbers per vertex. The posed ones
- * are written to `posed_positions`, `posed_normals` and `posed_tangents`, which must
- * overlap nothing. Both pointers of normals or of tangents may be null. Returns
- * DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
+ * `positions`, `normals` and `tangents` hold three components per vertex, of the mesh
+ * at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
+ * `posed_tangents`, which must not overlap any other array. `normals` and
+ * `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
+ * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
  */
 dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                const float *matrices,
@@ -2454,13 +2521,14 @@ dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                size_t vertices);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_dual_interleaved_f32(const struct dq8_skin_f32 *skin,
                                          const float *motions,
@@ -2473,9 +2541,10 @@ dq8_status dq8_skin_dual_interleaved_f32(const struct dq8_skin_f32 *skin,
 
 /**
  * Poses a mesh by dual quaternion blends, otherwise like dq8_skin_linear. Each vertex
- * moves by the normalized weighted sum of `motions`, the palette, each with the sign
- * that turns it toward the one with the greatest weight. Twisted joints keep their
- * volume.
+ * moves by the normalized weighted sum of its joints' motions. Each motion gets the
+ * sign that turns it toward the motion with the greatest weight. `motions` is the
+ * palette, with eight components per joint. The mesh keeps its volume at twisted
+ * joints.
  */
 dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
                              const float *motions,
@@ -2489,13 +2558,14 @@ dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
                              size_t vertices);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_stretched_interleaved_f32(const struct dq8_skin_f32 *skin,
                                               const float *motions,
@@ -2508,9 +2578,10 @@ dq8_status dq8_skin_stretched_interleaved_f32(const struct dq8_skin_f32 *skin,
                                               size_t vertices);
 
 /**
- * Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual. Each vertex
- * is stretched by the weighted sum of `stretches`, matrices of twelve numbers per
- * joint, before it moves. dq8_skin_split makes both palettes.
+ * Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual. The weighted
+ * sum of its joints' `stretches` acts on each vertex before the motion does.
+ * `stretches` are matrices of twelve components per joint. dq8_skin_split makes both
+ * palettes.
  */
 dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   const float *motions,
@@ -2525,13 +2596,14 @@ dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   size_t vertices);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_mixed_interleaved_f32(const struct dq8_skin_f32 *skin,
                                           const float *matrices,
@@ -2545,10 +2617,10 @@ dq8_status dq8_skin_mixed_interleaved_f32(const struct dq8_skin_f32 *skin,
                                           size_t vertices);
 
 /**
- * Poses a mesh by dq8_skin_linear and dq8_skin_dual, and mixes the two with a share s
- * per vertex: (1 - s) times the first and s times the second. This is against the
- * bulge of dual quaternion blends at bent joints. `shares` holds a number per vertex.
- * Returns DQ8_STATUS_SHARE if one is not in [0, 1].
+ * Poses a mesh by a mix of dq8_skin_linear and dq8_skin_dual. A posed vertex is (1 -
+ * s) times the vertex of dq8_skin_linear plus s times the vertex of dq8_skin_dual.
+ * This reduces the bulge of dual quaternion blends at bent joints. `shares` holds the
+ * share s of each vertex. Returns DQ8_STATUS_SHARE if a share is not in [0, 1].
  */
 dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
                               const float *matrices,
@@ -2564,15 +2636,16 @@ dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
                               size_t vertices);
 
 /**
- * Makes a skin of the joints that move each vertex and their weights. It checks them
- * once, so that the functions that pose the mesh only compute. `joint_indices` and
- * `weights` hold `influences` numbers for the first vertex, then those for the next,
- * and so on. Fill unused influences with any joint and weight 0. The skin keeps using
- * both arrays; its functions are undefined if these change.
+ * Makes a skin of the joints that move each vertex and their weights. It checks both
+ * arrays once, so that the functions that pose the mesh need not. `joint_indices` and
+ * `weights` hold `influences` elements per vertex, one vertex after the other. Fill
+ * unused influences with any joint and weight 0. The skin points to both arrays, and
+ * the behaviour of its functions is undefined if the program changes or frees them.
  *
- * Returns DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM, and sets
- * `bad_vertex`, which may be null, to that vertex. Returns DQ8_STATUS_NO_INFLUENCES if
- * `influences` is 0. The skin is then not written.
+ * Returns DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM if a vertex is wrong,
+ * and sets `bad_vertex`, which may be null, to its index. Returns
+ * DQ8_STATUS_NO_INFLUENCES if `influences` is 0. After an error the skin has not been
+ * written.
  */
 dq8_status dq8_skin_make_f64(size_t joint_count,
                              size_t influences,
@@ -2584,10 +2657,10 @@ dq8_status dq8_skin_make_f64(size_t joint_count,
 
 /**
  * Makes a skin of a vertex buffer, otherwise like dq8_skin_make. `joint_indices` and
- * `weights` hold `stride` elements per vertex, of which `influences` elements from
- * `first` on are read. Both may be the same memory. Divide strides and offsets in
- * bytes by the size of an element. Returns DQ8_STATUS_FIELD if a field is not inside
- * of its vertex.
+ * `weights` hold `stride` elements per vertex, of which the skin reads `influences`
+ * elements from `first` on. Both pointers may be to the same memory. Divide strides
+ * and offsets in bytes by the size of an element. Returns DQ8_STATUS_FIELD if a field
+ * is not inside of its vertex.
  */
 dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
                                          size_t influences,
@@ -2600,13 +2673,14 @@ dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
                                          size_t *bad_vertex);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
                                            const double *matrices,
@@ -2618,13 +2692,15 @@ dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
                                            size_t vertices);
 
 /**
- * Poses a mesh by linear blends: each vertex moves by the weighted sum of `matrices`,
- * the palette, with twelve numbers per joint, row by row. Weights must sum to 1.
+ * Poses a mesh by linear blends: each vertex moves by the weighted sum of its joints'
+ * matrices. `matrices` is the palette, with twelve components per joint, row by row.
+ * The weights of a vertex must sum to 1.
  *
- * `positions`, `normals` and `tangents` hold three numbers per vertex. The posed ones
- * are written to `posed_positions`, `posed_normals` and `posed_tangents`, which must
- * overlap nothing. Both pointers of normals or of tangents may be null. Returns
- * DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
+ * `positions`, `normals` and `tangents` hold three components per vertex, of the mesh
+ * at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
+ * `posed_tangents`, which must not overlap any other array. `normals` and
+ * `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
+ * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
  */
 dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                const double *matrices,
@@ -2638,13 +2714,14 @@ dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                size_t vertices);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_dual_interleaved_f64(const struct dq8_skin_f64 *skin,
                                          const double *motions,
@@ -2657,9 +2734,10 @@ dq8_status dq8_skin_dual_interleaved_f64(const struct dq8_skin_f64 *skin,
 
 /**
  * Poses a mesh by dual quaternion blends, otherwise like dq8_skin_linear. Each vertex
- * moves by the normalized weighted sum of `motions`, the palette, each with the sign
- * that turns it toward the one with the greatest weight. Twisted joints keep their
- * volume.
+ * moves by the normalized weighted sum of its joints' motions. Each motion gets the
+ * sign that turns it toward the motion with the greatest weight. `motions` is the
+ * palette, with eight components per joint. The mesh keeps its volume at twisted
+ * joints.
  */
 dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
                              const double *motions,
@@ -2673,13 +2751,14 @@ dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
                              size_t vertices);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_stretched_interleaved_f64(const struct dq8_skin_f64 *skin,
                                               const double *motions,
@@ -2692,9 +2771,10 @@ dq8_status dq8_skin_stretched_interleaved_f64(const struct dq8_skin_f64 *skin,
                                               size_t vertices);
 
 /**
- * Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual. Each vertex
- * is stretched by the weighted sum of `stretches`, matrices of twelve numbers per
- * joint, before it moves. dq8_skin_split makes both palettes.
+ * Poses a mesh whose joints scale or shear, otherwise like dq8_skin_dual. The weighted
+ * sum of its joints' `stretches` acts on each vertex before the motion does.
+ * `stretches` are matrices of twelve components per joint. dq8_skin_split makes both
+ * palettes.
  */
 dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   const double *motions,
@@ -2709,13 +2789,14 @@ dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   size_t vertices);
 
 /**
- * Poses a vertex buffer, otherwise like the function without _interleaved. `rest` and
- * `posed` hold `stride` numbers per vertex, and `from` and `to` say where in them the
- * position, normal and tangent are. Other numbers in `posed` are left as they are.
+ * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
+ * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
+ * of `rest` and of `posed` the position, normal and tangent are. All other elements of
+ * `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if one buffer has a normal or tangent and the other has
- * not, and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps
- * another.
+ * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
+ * field.
  */
 dq8_status dq8_skin_mixed_interleaved_f64(const struct dq8_skin_f64 *skin,
                                           const double *matrices,
@@ -2729,10 +2810,10 @@ dq8_status dq8_skin_mixed_interleaved_f64(const struct dq8_skin_f64 *skin,
                                           size_t vertices);
 
 /**
- * Poses a mesh by dq8_skin_linear and dq8_skin_dual, and mixes the two with a share s
- * per vertex: (1 - s) times the first and s times the second. This is against the
- * bulge of dual quaternion blends at bent joints. `shares` holds a number per vertex.
- * Returns DQ8_STATUS_SHARE if one is not in [0, 1].
+ * Poses a mesh by a mix of dq8_skin_linear and dq8_skin_dual. A posed vertex is (1 -
+ * s) times the vertex of dq8_skin_linear plus s times the vertex of dq8_skin_dual.
+ * This reduces the bulge of dual quaternion blends at bent joints. `shares` holds the
+ * share s of each vertex. Returns DQ8_STATUS_SHARE if a share is not in [0, 1].
  */
 dq8_status dq8_skin_mixed_f64(const struct dq8_skin_f64 *skin,
                               const double *matrices,
@@ -2899,7 +2980,7 @@ dq8_status dq8_planes_each_f32(const float *motions, const float *planes, float 
 dq8_status dq8_twists_each_f32(const float *motions, const float *twists, float *out, size_t count);
 
 /**
- * Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
+ * Moves `points`, three components each, by one unit `motion`. `out` may be `points`.
  */
 dq8_status dq8_points_f32(const float *motion, const float *points, float *out, size_t count);
 
@@ -2913,8 +2994,8 @@ dq8_status dq8_blocks_points_f32(size_t lanes,
                                  size_t count);
 
 /**
- * Turns `vectors`, three numbers each, by one unit `motion`: directions do not
- * translate. `out` may be `vectors`.
+ * Turns `vectors`, three components each, by one unit `motion`. Vectors are
+ * directions, which the motion does not translate. `out` may be `vectors`.
  */
 dq8_status dq8_vectors_f32(const float *motion, const float *vectors, float *out, size_t count);
 
@@ -2928,8 +3009,8 @@ dq8_status dq8_blocks_vectors_f32(size_t lanes,
                                   size_t count);
 
 /**
- * Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
- * one of enum dq8_matrix_order.
+ * Writes the matrices `[R | t]` of unit `motions`. A matrix has twelve components in
+ * `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
@@ -2943,8 +3024,8 @@ dq8_status dq8_blocks_matrices_3x4_f32(size_t lanes,
                                        size_t count);
 
 /**
- * Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
- * each, in `order`, one of enum dq8_matrix_order.
+ * Writes the 4x4 matrices of unit `motions`, with the last row 0 0 0 1. A matrix has
+ * sixteen components in `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f32(const float *motions, int32_t order, float *out, size_t count);
 
@@ -3311,7 +3392,7 @@ dq8_status dq8_twists_each_f64(const double *motions,
                                size_t count);
 
 /**
- * Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
+ * Moves `points`, three components each, by one unit `motion`. `out` may be `points`.
  */
 dq8_status dq8_points_f64(const double *motion, const double *points, double *out, size_t count);
 
@@ -3325,8 +3406,8 @@ dq8_status dq8_blocks_points_f64(size_t lanes,
                                  size_t count);
 
 /**
- * Turns `vectors`, three numbers each, by one unit `motion`: directions do not
- * translate. `out` may be `vectors`.
+ * Turns `vectors`, three components each, by one unit `motion`. Vectors are
+ * directions, which the motion does not translate. `out` may be `vectors`.
  */
 dq8_status dq8_vectors_f64(const double *motion, const double *vectors, double *out, size_t count);
 
@@ -3340,8 +3421,8 @@ dq8_status dq8_blocks_vectors_f64(size_t lanes,
                                   size_t count);
 
 /**
- * Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
- * one of enum dq8_matrix_order.
+ * Writes the matrices `[R | t]` of unit `motions`. A matrix has twelve components in
+ * `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
@@ -3355,8 +3436,8 @@ dq8_status dq8_blocks_matrices_3x4_f64(size_t lanes,
                                        size_t count);
 
 /**
- * Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
- * each, in `order`, one of enum dq8_matrix_order.
+ * Writes the 4x4 matrices of unit `motions`, with the last row 0 0 0 1. A matrix has
+ * sixteen components in `order`, one of enum dq8_matrix_order.
  */
 dq8_status dq8_matrices_4x4_f64(const double *motions, int32_t order, double *out, size_t count);
 
@@ -3556,29 +3637,30 @@ dq8_status dq8_blocks_twists_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * Returns the meaning of a status in English. The text lives as long as the program. A number that
- * is no status has a text too, which says so.
+ * Returns the meaning of a status in English. The text lives as long as the program. If `status`
+ * is no value of enum dq8_status, the text says so.
  */
 const char *dq8_status_text(int32_t status);
 
 /**
- * Writes the size in numbers that `scratch` of dq8_reach must have. It depends on the
- * mechanism and the number of goals only, and not on the number of configurations.
- * Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
+ * Writes the size that `scratch` of dq8_reach must have. The size counts floats or
+ * doubles. It depends on the mechanism and the number of goals, and not on the number
+ * of configurations. Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
  */
 dq8_status dq8_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
                                  size_t goal_count,
                                  size_t *scratch_count);
 
 /**
- * Solves the inverse kinematics of `count` configurations, several at a time on lanes,
- * otherwise like dq8_mechanism_reach. `targets` is `[configuration][goal]`. `values`
- * is `[configuration][value]` and holds `value_count` numbers in all. `reports` holds
- * one report per configuration. Goals, posture and options are the same for all.
+ * Solves the inverse kinematics of `count` configurations. It computes several
+ * configurations at a time on lanes, and each like dq8_mechanism_reach. `targets` is
+ * `[configuration][goal]`. `values` is `[configuration][value]` and holds
+ * `value_count` values in all. `reports` holds one report per configuration. Goals,
+ * posture and options are the same for all configurations.
  *
- * The result of a configuration does not depend on the others, so threads may each
- * compute a part of them. Each thread needs scratch of its own, of the size that
- * dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
+ * The result of a configuration does not depend on other configurations, so each
+ * thread may compute a part of them. Each thread needs scratch of its own, of the size
+ * that dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
  */
 dq8_status dq8_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                          const struct dq8_goal_f32 *goals,
@@ -3594,23 +3676,24 @@ dq8_status dq8_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                          size_t count);
 
 /**
- * Writes the size in numbers that `scratch` of dq8_reach must have. It depends on the
- * mechanism and the number of goals only, and not on the number of configurations.
- * Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
+ * Writes the size that `scratch` of dq8_reach must have. The size counts floats or
+ * doubles. It depends on the mechanism and the number of goals, and not on the number
+ * of configurations. Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
  */
 dq8_status dq8_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
                                  size_t goal_count,
                                  size_t *scratch_count);
 
 /**
- * Solves the inverse kinematics of `count` configurations, several at a time on lanes,
- * otherwise like dq8_mechanism_reach. `targets` is `[configuration][goal]`. `values`
- * is `[configuration][value]` and holds `value_count` numbers in all. `reports` holds
- * one report per configuration. Goals, posture and options are the same for all.
+ * Solves the inverse kinematics of `count` configurations. It computes several
+ * configurations at a time on lanes, and each like dq8_mechanism_reach. `targets` is
+ * `[configuration][goal]`. `values` is `[configuration][value]` and holds
+ * `value_count` values in all. `reports` holds one report per configuration. Goals,
+ * posture and options are the same for all configurations.
  *
- * The result of a configuration does not depend on the others, so threads may each
- * compute a part of them. Each thread needs scratch of its own, of the size that
- * dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
+ * The result of a configuration does not depend on other configurations, so each
+ * thread may compute a part of them. Each thread needs scratch of its own, of the size
+ * that dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
  */
 dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                          const struct dq8_goal_f64 *goals,
@@ -3627,13 +3710,15 @@ dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
 
 /**
  * Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
- * times and the unit poses at these. `at` holds `count` times, and `out` gets the
- * poses there: along one screw from each pose to the next, by the shorter way. Before
- * the first time it is the first pose, and after the last time the last one.
+ * times and the unit poses at these times. `at` holds `count` times, and `out` gets
+ * the poses at them. The trajectory moves along one screw from each pose to the next,
+ * by the shorter way. It stands at the first pose before the first time, and at the
+ * last pose after the last time.
  *
- * Returns DQ8_STATUS_TIMES if one of `times` is not later than the one before or not
- * finite, and DQ8_STATUS_NOT_FINITE if one of `at` is NaN, and sets `bad_time`, which
- * may be null, to its index. Returns DQ8_STATUS_LENGTH if there is no pose.
+ * Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
+ * the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
+ * both cases it sets `bad_time`, which may be null, to the index of the element.
+ * Returns DQ8_STATUS_LENGTH if there is no pose.
  */
 dq8_status dq8_resample_f32(const float *times,
                             const float *poses,
@@ -3644,17 +3729,19 @@ dq8_status dq8_resample_f32(const float *times,
                             size_t *bad_time);
 
 /**
- * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
- * `twists`, which may be null: the velocities there for one second, in the frame of
- * the body, angular first. The trajectory has `pose_count` unit `poses` at rising
- * `stamps` in seconds, and goes along one screw from each to the next, by the shorter
- * way. `options` may be null: times are seconds, results are in the world, and the
- * body stands before the first stamp and after the last one.
+ * Samples the poses and velocities of a trajectory at `count` times. The trajectory
+ * has `pose_count` unit `poses` at rising `stamps` in seconds, and moves along one
+ * screw from each pose to the next, by the shorter way. `out` gets the pose at each of
+ * the `times`. `twists`, which may be null, gets the body twist at each time: angular
+ * x y z, then linear x y z, per second. If `options` is null, times are in seconds,
+ * results are in the world, and the body stands before the first stamp and after the
+ * last stamp.
  *
- * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
- * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
- * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
- * where the body is to go on. NaN makes NaN of its pose.
+ * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
+ * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
+ * sets `bad_time`, which may be null, to the index of the stamp or time. Returns
+ * DQ8_STATUS_LENGTH if there is no pose, or if there is one pose only and the body is
+ * to go on. The pose at a time that is NaN is NaN.
  */
 dq8_status dq8_trajectory_sample_f32(const double *stamps,
                                      const double *poses,
@@ -3667,10 +3754,11 @@ dq8_status dq8_trajectory_sample_f32(const double *stamps,
                                      size_t *bad_time);
 
 /**
- * Points, x y z, that the body of a trajectory measured, each at its own time: moved
- * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
- * as if it had been measured at one moment. Trajectory, options and errors are those
- * of dq8_trajectory_sample.
+ * Moves points that a moving body has measured into one frame. The body measured point
+ * i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
+ * time moves the point. The frame is that of the options. The result is a scan as if
+ * it had been measured at one moment. `moved` may be `points`. Trajectory, options and
+ * errors are those of dq8_trajectory_sample.
  */
 dq8_status dq8_trajectory_deskew_f32(const double *stamps,
                                      const double *poses,
@@ -3683,8 +3771,8 @@ dq8_status dq8_trajectory_deskew_f32(const double *stamps,
                                      size_t *bad_time);
 
 /**
- * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
- * measured them, each at its own time.
+ * Computes the inverse of dq8_trajectory_deskew: moves points of one frame into the
+ * frame of the body, in which it would have measured point i at `times[i]`.
  */
 dq8_status dq8_trajectory_skew_f32(const double *stamps,
                                    const double *poses,
@@ -3697,18 +3785,19 @@ dq8_status dq8_trajectory_skew_f32(const double *stamps,
                                    size_t *bad_time);
 
 /**
- * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
- * null, of `twists` and `accelerations`: velocities for one second in the frame of the
- * body, angular first, and how fast they change. The spline has `control_count` unit
- * control poses, four or more: number k at the time start + every * (k - 1), in
- * seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
- * and Rom, which goes through all but the first and the last. Options are those of
- * dq8_trajectory_sample.
+ * Samples the poses of a cubic spline, and its twists, at `count` times. `out` gets
+ * the pose at each of the `times`. `twists` gets the body twist there: angular x y z,
+ * then linear x y z, per second. `accelerations` gets the derivative of the body twist
+ * with respect to time. Either may be null. The spline has `control_count` unit
+ * control poses, four or more. Control pose k belongs to the time start + every * (k -
+ * 1), in seconds. `basis` is 0 for a B-spline, which passes near the control poses,
+ * and 1 for a Catmull-Rom spline, which passes through all control poses but the first
+ * and the last. Options are those of dq8_trajectory_sample.
  *
- * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
- * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
- * be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
- * than four.
+ * Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
+ * control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It
+ * sets `bad_index`, which may be null, to the index of the control pose or time.
+ * Returns DQ8_STATUS_LENGTH if there are fewer than four control poses.
  */
 dq8_status dq8_spline_poses_f32(const double *control,
                                 size_t control_count,
@@ -3725,13 +3814,15 @@ dq8_status dq8_spline_poses_f32(const double *control,
 
 /**
  * Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
- * times and the unit poses at these. `at` holds `count` times, and `out` gets the
- * poses there: along one screw from each pose to the next, by the shorter way. Before
- * the first time it is the first pose, and after the last time the last one.
+ * times and the unit poses at these times. `at` holds `count` times, and `out` gets
+ * the poses at them. The trajectory moves along one screw from each pose to the next,
+ * by the shorter way. It stands at the first pose before the first time, and at the
+ * last pose after the last time.
  *
- * Returns DQ8_STATUS_TIMES if one of `times` is not later than the one before or not
- * finite, and DQ8_STATUS_NOT_FINITE if one of `at` is NaN, and sets `bad_time`, which
- * may be null, to its index. Returns DQ8_STATUS_LENGTH if there is no pose.
+ * Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
+ * the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
+ * both cases it sets `bad_time`, which may be null, to the index of the element.
+ * Returns DQ8_STATUS_LENGTH if there is no pose.
  */
 dq8_status dq8_resample_f64(const double *times,
                             const double *poses,
@@ -3742,17 +3833,19 @@ dq8_status dq8_resample_f64(const double *times,
                             size_t *bad_time);
 
 /**
- * The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
- * `twists`, which may be null: the velocities there for one second, in the frame of
- * the body, angular first. The trajectory has `pose_count` unit `poses` at rising
- * `stamps` in seconds, and goes along one screw from each to the next, by the shorter
- * way. `options` may be null: times are seconds, results are in the world, and the
- * body stands before the first stamp and after the last one.
+ * Samples the poses and velocities of a trajectory at `count` times. The trajectory
+ * has `pose_count` unit `poses` at rising `stamps` in seconds, and moves along one
+ * screw from each pose to the next, by the shorter way. `out` gets the pose at each of
+ * the `times`. `twists`, which may be null, gets the body twist at each time: angular
+ * x y z, then linear x y z, per second. If `options` is null, times are in seconds,
+ * results are in the world, and the body stands before the first stamp and after the
+ * last stamp.
  *
- * DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
- * DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
- * be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
- * where the body is to go on. NaN makes NaN of its pose.
+ * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
+ * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
+ * sets `bad_time`, which may be null, to the index of the stamp or time. Returns
+ * DQ8_STATUS_LENGTH if there is no pose, or if there is one pose only and the body is
+ * to go on. The pose at a time that is NaN is NaN.
  */
 dq8_status dq8_trajectory_sample_f64(const double *stamps,
                                      const double *poses,
@@ -3765,10 +3858,11 @@ dq8_status dq8_trajectory_sample_f64(const double *stamps,
                                      size_t *bad_time);
 
 /**
- * Points, x y z, that the body of a trajectory measured, each at its own time: moved
- * into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
- * as if it had been measured at one moment. Trajectory, options and errors are those
- * of dq8_trajectory_sample.
+ * Moves points that a moving body has measured into one frame. The body measured point
+ * i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
+ * time moves the point. The frame is that of the options. The result is a scan as if
+ * it had been measured at one moment. `moved` may be `points`. Trajectory, options and
+ * errors are those of dq8_trajectory_sample.
  */
 dq8_status dq8_trajectory_deskew_f64(const double *stamps,
                                      const double *poses,
@@ -3781,8 +3875,8 @@ dq8_status dq8_trajectory_deskew_f64(const double *stamps,
                                      size_t *bad_time);
 
 /**
- * The inverse of dq8_trajectory_deskew: points of one frame as the body would have
- * measured them, each at its own time.
+ * Computes the inverse of dq8_trajectory_deskew: moves points of one frame into the
+ * frame of the body, in which it would have measured point i at `times[i]`.
  */
 dq8_status dq8_trajectory_skew_f64(const double *stamps,
                                    const double *poses,
@@ -3795,18 +3889,19 @@ dq8_status dq8_trajectory_skew_f64(const double *stamps,
                                    size_t *bad_time);
 
 /**
- * A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
- * null, of `twists` and `accelerations`: velocities for one second in the frame of the
- * body, angular first, and how fast they change. The spline has `control_count` unit
- * control poses, four or more: number k at the time start + every * (k - 1), in
- * seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
- * and Rom, which goes through all but the first and the last. Options are those of
- * dq8_trajectory_sample.
+ * Samples the poses of a cubic spline, and its twists, at `count` times. `out` gets
+ * the pose at each of the `times`. `twists` gets the body twist there: angular x y z,
+ * then linear x y z, per second. `accelerations` gets the derivative of the body twist
+ * with respect to time. Either may be null. The spline has `control_count` unit
+ * control poses, four or more. Control pose k belongs to the time start + every * (k -
+ * 1), in seconds. `basis` is 0 for a B-spline, which passes near the control poses,
+ * and 1 for a Catmull-Rom spline, which passes through all control poses but the first
+ * and the last. Options are those of dq8_trajectory_sample.
  *
- * DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
- * pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
- * be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
- * than four.
+ * Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
+ * control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It
+ * sets `bad_index`, which may be null, to the index of the control pose or time.
+ * Returns DQ8_STATUS_LENGTH if there are fewer than four control poses.
  */
 dq8_status dq8_spline_poses_f64(const double *control,
                                 size_t control_count,

@@ -1,10 +1,11 @@
-//! The choice of instructions that compute.
+//! The choice of the instruction set with which functions of arrays and blocks compute.
 
 use crate::status::Status;
 use core::ffi::{CStr, c_char};
 use dq8::Backend;
 
-/// The instructions that functions of arrays and blocks may use, from the least to the most.
+/// The instruction sets that functions of arrays and blocks may use, each with more instructions
+/// than the one before.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InstructionSet {
@@ -15,12 +16,12 @@ pub enum InstructionSet {
     Avx2 = 1,
     /// x86-64 with AVX-512 F, VL and DQ.
     Avx512 = 2,
-    /// No limit. Newer versions of the library may have more levels than the ones above.
+    /// No limit. Newer versions of the library may use instruction sets that this enum does not
+    /// have.
     Any = 255,
 }
 
-/// Returns the name of the instructions that compute now, for logs. The text lives as long as the
-/// program.
+/// Returns the name of the instruction set in use, for logs. The text lives as long as the program.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_backend_name() -> *const c_char {
     let best = Some(Backend::best());
@@ -38,10 +39,11 @@ pub extern "C" fn dq8_backend_name() -> *const c_char {
     name.as_ptr()
 }
 
-/// Limits the instructions that compute, in all threads and from now on, to `most`, one of enum
-/// dq8_backend. Instructions that the CPU does not have are never used, so every limit is safe.
+/// Limits the instruction set to `most`, one of enum dq8_backend. The limit holds in all threads
+/// and from now on. Instructions that the CPU does not have are never used, so every limit is safe.
 ///
-/// Returns DQ8_STATUS_UNKNOWN_VALUE if `most` is none of them; the limit then stays as it was.
+/// Returns DQ8_STATUS_UNKNOWN_VALUE if `most` is no value of enum dq8_backend. The limit then stays
+/// as it was.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
     let all = [
@@ -59,10 +61,11 @@ pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
     }
 }
 
-/// Makes the results of functions of arrays and blocks the same on every machine, bit by bit, in
-/// all threads and from now on. 1 switches this on, and then functions take 1.0 to 1.5 times as
-/// long. 0, the state at the start, switches it off. It works together with every limit. Functions
-/// of one motion always have the same bits.
+/// Makes results the same on every machine, bit by bit. This concerns functions of arrays and
+/// blocks, in all threads and from now on. The value 1 switches this on, and functions then take
+/// 1.0 to 1.5 times as long. The value 0, which is the state at the start, switches it off. The
+/// limit of dq8_backend_limit holds all the same. Functions of one motion have the same bits on
+/// every machine in either state.
 ///
 /// Returns DQ8_STATUS_UNKNOWN_VALUE if `reproducible` is neither 0 nor 1, or if it is 1 and the
 /// library was built without the feature `reproducible`; nothing changes then.

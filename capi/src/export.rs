@@ -1,7 +1,7 @@
-//! Macros that write the exported functions.
+//! Macros that define the exported functions.
 
-/// Exports the functions of a file for both number types, with the lanes that blocks of each may
-/// have.
+/// Exports the functions of a module for `f32` and for `f64`. The macro `$functions` gets the
+/// element type, and the two lane counts that blocks of this type may have.
 macro_rules! for_both_numbers {
     ($functions:ident) => {
         /// The functions for `f32`. Their names in C end in `_f32`.
@@ -17,8 +17,8 @@ macro_rules! for_both_numbers {
     };
 }
 
-/// Exports a function of plain arrays and its sibling of blocks. Both call the function of the same
-/// name in the file, whose type parameter is the layout.
+/// Exports two functions: `$plain` on plain arrays, and `$blocks` on blocks. Both call the generic
+/// function `$plain` of the module, whose type parameter is the layout of the arrays.
 macro_rules! export {
     (
         $R:ident [$few:literal $many:literal]
@@ -28,11 +28,12 @@ macro_rules! export {
         $(#[doc = $about])*
         ///
         /// # Safety
-        /// Arrays must have the lengths that are named.
+        /// Each array must have the length that the description states. No other thread may use the
+        /// outputs or write the inputs during the call.
         #[unsafe(export_name = concat!("dq8_", stringify!($plain), "_", stringify!($R)))]
         pub unsafe extern "C" fn $plain($($argument: $type,)* count: usize) -> Status {
-            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-            // functions called here.
+            // SAFETY: the generic function needs arrays of the stated lengths that no other thread
+            // uses, which the caller guarantees.
             Status::of(unsafe { super::$plain::<Aos<$R>>($($argument,)* count) })
         }
 
@@ -43,7 +44,8 @@ macro_rules! export {
         )]
         ///
         /// # Safety
-        /// Arrays must have the lengths that are named, in blocks.
+        /// Each array must have the length that the description states, counted in blocks. No other
+        /// thread may use the outputs or write the inputs during the call.
         #[unsafe(export_name = concat!("dq8_", stringify!($blocks), "_", stringify!($R)))]
         pub unsafe extern "C" fn $blocks(
             lanes: usize,
@@ -51,11 +53,11 @@ macro_rules! export {
             count: usize,
         ) -> Status {
             Status::of(match lanes {
-                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-                // functions called here.
+                // SAFETY: the generic function needs arrays of the stated lengths that no other
+                // thread uses, which the caller guarantees.
                 $few => unsafe { super::$plain::<AoSoA<[$R; $few]>>($($argument,)* count) },
-                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-                // functions called here.
+                // SAFETY: the generic function needs arrays of the stated lengths that no other
+                // thread uses, which the caller guarantees.
                 $many => unsafe { super::$plain::<AoSoA<[$R; $many]>>($($argument,)* count) },
                 _ => Err(Status::Lanes),
             })
@@ -63,8 +65,9 @@ macro_rules! export {
     };
 }
 
-/// Exports a function that has only one form, for one motion, mechanism or skin, or for plain
-/// arrays. `$body` is a [`Done`](crate::status::Done).
+/// Exports a function that has no form on blocks: a function of one motion, mechanism or skin, or
+/// of plain arrays. `$body` is its code, an unsafe expression of the type
+/// [`Done`](crate::status::Done).
 macro_rules! export_one {
     ($R:ident $(#[doc = $about:literal])* $thing:ident::$name:ident($($arguments:tt)*) = $body:expr) => {
         export_one! {
@@ -86,12 +89,13 @@ macro_rules! export_one {
         $(#[doc = $about])*
         ///
         /// # Safety
-        /// Arrays must have the lengths that are named, and mechanisms and skins must be zeroed or
-        /// made.
+        /// Each array must have the length that the description states. Mechanisms, skins and clips
+        /// must be zeroed, or made by the library and unchanged since. No other thread may use the
+        /// outputs or write the inputs during the call.
         #[unsafe(export_name = $export)]
         pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
-            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-            // functions called here.
+            // SAFETY: `$body` needs arrays of the stated lengths that no other thread uses, and
+            // structs that are zeroed or made, which the caller guarantees.
             Status::of(unsafe { $body })
         }
     };

@@ -1,4 +1,4 @@
-//! Joint hierarchies: local poses to model space and back, and skinning palettes.
+//! Joint hierarchies: model poses from local poses and back, and skinning palettes.
 
 use crate::memory::{Input, Output, from_to};
 use crate::span::disjoint;
@@ -9,24 +9,26 @@ use dq8::{
     hierarchy::{Bones, HierarchyError, Poses, Root as StandsOn, RotationsTranslations},
 };
 
-/// The array of parents. C marks a root by -1, whose four bytes are those of [`Hierarchy::ROOT`].
+/// Checks the array of parents. C marks a root by -1, whose four bytes are those of
+/// [`Hierarchy::ROOT`], so the array is read as `u32`.
 pub(crate) fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, Status> {
     Input::new(start, joints)
 }
 
-/// The motion of the root, if C does not pass null.
+/// The motion of the root, which is an empty array if C passes null.
 type Root<L> = Input<DualQuat<<L as Layout>::Real>>;
 
-/// The job that computes a hierarchy from a root.
+/// Returns the job that computes the hierarchy of these parents, on the motion of the root if there
+/// is one.
 ///
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`].
+/// Both arrays must have their elements, and no other thread may write them while `'a` lasts.
 unsafe fn job<'a, L: Layout>(
     parents: &Input<u32>,
     root: &Root<L>,
 ) -> Result<Job<'a, StandsOn<'a, L::Record<8>>>, Status> {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that both arrays have their elements and that no other thread
+    // writes them.
     let (parents, root) = unsafe { (parents.slice(), root.slice()) };
     let job = Hierarchy::new(parents)?.job();
     Ok(job.on(match *root {
@@ -35,12 +37,13 @@ unsafe fn job<'a, L: Layout>(
     }))
 }
 
-/// Defines a function that computes poses from poses, either in another array or in place.
+/// Defines the function `$name`, which computes the poses `$to` from the poses `$from`. It calls
+/// `$in_place` if both are the same array, and `$elsewhere` if they are not.
 macro_rules! poses {
     ($name:ident($from:ident, $to:ident) by |$job:ident| $elsewhere:expr, $in_place:ident) => {
         /// # Safety
-        /// The caller must keep the conditions of [`from_to`], and for `parents` and `root` those
-        /// of [`job`].
+        /// Each array must have as many elements as its count says, and `root` must be null or a
+        /// motion. No other thread may use the output or write the inputs during the call.
         unsafe fn $name<L: Layout>(
             parents: *const i32,
             joints: usize,
@@ -52,11 +55,11 @@ macro_rules! poses {
             let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
             let written = Output::<L::Record<8>>::new($to, count)?.span;
             disjoint(&[written], &[parents.span, root.span])?;
-            // SAFETY: the caller guarantees that both arrays are valid, and the outputs have been
-            // checked to overlap neither.
+            // SAFETY: the caller guarantees that `parents` and `root` have their elements, and
+            // `disjoint` has checked that the output overlaps neither.
             let $job = unsafe { job::<L>(&parents, &root)? };
-            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-            // functions called here.
+            // SAFETY: the caller guarantees that both arrays of poses have `count` elements, and
+            // that no other thread uses them.
             unsafe { from_to($from, $to, count, $elsewhere, |all| $job.$in_place(all)) }
         }
     };
@@ -71,8 +74,8 @@ poses! {
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`], and for `parents`
-/// and `root` those of [`job`].
+/// Each array must have as many elements as its count says, and `root` must be null or a motion. No
+/// other thread may use the outputs or write the inputs during the call.
 unsafe fn rotations_to_model<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -87,8 +90,8 @@ unsafe fn rotations_to_model<L: Layout>(
     let offsets = Input::<[L::Real; 3]>::new(offsets, joints)?;
     let models = Output::new(models, count)?;
     disjoint(&[models.span], &[parents.span, root.span, rotations.span, offsets.span])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that `models` overlaps no input.
     unsafe {
         let job = job::<L>(&parents, &root)?;
         let locals = Bones { rotations: rotations.slice(), offsets: offsets.slice() };
@@ -97,8 +100,8 @@ unsafe fn rotations_to_model<L: Layout>(
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`], and for `parents`
-/// and `root` those of [`job`].
+/// Each array must have as many elements as its count says, and `root` must be null or a motion. No
+/// other thread may use the outputs or write the inputs during the call.
 unsafe fn rotations_translations_to_model<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -111,20 +114,21 @@ unsafe fn rotations_translations_to_model<L: Layout>(
     let locals = Input::<L::Record<7>>::new(locals, count)?;
     let models = Output::new(models, count)?;
     disjoint(&[models.span], &[parents.span, root.span, locals.span])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that `models` overlaps no input.
     unsafe {
         let job = job::<L>(&parents, &root)?;
         Ok(job.locals_to_model(RotationsTranslations(locals.slice()), models.slice())?)
     }
 }
 
-/// Defines a function that computes models and a palette whose entries have `$count` numbers.
+/// Defines the function `$name`, which computes model poses and a palette whose entries have
+/// `$count` components.
 macro_rules! palettes {
     ($($name:ident of $count:literal;)+) => {$(
         /// # Safety
-        /// The caller must keep the conditions of [`Input::slice`] and [`Output::slice`], and for
-        /// `parents` and `root` those of [`job`].
+        /// Each array must have as many elements as its count says, and `root` must be null or a
+        /// motion. No other thread may use the outputs or write the inputs during the call.
         #[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
         unsafe fn $name<L: Layout>(
             parents: *const i32,
@@ -143,8 +147,8 @@ macro_rules! palettes {
             let palette = Output::<L::Record<$count>>::new(palette, count)?;
             let read = [parents.span, root.span, locals.span, binds.span];
             disjoint(&[models.span, palette.span], &read)?;
-            // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
-            // checked to overlap nothing.
+            // SAFETY: the caller guarantees that each array has as many elements as its count says,
+            // and `disjoint` has checked that no output overlaps another array.
             unsafe {
                 let (job, locals) = (job::<L>(&parents, &root)?, Poses(locals.slice()));
                 let (models, palette) = (models.slice(), palette.slice());
@@ -160,59 +164,61 @@ macro_rules! functions {
         export! { $R $lanes
             /// Computes model poses from local poses: `models[j] = models[parents[j]] * locals[j]`.
             ///
-            /// `parents` holds `joints` numbers, -1 for a joint without a parent. `root` is a
-            /// motion that moves all joints without a parent, or null. `locals` and `models` are
-            /// `[instance][joint]` and hold `count` motions in all, which is `joints` times the
-            /// number of instances. In blocks they are `[block of instances][joint]`, and `count`
-            /// is `joints` times the number of instances over `lanes`, rounded up. `models` may be
-            /// `locals`. Returns DQ8_STATUS_LENGTH if `count` is no multiple of `joints`.
+            /// `parents` holds `joints` indices of parents, or -1 for a joint without a parent.
+            /// `root` is a motion that moves all joints without a parent, or null. `locals` and
+            /// `models` are `[instance][joint]` and hold `count` motions in all, which is `joints`
+            /// times the number of instances. In blocks they are `[block of instances][joint]`, and
+            /// `count` is `joints` times the number of blocks of instances: the number of instances
+            /// over `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if
+            /// `count` is no multiple of `joints`.
             local_to_model, blocks_local_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
             )
         }
         export! { $R $lanes
-            /// Computes local poses from unit model poses: the inverse of dq8_local_to_model, with
-            /// the same arrays. `locals` may be `models`.
+            /// Computes local poses from unit model poses. This is the inverse of
+            /// dq8_local_to_model, and the arrays have the same shapes. `locals` may be `models`.
             model_to_local, blocks_model_to_local(
                 parents: *const i32, joints: usize, root: *const $R,
                 models: *const $R, locals: *mut $R,
             )
         }
         export! { $R $lanes
-            /// Computes model poses from rotations and fixed offsets, as animation clips hold them,
-            /// otherwise like dq8_local_to_model. `rotations` holds `count` unit quaternions (x, y,
-            /// z, w). `offsets` holds the translation of each joint in its parent (x, y, z), which
-            /// is the same in all instances: three numbers for each of `joints`.
+            /// Computes model poses from rotations and fixed offsets. Animation clips often hold
+            /// local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
+            /// `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
+            /// are the same in all instances. All else is as for dq8_local_to_model.
             rotations_to_model, blocks_rotations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 rotations: *const $R, offsets: *const $R, models: *mut $R,
             )
         }
         export! { $R $lanes
-            /// Computes model poses from rotations and translations, otherwise like
-            /// dq8_local_to_model. `locals` holds seven numbers each: a unit quaternion (x, y, z,
-            /// w) and a translation (x, y, z).
+            /// Computes model poses from rotations and translations. `locals` holds `count` local
+            /// poses of seven components: a unit quaternion (x, y, z, w), then a translation (x, y,
+            /// z). All else is as for dq8_local_to_model.
             rotations_translations_to_model, blocks_rotations_translations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
             )
         }
         export! { $R $lanes
-            /// Computes model poses like dq8_local_to_model, and in the same pass the skinning
-            /// palette: `palette[j] = models[j] * inverse_binds[j]`, the motion of joint j from the
-            /// mesh at rest.
+            /// Computes model poses and the skinning palette in one pass. The model poses are those
+            /// of dq8_local_to_model. The palette is `palette[j] = models[j] * inverse_binds[j]`,
+            /// which moves the mesh at rest with joint j.
             ///
-            /// `inverse_binds` holds `joints` plain motions, the same for all instances. `models`
-            /// and `palette` hold `count` motions, like `locals`, and must overlap nothing.
+            /// `inverse_binds` holds `joints` plain motions, which are the same for all instances.
+            /// `models` and `palette` hold `count` motions, like `locals`, and must not overlap any
+            /// other array.
             palette, blocks_palette(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,
             )
         }
         export! { $R $lanes
-            /// Computes model poses and the palette like dq8_palette, with the palette as matrices
-            /// `[R | t]` of twelve numbers each, row by row.
+            /// Computes model poses and the palette like dq8_palette, as matrices. Each entry of
+            /// the palette is a matrix `[R | t]` of twelve components, row by row.
             palette_matrices, blocks_palette_matrices(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,
@@ -223,54 +229,57 @@ macro_rules! functions {
 for_both_numbers!(functions);
 
 /// Checks that `parents` is a hierarchy: `parents[j]`, the parent of joint j, is less than j, or
-/// -1. Every function that takes parents makes the same check, which costs little beside its work;
-/// this one also tells which joint is wrong.
+/// -1. Every function that takes parents makes the same check, which costs little beside its work.
+/// This function also tells which joint is wrong.
 ///
 /// Returns DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE for the first joint whose parent is
-/// wrong, and sets `bad_joint` to it. `bad_joint` may be null, and must not be in `parents`.
+/// wrong, and sets `bad_joint` to the index of this joint. `bad_joint` may be null, and must not
+/// point into `parents`.
 ///
 /// # Safety
-/// `parents` must hold `joints` numbers.
+/// `parents` must hold `joints` elements, and `bad_joint` must be null or point to a `usize` that
+/// no other thread uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dq8_check_parents(
     parents: *const i32,
     joints: usize,
     bad_joint: *mut usize,
 ) -> Status {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: `check_parents` needs `joints` parents, and a `bad_joint` that is null or that no
+    // other thread uses, which the caller guarantees.
     Status::of(unsafe { check_parents(parents, joints, bad_joint) })
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`] and [`Output::write`].
+/// `start` must hold `joints` elements, and `bad_joint` must be null or point to a `usize` that no
+/// other thread uses.
 unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize) -> Done {
     let (parents, bad_joint) = (parents(start, joints)?, Output::unless_null(bad_joint)?);
     disjoint(&[bad_joint.span], &[parents.span])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees `joints` parents and a `bad_joint` that is null or points to a
+    // `usize`, and `disjoint` has checked that the two do not overlap.
     unsafe { checked(&parents, &bad_joint).map(|_| ()) }
 }
 
-/// The hierarchy of these parents. If one of them is wrong, its joint is written to `bad_joint`.
+/// Returns the hierarchy of these parents. If a parent is wrong, the index of its joint is written
+/// to `bad_joint`.
 ///
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`] and [`Output::write`], and the two must
-/// be disjoint.
+/// `parents` must have its elements, and `bad_joint` must be null or point to a `usize` outside of
+/// `parents`. No other thread may write either while `'a` lasts.
 pub(crate) unsafe fn checked<'a>(
     parents: &Input<u32>,
     bad_joint: &Output<usize>,
 ) -> Result<Hierarchy<'a>, Status> {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that `parents` has its elements and that they do not change.
     let hierarchy = Hierarchy::new(unsafe { parents.slice() });
     if let Err(
         HierarchyError::ParentNotBefore { joint, .. }
         | HierarchyError::ParentOutOfRange { joint, .. },
     ) = &hierarchy
     {
-        // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-        // functions called here.
+        // SAFETY: the caller guarantees that `bad_joint` is null or points to a `usize` outside of
+        // `parents`.
         unsafe { bad_joint.write(*joint) };
     }
     Ok(hierarchy?)

@@ -4,7 +4,7 @@ use crate::status::Status;
 use dq8::{DualQuat, Real};
 use dq8_robot::MechanismError;
 
-/// The motion of a joint, in its own frame.
+/// The kind of a joint: the motion that it makes in its own frame.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointKind {
@@ -18,51 +18,54 @@ pub enum JointKind {
     /// value, in radians.
     Screw = 3,
     /// The joint slides in the plane at right angles to `axis`, then turns about `axis`. It has
-    /// three values: x, y and the angle in radians. The directions of x and y are those of the
-    /// joint's frame after the shortest rotation that takes z to `axis`.
+    /// three values: x, y and the angle in radians. The directions of x and y are the x and y axes
+    /// of the joint's frame after the shortest rotation that takes its z axis to `axis`.
     Planar = 4,
     /// The joint moves freely. It has seven values: a quaternion x y z w of any length but zero,
-    /// and a translation x y z. It has six rates: the body twist, the angular part first.
+    /// then a translation x y z. It has six rates, the body twist: angular x y z, then linear x y
+    /// z.
     Floating = 5,
 }
 
-/// The joint between a link and its parent link. Joint j carries link j.
+/// The joint between a link and its parent link. The joint with index j carries the link with index
+/// j.
 ///
-/// The fields `axis` and `pitch` are read only for the kinds that have them, and may be 0
-/// otherwise.
+/// The fields `axis` and `pitch` are read only for kinds of joints that have an axis or a pitch.
+/// For other kinds they may be 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<R> {
-    /// The number of the parent link, which must be less than that of this one, or -1 for the base.
+    /// The index of the parent link, which must be less than the index of this link, or -1 for the
+    /// base.
     pub parent: i32,
-    /// One of enum dq8_joint_kind.
+    /// The kind, one of enum dq8_joint_kind.
     pub kind: i32,
-    /// The pose of the link in its parent when the values of the joint are zero: a motion that is
-    /// unit to 0.001.
+    /// The pose of the link in its parent link when the values of the joint are zero. It must be a
+    /// motion that is unit to 0.001.
     pub placement: [R; 8],
-    /// The axis, or the normal of a planar joint. Its length must be 1 to 0.001.
+    /// The axis of the joint, or the normal of a planar joint. Its length must be 1 to 0.001.
     pub axis: [R; 3],
     /// The length that a screw slides per radian: the lead of its thread over 2 pi.
     pub pitch: R,
-    /// 1 if the joint has no value of its own, but `multiplier` times the value of joint `leader`
-    /// plus `offset`; otherwise 0. Both joints must be of kinds with one value, and the leader must
-    /// have its own.
+    /// 1 if the joint has no value of its own and mimics joint `leader`: it moves as if its value
+    /// were `multiplier` times the value of the leader plus `offset`. Otherwise 0. Both joints must
+    /// be of kinds with one value, and the leader must not mimic another joint.
     pub mimics: i32,
-    /// The joint whose value this joint takes.
+    /// The index of the joint whose value this joint takes, if `mimics` is 1.
     pub leader: i32,
-    /// The factor of that value.
+    /// The factor of the leader's value, if `mimics` is 1.
     pub multiplier: R,
-    /// The number that is added to the product.
+    /// The value that is added to the product, if `mimics` is 1.
     pub offset: R,
-    /// 1 if the joint has limits, otherwise 0. Only a joint of one value can have limits. Inverse
-    /// kinematics keeps to them; all other functions ignore them.
+    /// 1 if the joint has limits, otherwise 0. Only a joint with one value can have limits. Inverse
+    /// kinematics keeps to the limits, and all other functions ignore them.
     pub limited: i32,
-    /// The smallest and the largest value. Either may be infinite.
+    /// The smallest and the largest value of the joint, if `limited` is 1. Either may be infinite.
     pub limits: [R; 2],
 }
 
 impl<R: Real> Joint<R> {
-    /// The joint as the library has it, in a mechanism of `count` joints.
+    /// Converts the joint to the type of `dq8_robot`, for a mechanism of `count` joints.
     pub(crate) fn known(&self, count: usize) -> Result<dq8_robot::Joint<R>, Status> {
         const KINDS: [JointKind; 6] = [
             JointKind::Fixed,
@@ -104,10 +107,11 @@ impl<R: Real> Joint<R> {
     }
 }
 
-/// The reason why joints are no mechanism, and the joint that is wrong, if it is one.
+/// The status for joints that form no mechanism, and the index of the wrong joint if a single joint
+/// is wrong.
 pub(crate) type Fault = (Status, Option<usize>);
 
-/// The library's error as a [`Fault`].
+/// Converts the error of `dq8_robot` to a [`Fault`].
 pub(crate) fn fault(error: &MechanismError) -> Fault {
     let (status, joint) = match *error {
         MechanismError::Parent { joint, .. } => (Status::ParentNotBefore, joint),
@@ -119,7 +123,7 @@ pub(crate) fn fault(error: &MechanismError) -> Fault {
         MechanismError::Mimic { joint, .. } => (Status::Mimic, joint),
         MechanismError::Steps { .. } => return (Status::TooManyJoints, None),
         MechanismError::Limits { joint, .. } => (Status::Limits, joint),
-        // A newer dq8 may have more errors.
+        // The enum is `non_exhaustive`: a newer `dq8_robot` may have more errors.
         _ => return (Status::UnknownValue, None),
     };
     (status, Some(joint))

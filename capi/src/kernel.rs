@@ -1,16 +1,18 @@
-//! Macros that define the function for both layouts, plain and blocks, of a kernel over slices.
+//! Macros that define, for a kernel over slices, the function that is generic over the layout of
+//! the arrays: plain or in blocks.
 
-/// Defines the function of a kernel from arrays to an array. The numbers are those of each element.
-/// After the arrays, there may be one more argument; `= …` converts it from what C passes to what
-/// the kernel takes.
+/// Defines the function of a kernel that reads arrays and writes an array. The number after an
+/// array's name is the count of components of an element. After the arrays, there may be one more
+/// argument. The expression after its `=` converts it from the type in C to the type that the
+/// kernel takes.
 macro_rules! kernel {
     (
         $name:ident($($from:ident: $size:tt),+ $(; $more:ident: $type:ty $(= $known:expr)?)?)
             -> $out:tt by $kernel:ident
     ) => {
         /// # Safety
-        /// The caller must keep the conditions of [`Input::slice`](crate::memory::Input::slice) and
-        /// [`Output::slice`](crate::memory::Output::slice).
+        /// Each array must have `count` elements. No other thread may use the output or write the
+        /// inputs during the call.
         pub(super) unsafe fn $name<L: Layout>(
             $($from: *const L::Real,)+
             $($more: $type,)?
@@ -21,26 +23,25 @@ macro_rules! kernel {
             $(let $from = crate::memory::Input::<L::Record<$size>>::new($from, count)?;)+
             let out = crate::memory::Output::<L::Record<$out>>::new(out, count)?;
             crate::span::disjoint(&[out.span], &[$($from.span),+])?;
-            // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
-            // checked to overlap nothing.
+            // SAFETY: the caller guarantees that each array has `count` elements, and `disjoint`
+            // has checked that `out` overlaps no input.
             let (($($from,)+), out) = unsafe { (($($from.slice(),)+), out.slice()) };
             Ok(dq8::Backend::best().$kernel($($from,)+ $($more,)? out)?)
         }
     };
 }
 
-/// Defines the function of a kernel from one array to another of the same records, and of its
-/// sibling in place, which is called if C passes the same array twice. Both may take other arrays
-/// as well, or one motion first.
+/// Defines the function of a kernel that reads an array and writes an array of the same records. If
+/// C passes the same array for both, the function calls the kernel `$in_place`. Both kernels may
+/// take further arrays, or one motion before the arrays.
 macro_rules! kernel_or_in_place {
     (
         $name:ident($from:ident: $size:tt $(, $other:ident: $others:tt)*) $(of one $motion:ident)?
             by $kernel:ident, $in_place:ident
     ) => {
         /// # Safety
-        /// The caller must keep the conditions of [`from_to`](crate::memory::from_to); for one
-        /// motion [`read`](crate::memory::read), and for other arrays
-        /// [`Input::slice`](crate::memory::Input::slice).
+        /// Each array must have `count` elements, and the motion must be there. No other thread may
+        /// use the output or write the inputs during the call.
         pub(super) unsafe fn $name<L: Layout>(
             $($motion: *const L::Real,)?
             $from: *const L::Real,
@@ -53,16 +54,16 @@ macro_rules! kernel_or_in_place {
                 let one = crate::span::Span::of($motion.cast::<dq8::DualQuat<L::Real>>(), 1)?;
                 let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
                 crate::span::disjoint(&[to.span], &[one])?;
-                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-                // functions called here.
+                // SAFETY: the caller guarantees that the motion is there, and `Span::of` has
+                // checked that its pointer is neither null nor misaligned.
                 let $motion: dq8::DualQuat<L::Real> = unsafe { crate::memory::read($motion)? };
             )?
             $(
                 let $other = crate::memory::Input::<L::Record<$others>>::new($other, count)?;
                 let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
                 crate::span::disjoint(&[to.span], &[$other.span])?;
-                // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
-                // checked to overlap nothing.
+                // SAFETY: the caller guarantees that this array has `count` elements, and
+                // `disjoint` has checked that the output does not overlap it.
                 let $other = unsafe { $other.slice() };
             )*
             let elsewhere =
@@ -70,14 +71,15 @@ macro_rules! kernel_or_in_place {
             let in_place = |all: &mut [L::Record<$size>]| {
                 done!(best.$in_place($($motion,)? all $(, $other)*); $($other)*)
             };
-            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-            // functions called here.
+            // SAFETY: the caller guarantees that both arrays have `count` elements, and that no
+            // other thread uses them.
             unsafe { crate::memory::from_to($from, out, count, elsewhere, in_place) }
         }
     };
 }
 
-/// A call in place, which can fail only where there are other arrays.
+/// Expands to the result of a call in place. Such a call returns a `Result` only if the kernel
+/// takes further arrays, whose lengths may be wrong.
 macro_rules! done {
     ($call:expr;) => {{
         $call;

@@ -3,11 +3,11 @@
 //! | module | exports |
 //! |---|---|
 //! | [`status`] | [`Status`], the result of every call, and its text |
-//! | [`backend`] | the choice of instructions |
+//! | [`backend`] | the choice of the instruction set |
 //! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion |
 //! | [`slices`] | kernels over arrays, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
-//! | [`chain`] | long chains, plain or in blocks |
+//! | [`chain`] | products along long chains, plain or in blocks |
 //! | [`clips`] | packed clips, plain |
 //! | [`plan`] | one instance of a hierarchy in the fastest order, plain |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
@@ -17,13 +17,13 @@
 //! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints: arrays or vertex buffers |
 //! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | conversions between plain arrays and blocks |
-//! | [`trajectory`] | poses at times, sampled at other times |
+//! | [`trajectory`] | poses at stamps, sampled at other times |
 //!
-//! Modules with functions of both number types have them twice: in `single` for `f32`, in `double`
-//! for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
+//! Functions that exist for both `f32` and `f64` are in two submodules: `single` for `f32`, and
+//! `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
-//! The files here compute nothing. They check pointers, turn them into slices, call dq8, and turn
-//! its errors into numbers:
+//! The functions here leave the computing to `dq8`. They check pointers, turn them into slices,
+//! call `dq8`, and turn its errors into values of [`Status`]:
 //!
 //! ```text
 //! Input::new, Output::new    null, misaligned and too large arrays are refused
@@ -32,8 +32,8 @@
 //! Status::of                 the error, if there is one, as a number
 //! ```
 //!
-//! No function allocates, except for those of [`trajectory`], which needs the feature of that name.
-//! None panics either, and a panic would abort the program, because it must not leave an
+//! No function allocates, except for those of the module `trajectory`, which needs the feature of
+//! that name. No function panics. A panic would abort the program, because it must not leave an
 //! `extern "C"` function.
 #![cfg_attr(target_os = "none", no_std)]
 
@@ -71,8 +71,8 @@ pub use backend::InstructionSet;
 pub use slices::Order;
 pub use status::Status;
 
-/// The panic handler that a static library without std needs. Nothing calls it: the firmware in
-/// `firmware/` is searched for panics after linking.
+/// The panic handler that a static library without std must define. It is never called: a script
+/// searches the linked firmware of `firmware/` for panics.
 #[cfg(target_os = "none")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

@@ -8,7 +8,9 @@ use dq8::storage::{AoSoA, Aos, Layout};
 use dq8_robot::JointValues;
 
 /// # Safety
-/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`] and [`Output::slice`].
+/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
+/// elements as its count says. No other thread may use the output or write the inputs during the
+/// call.
 unsafe fn link_poses<L: Layout>(
     mechanism: *const Mechanism<L::Real>,
     values: *const L::Real,
@@ -19,14 +21,13 @@ unsafe fn link_poses<L: Layout>(
 where
     L::Real: JointValues<L>,
 {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<L::Real>::new(values, value_count)?;
     let poses = Output::<L::Record<8>>::new(poses, count)?;
     disjoint(&[poses.span], &[values.span, checked.given, checked.steps])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that `poses` overlaps no input.
     unsafe { Ok(checked.known.job().poses(values.slice(), poses.slice())?) }
 }
 
@@ -34,16 +35,16 @@ macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
             /// Computes the poses of all links for many configurations: forward kinematics.
-            /// `values` is `[configuration][value]` and holds `value_count` numbers in all, which
-            /// is the number of the mechanism's values times that of configurations. `poses` is
-            /// `[configuration][link]` and holds `count` motions in all, which is the number of
-            /// links times that of configurations.
+            /// `values` is `[configuration][value]` and holds `value_count` values in all: the
+            /// mechanism's number of values times the number of configurations. `poses` is
+            /// `[configuration][link]` and holds `count` motions in all: the mechanism's number of
+            /// links times the number of configurations.
             ///
             /// In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
-            /// of links times the number of configurations over `lanes`, rounded up. `values` stays
-            /// plain. Lanes without a configuration get the poses for values that are all zero.
-            /// Returns DQ8_STATUS_LENGTH if `value_count` and `count` belong to different numbers
-            /// of configurations.
+            /// of links times the number of blocks of configurations: the number of configurations
+            /// over `lanes`, rounded up. `values` is a plain array in either case. Lanes without a
+            /// configuration get the poses for values that are all zero. Returns DQ8_STATUS_LENGTH
+            /// if `value_count` and `count` belong to different numbers of configurations.
             link_poses, blocks_link_poses(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 poses: *mut $R,

@@ -1,5 +1,5 @@
-//! Mechanisms: trees of joints, made once in memory of the caller, and then the poses of links and
-//! Jacobians.
+//! Mechanisms: trees of joints that are checked once and kept in memory of the caller, with
+//! functions for the poses and the Jacobians of links.
 
 use crate::joint::{Fault, Joint, fault};
 use crate::memory::{Buffer, Input, Output, bytes, place};
@@ -10,19 +10,20 @@ use core::ptr;
 use dq8::{DualQuat, Real, Twist};
 use dq8_robot::{Body, JointKind, World, WorldAligned};
 
-/// The frame of the columns of a Jacobian: their axes and the point that they are about.
+/// The frame of the columns of a Jacobian: the axes of their components, and the point whose
+/// velocity their linear parts are.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
-    /// The axes of the base, about the origin of the base: spatial twists.
+    /// The axes of the base and the origin of the base: columns are spatial twists.
     World = 0,
-    /// The axes of the link, about the origin of the link: body twists.
+    /// The axes of the link and the origin of the link: columns are body twists.
     Body = 1,
-    /// The axes of the base, about the origin of the link.
+    /// The axes of the base and the origin of the link.
     WorldAligned = 2,
 }
 
-/// The memory of a mechanism for one of its joints. Its content is private to the library.
+/// The memory that a mechanism needs for one joint. Its content is private to the library.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Step<R> {
@@ -30,19 +31,20 @@ pub struct Step<R> {
     opaque: [R; 100],
 }
 
-/// A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. Its steps must
-/// stay where they are.
+/// A mechanism, made by dq8_mechanism_make. This struct may be copied and moved. It points to its
+/// steps, which must stay where they are and must not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Mechanism<R> {
     /// The number of links, one for each joint.
     pub links: usize,
-    /// The number of values of a configuration: those of joint 0, then those of joint 1, and so on.
+    /// The number of values of a configuration. A configuration holds the values of joint 0, then
+    /// the values of joint 1, and so on.
     pub values: usize,
-    /// The number of rates, and of columns of a Jacobian. It is the number of values, except that a
-    /// floating joint has seven values and six rates.
+    /// The number of rates, which is the number of columns of a Jacobian. Each joint has as many
+    /// rates as values, except that a floating joint has seven values and six rates.
     pub rates: usize,
-    /// The steps. This is null in a zeroed struct that no mechanism has been made in.
+    /// The array of steps. It is null in a zeroed struct, in which no mechanism has been made.
     steps: *const Step<R>,
     /// Private to the library.
     opaque: [*const Step<R>; 4],
@@ -50,8 +52,9 @@ pub struct Mechanism<R> {
 
 type Known<R> = dq8_robot::Mechanism<'static, R>;
 
-/// Asserts that the memory that C has is enough. [`Step`] is for the library's steps and, behind
-/// them, for its joints while they are checked, and for the alignment of both.
+/// Asserts that the structs of C have room for those of `dq8_robot`. An array of [`Step`] must hold
+/// the steps of `dq8_robot`, behind them its joints while they are checked, and the padding that
+/// aligns both.
 macro_rules! fits {
     ($($R:ident)*) => {$(const _: () = {
         let joints = size_of::<dq8_robot::Joint<$R>>() + align_of::<dq8_robot::Joint<$R>>();
@@ -63,14 +66,14 @@ macro_rules! fits {
 }
 fits! { f32 f64 }
 
-/// Makes the mechanism of these joints in `buffer`, which has the size of a [`Step`] for each of
-/// them.
+/// Makes the mechanism of these joints in `buffer`, which has the size of one [`Step`] for each
+/// joint.
 fn known<'a, R: Real>(
     joints: &[Joint<R>],
     buffer: &'a mut Buffer,
 ) -> Result<dq8_robot::Mechanism<'a, R>, Fault> {
     let count = joints.len();
-    // Both fit, as `fits` asserts, but the compiler does not know that.
+    // Steps and joints fit into `buffer`, as `fits` asserts, so this error does not occur.
     let small = (Status::TooLarge, None);
     let (steps, rest) = place(buffer, count, dq8_robot::Step::default()).ok_or(small)?;
     let any = dq8_robot::Joint::new(None, DualQuat::IDENTITY, JointKind::Fixed);
@@ -82,8 +85,8 @@ fn known<'a, R: Real>(
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
-/// [`Output::write`].
+/// `joints` and `steps` must hold `count` elements. No other thread may use the outputs or write
+/// the joints during the call.
 unsafe fn make<R: Real>(
     joints: *const Joint<R>,
     count: usize,
@@ -96,26 +99,29 @@ unsafe fn make<R: Real>(
     let made = Output::<Mechanism<R>>::new(mechanism, 1)?;
     let bad_joint = Output::<usize>::unless_null(bad_joint)?;
     disjoint(&[steps.span, made.span, bad_joint.span], &[joints.span])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that both arrays have `count` elements, and `disjoint` has
+    // checked that the steps overlap no other array.
     let (joints, buffer) = unsafe { (joints.slice(), steps.slice()) };
-    // A mechanism without joints needs a pointer too, because null means that it has not been made.
+    // A mechanism without joints needs a pointer that is not null too, because null means that no
+    // mechanism has been made.
     let steps = buffer.as_ptr().cast();
-    // The mechanism lives as long as C keeps its steps.
+    // The lifetime is `'static`, because C must keep the steps for as long as it uses the
+    // mechanism.
     let known: Known<R> = match known(joints, bytes(buffer)) {
         Ok(known) => known,
         Err((status, joint)) => {
             if let Some(joint) = joint {
-                // SAFETY: the caller guarantees that the memory is valid, and the outputs have been
-                // checked to overlap nothing.
+                // SAFETY: the caller guarantees that `bad_joint` is null or points to a `usize`,
+                // and `disjoint` has checked that it overlaps no other array.
                 unsafe { bad_joint.write(joint) };
             }
             return Err(status);
         }
     };
     let (links, values, rates) = (known.links(), known.values(), known.rates());
-    // SAFETY: the caller guarantees that the memory is valid, the outputs have been checked to
-    // overlap nothing, and `opaque` has room for the mechanism, which `fits` asserts.
+    // SAFETY: the caller guarantees that `mechanism` points to a `Mechanism`, and `disjoint` has
+    // checked that it overlaps no other array. `opaque` has the size and alignment of a `Known`, as
+    // `fits` asserts.
     unsafe {
         made.write(Mechanism { links, values, rates, steps, opaque: [ptr::null(); 4] });
         ptr::addr_of_mut!((*mechanism).opaque).cast::<Known<R>>().write(known);
@@ -123,7 +129,8 @@ unsafe fn make<R: Real>(
     Ok(())
 }
 
-/// A mechanism from C that has been made. No output may overlap it or its steps.
+/// A mechanism from C that has been made, with the memory of its struct (`given`) and of its steps.
+/// No output may overlap either.
 pub(crate) struct Checked<R: 'static> {
     pub(crate) known: Known<R>,
     pub(crate) given: Span,
@@ -132,23 +139,27 @@ pub(crate) struct Checked<R: 'static> {
 
 impl<R: Real> Checked<R> {
     /// # Safety
-    /// The mechanism must be zeroed or made, and its steps must be there.
+    /// The mechanism must be zeroed, or made by dq8_mechanism_make, and then its steps must be
+    /// unchanged.
     pub(crate) unsafe fn new(mechanism: *const Mechanism<R>) -> Result<Self, Status> {
         let given = Span::of(mechanism, 1)?;
         // SAFETY: `Span::of` has checked that the pointer is neither null nor misaligned. The
-        // caller guarantees that it points to valid memory.
+        // caller guarantees that it points to a mechanism that is zeroed or made.
         let steps = unsafe { ptr::addr_of!((*mechanism).steps).read() };
         if steps.is_null() {
             return Err(Status::NoMechanism);
         }
-        // SAFETY: the mechanism has been made, so this was written.
+        // SAFETY: `steps` is not null, so the mechanism has been made, and `opaque` holds a
+        // `Known`.
         let known = unsafe { ptr::addr_of!((*mechanism).opaque).cast::<Known<R>>().read() };
         Ok(Self { known, given, steps: Span::of(steps, known.links())? })
     }
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`] and [`Output::slice`].
+/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
+/// elements as its count says. No other thread may use the output or write the inputs during the
+/// call.
 unsafe fn link_poses<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -156,20 +167,19 @@ unsafe fn link_poses<R: Real>(
     poses: *mut R,
     link_count: usize,
 ) -> Done {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let poses = Output::<DualQuat<R>>::new(poses, link_count)?;
     disjoint(&[poses.span], &[values.span, checked.given, checked.steps])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that `poses` overlaps no input.
     unsafe { Ok(checked.known.link_poses(values.slice(), poses.slice())?) }
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Checked::new`] and [`Input::slice`], and for
-/// [`Output::write`].
+/// The mechanism must be zeroed, or made and its steps unchanged. `values` must have `value_count`
+/// elements. No other thread may use `pose` or write the inputs during the call.
 unsafe fn link_pose<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -177,8 +187,7 @@ unsafe fn link_pose<R: Real>(
     link: usize,
     pose: *mut R,
 ) -> Done {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let pose = Output::<DualQuat<R>>::new(pose, 1)?;
@@ -186,13 +195,13 @@ unsafe fn link_pose<R: Real>(
     if link >= checked.known.links() {
         return Err(Status::NoLink);
     }
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees `value_count` values and a pose, and `disjoint` has checked
+    // that `pose` overlaps no input.
     unsafe { pose.write(checked.known.link_pose(values.slice(), link)?) };
     Ok(())
 }
 
-/// The inputs of [`link_jacobian`].
+/// The inputs of [`link_jacobian`]. `frame` is a value of [`Frame`].
 struct Query<R> {
     mechanism: *const Mechanism<R>,
     frame: i32,
@@ -202,16 +211,16 @@ struct Query<R> {
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`], [`Output::slice`] and
-/// [`Output::write`].
+/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
+/// elements as its count says, and `pose` must be null or a motion. No other thread may use the
+/// outputs or write the inputs during the call.
 unsafe fn link_jacobian<R: Real>(
     query: Query<R>,
     columns: *mut R,
     column_count: usize,
     pose: *mut R,
 ) -> Done {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
     let checked = unsafe { Checked::new(query.mechanism)? };
     let values = Input::<R>::new(query.values, query.value_count)?;
     let columns = Output::<Twist<R>>::new(columns, column_count)?;
@@ -221,8 +230,8 @@ unsafe fn link_jacobian<R: Real>(
     if link >= known.links() {
         return Err(Status::NoLink);
     }
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that both arrays have as many elements as their counts say, and
+    // `disjoint` has checked that `columns` overlaps no other array.
     let (values, columns) = unsafe { (values.slice(), columns.slice()) };
     let reached = match query.frame {
         frame if frame == Frame::World as i32 => known.link_jacobian(World, values, link, columns),
@@ -232,8 +241,8 @@ unsafe fn link_jacobian<R: Real>(
         }
         _ => return Err(Status::UnknownValue),
     }?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that `pose` is null or a motion, and `disjoint` has checked
+    // that it overlaps no other array.
     unsafe { pose.write(reached) };
     Ok(())
 }
@@ -241,15 +250,15 @@ unsafe fn link_jacobian<R: Real>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// Makes a mechanism of `count` joints. It checks them once, so that the functions of
-            /// the mechanism only compute. `steps` is memory for `count` steps, which the mechanism
-            /// keeps using; its functions are undefined if anything else has written there. The
-            /// `joints` are not needed later.
+            /// Makes a mechanism of `count` joints. It checks the joints once, so that the
+            /// functions of the mechanism need not. `steps` is memory for `count` steps, to which
+            /// the mechanism points. The behaviour of its functions is undefined if the program
+            /// changes or frees the steps. The `joints` are not needed afterwards.
             ///
             /// Returns DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (of a
             /// placement), _NOT_FINITE, _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (of a kind,
-            /// `mimics` or `limited`), and sets `bad_joint`, which may be null, to that joint.
-            /// `steps` may then have been written, but not the mechanism.
+            /// `mimics` or `limited`) if a joint is wrong, and sets `bad_joint`, which may be null,
+            /// to its index. The function may then have written `steps`, but not the mechanism.
             mechanism::make(
                 joints: *const Joint<$R>, count: usize, steps: *mut Step<$R>,
                 mechanism: *mut Mechanism<$R>, bad_joint: *mut usize,
@@ -258,16 +267,17 @@ macro_rules! functions {
         export_one! { $R
             /// Computes the poses of all links in the frame of the base: forward kinematics of one
             /// configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
-            /// Returns DQ8_STATUS_LENGTH if `value_count` or `link_count` is not that of the
-            /// mechanism.
+            /// Returns DQ8_STATUS_LENGTH if `value_count` is not the mechanism's number of values,
+            /// or `link_count` not its number of links.
             mechanism::link_poses(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 poses: *mut $R, link_count: usize,
             ) = super::link_poses(mechanism, values, value_count, poses, link_count)
         }
         export_one! { $R
-            /// Computes the pose of one link in the frame of the base. Only the joints that carry
-            /// the link are computed. Returns DQ8_STATUS_NO_LINK if there is no such link.
+            /// Computes the pose of one link in the frame of the base. It computes only the joints
+            /// that carry the link. `link` is the index of the link. Returns DQ8_STATUS_NO_LINK if
+            /// there is no such link.
             mechanism::link_pose(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 link: usize, pose: *mut $R,
@@ -275,13 +285,13 @@ macro_rules! functions {
         }
         export_one! { $R
             /// Computes the geometric Jacobian of a link. It has a column for each rate of the
-            /// mechanism, of six numbers: angular velocity x y z, then linear velocity x y z, in
-            /// `frame`, one of enum dq8_frame. Columns of joints that do not carry the link are
-            /// zero.
+            /// mechanism. A column has six components: angular velocity x y z, then linear velocity
+            /// x y z, in `frame`, one of enum dq8_frame. Columns of joints that do not carry the
+            /// link are zero.
             ///
             /// `column_count` must be the mechanism's number of rates. The pose of the link is
             /// written to `pose`, which may be null. Returns DQ8_STATUS_NO_LINK if there is no such
-            /// link, and DQ8_STATUS_UNKNOWN_VALUE if there is no such frame.
+            /// link, and DQ8_STATUS_UNKNOWN_VALUE if `frame` is no value of the enum.
             mechanism::link_jacobian(
                 mechanism: *const Mechanism<$R>, frame: i32, values: *const $R,
                 value_count: usize, link: usize, columns: *mut $R, column_count: usize,

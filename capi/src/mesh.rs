@@ -1,4 +1,4 @@
-//! Meshes in C's memory: arrays of vectors, or vertex buffers.
+//! Meshes in memory of the caller: arrays of vectors, or vertex buffers.
 
 use crate::memory::{Input, Output};
 use crate::skin::{Palettes, Posing};
@@ -7,16 +7,18 @@ use crate::status::{Done, Status};
 use dq8::Scalar;
 use dq8::skinning::{self, Blender, SkinningError, Surface, SurfaceMut, Weight};
 
-/// A mesh at rest, and the memory for the posed mesh.
+/// A mesh at rest, with the memory for the posed mesh.
 pub(crate) trait Mesh<R: Scalar + Weight> {
-    /// The number of vertices that C passes.
+    /// Returns the number of vertices, as C has passed it.
     fn vertices(&self) -> usize;
 
-    /// Poses the mesh. It is an error if an output overlaps anything.
+    /// Poses the mesh by the skin and the palettes of `by`, which `blend` combines. Returns an
+    /// error if an output overlaps another array.
     ///
     /// # Safety
-    /// The caller must keep the conditions of [`Posing::borrow`], [`Input::slice`] and
-    /// [`Output::slice`].
+    /// The arrays of the mesh must have the elements of all its vertices, the skin must be made and
+    /// its arrays unchanged, and the palettes must have their elements. No other thread may use the
+    /// outputs or write the inputs during the call.
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
@@ -24,14 +26,14 @@ pub(crate) trait Mesh<R: Scalar + Weight> {
     ) -> Done;
 }
 
-/// A mesh as arrays of positions, normals and tangents, of three numbers each.
+/// A mesh as three arrays: positions, normals and tangents, of three components each.
 pub(crate) struct Arrays<R> {
     pub(crate) rest: [*const R; 3],
     pub(crate) posed: [*mut R; 3],
     pub(crate) vertices: usize,
 }
 
-/// The vectors of a field at rest, and the memory for the posed ones.
+/// The array of positions, normals or tangents at rest, and the array for the posed ones.
 type Field<R> = (Input<[R; 3]>, Output<[R; 3]>);
 
 impl<R: Copy> Arrays<R> {
@@ -39,7 +41,7 @@ impl<R: Copy> Arrays<R> {
         Ok((Input::new(from, self.vertices)?, Output::new(to, self.vertices)?))
     }
 
-    /// A field, or `None` if C passes null for both pointers.
+    /// Checks the two arrays of normals or tangents. Returns `None` if C passes null for both.
     fn optional(&self, from: *const R, to: *mut R) -> Result<Option<Field<R>>, Status> {
         if from.is_null() && to.is_null() {
             return Ok(None);
@@ -58,7 +60,7 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         by: &Posing<R>,
         blend: impl FnOnce(Palettes<'p, R>) -> Result<B, SkinningError>,
     ) -> Done {
-        // Positions are required, normals and tangents are not.
+        // C must pass positions, and may pass normals and tangents.
         let ([from, from_normals, from_tangents], [to, to_normals, to_tangents]) =
             (self.rest, self.posed);
         let positions = self.field(from, to)?;
@@ -69,8 +71,8 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         let to = fields.map(|field| field.map_or(Span::NOWHERE, |(_, to)| to.span));
         disjoint(&to, &from)?;
         disjoint(&to, &by.spans)?;
-        // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked
-        // to overlap nothing.
+        // SAFETY: the caller guarantees that each array has the elements of all vertices, and the
+        // skin and palettes theirs. `disjoint` has checked that no output overlaps another array.
         unsafe {
             let (skin, palettes) = by.borrow();
             let rest = Surface {
@@ -89,18 +91,19 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
 }
 
 /// The layout of a vertex buffer, which holds one vertex after the other. All fields of this struct
-/// count numbers. A position, a normal or a tangent is three numbers.
+/// count elements, that is, floats or doubles, and not bytes. A position, a normal or a tangent has
+/// three components.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct VertexFields {
-    /// The distance from the beginning of a vertex to that of the next.
+    /// The distance from the beginning of a vertex to the beginning of the next vertex.
     pub stride: usize,
     /// The offset of the position in a vertex.
     pub position: i32,
     /// The offset of the normal in a vertex, or -1 to pose no normals.
     pub normal: i32,
-    /// The offset of the tangent in a vertex, or -1 to pose no tangents. A fourth number, the sign
-    /// of the bitangent, is no part of it.
+    /// The offset of the tangent in a vertex, or -1 to pose no tangents. A fourth component, the
+    /// sign of the bitangent, does not belong to the tangent and is not written.
     pub tangent: i32,
 }
 
@@ -114,7 +117,8 @@ impl VertexFields {
     }
 }
 
-/// A mesh as a vertex buffer, and the buffer for the posed mesh.
+/// A mesh as a vertex buffer (`rest`, with the layout `from`), and the buffer for the posed mesh
+/// (`posed`, with the layout `to`).
 pub(crate) struct Records<R> {
     pub(crate) rest: *const R,
     pub(crate) from: VertexFields,
@@ -139,8 +143,8 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
         let posed = Output::<R>::new(self.posed, numbers(to.stride)?)?;
         disjoint(&[posed.span], &[rest.span])?;
         disjoint(&[posed.span], &by.spans)?;
-        // SAFETY: the caller guarantees that the memory is valid, and the output has been checked
-        // to overlap nothing.
+        // SAFETY: the caller guarantees that each buffer has `stride` elements per vertex, and the
+        // skin and palettes theirs. `disjoint` has checked that the output overlaps no input.
         unsafe {
             let (skin, palettes) = by.borrow();
             let (rest, posed) = ((rest.slice(), from), (posed.slice(), to));

@@ -1,4 +1,5 @@
-//! Operations on one motion. Inputs are read before anything is written, so outputs may be inputs.
+//! Operations on one motion. The functions read all inputs before they write, so outputs may be
+//! inputs.
 
 use crate::memory::{Output, one, read, two};
 use crate::span::disjoint;
@@ -6,17 +7,18 @@ use crate::status::{Done, Status};
 use dq8::{DualQuat, Quat, Real};
 
 /// # Safety
-/// The caller must keep the conditions of [`Output::write`].
+/// `out` must point to memory for a motion, which no other thread uses during the call.
 unsafe fn identity<R: Real>(out: *mut R) -> Done {
     let out = Output::new(out, 1)?;
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that `out` points to memory for a motion that no other thread
+    // uses.
     unsafe { out.write(DualQuat::<R>::IDENTITY) };
     Ok(())
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`read`] and [`Output::write`].
+/// The motion and the memory for both outputs must be there. No other thread may use the outputs or
+/// write the motion during the call.
 unsafe fn to_rotation_translation<R: Real>(
     motion: *const R,
     rotation: *mut R,
@@ -24,8 +26,9 @@ unsafe fn to_rotation_translation<R: Real>(
 ) -> Done {
     let (rotation, translation) = (Output::new(rotation, 1)?, Output::new(translation, 1)?);
     disjoint(&[rotation.span, translation.span], &[])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that the motion and both outputs are there. The motion is read
+    // before the outputs are written, and `disjoint` has checked that the outputs do not overlap
+    // each other.
     unsafe {
         let motion: DualQuat<R> = read(motion)?;
         rotation.write(motion.rotation());
@@ -35,10 +38,9 @@ unsafe fn to_rotation_translation<R: Real>(
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`read`].
+/// The motion must be there, and no other thread may write it during the call.
 unsafe fn check_unit<R: Real>(motion: *const R, tolerance: R) -> Done {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that the motion is there and that no other thread writes it.
     let motion: DualQuat<R> = unsafe { read(motion)? };
     if motion.is_unit(tolerance) { Ok(()) } else { Err(Status::NotUnit) }
 }
@@ -65,9 +67,9 @@ macro_rules! functions {
             ) = super::to_rotation_translation(motion, rotation, translation)
         }
         export_one! { $R
-            /// Makes the motion of a matrix of three rows and four columns: twelve numbers, row by
-            /// row. Dot products of the rows of its rotation may differ from 0 and 1 by
-            /// `tolerance`.
+            /// Makes the motion of a matrix of three rows and four columns. `matrix` has twelve
+            /// components, row by row. The rows of its rotation must be orthonormal: their dot
+            /// products may differ from 0 and 1 by at most `tolerance`.
             ///
             /// Returns DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if the matrix is no
             /// rigid motion.
@@ -75,20 +77,20 @@ macro_rules! functions {
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix3x4(rows, tolerance)?))
         }
         export_one! { $R
-            /// Makes the motion of a matrix of sixteen numbers, otherwise like
-            /// dq8_motion_from_matrix_3x4. Returns DQ8_STATUS_NOT_AFFINE if the last row is not
-            /// 0 0 0 1.
+            /// Makes the motion of a matrix of four rows and four columns. `matrix` has sixteen
+            /// components, row by row. Returns DQ8_STATUS_NOT_AFFINE if the last row is not 0 0
+            /// 0 1. All else is as for dq8_motion_from_matrix_3x4.
             motion::from_matrix_4x4(matrix: *const $R, tolerance: $R, out: *mut $R) =
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix4(rows, tolerance)?))
         }
         export_one! { $R
-            /// Writes the matrix `[R | t]` of a unit motion: twelve numbers, row by row.
+            /// Writes the matrix `[R | t]` of a unit motion: twelve components, row by row.
             motion::to_matrix_3x4(motion: *const $R, matrix: *mut $R) =
                 one(motion, matrix, |motion: DualQuat<$R>| Ok(motion.to_matrix3x4()))
         }
         export_one! { $R
-            /// Writes the matrix of a unit motion with the last row 0 0 0 1: sixteen numbers, row
-            /// by row.
+            /// Writes the 4x4 matrix of a unit motion, with the last row 0 0 0 1: sixteen
+            /// components, row by row.
             motion::to_matrix_4x4(motion: *const $R, matrix: *mut $R) =
                 one(motion, matrix, |motion: DualQuat<$R>| Ok(motion.to_matrix4()))
         }
@@ -104,13 +106,13 @@ macro_rules! functions {
         }
         export_one! { $R
             /// Computes the inverse of a motion that need not be unit. Returns
-            /// DQ8_STATUS_NO_INVERSE if there is none.
+            /// DQ8_STATUS_NO_INVERSE if the motion has no inverse.
             motion::inverse(motion: *const $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.try_inverse()?))
         }
         export_one! { $R
             /// Normalizes a dual quaternion to a unit motion. Returns DQ8_STATUS_NOT_NORMALIZABLE
-            /// if there is none.
+            /// if its real part is zero or a component is not finite.
             motion::normalize(motion: *const $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.try_normalize()?))
         }
@@ -120,14 +122,14 @@ macro_rules! functions {
             motion::check_unit(motion: *const $R, tolerance: $R) = super::check_unit(motion, tolerance)
         }
         export_one! { $R
-            /// Moves a point, three numbers, by a unit motion.
+            /// Moves a point (x, y, z) by a unit motion.
             motion::point(motion: *const $R, point: *const $R, out: *mut $R) =
                 two(motion, point, out, |motion: DualQuat<$R>, point| {
                     Ok(motion.transform_point(point))
                 })
         }
         export_one! { $R
-            /// Turns a direction, three numbers, by a unit motion.
+            /// Turns a direction (x, y, z) by a unit motion, which does not translate it.
             motion::vector(motion: *const $R, vector: *const $R, out: *mut $R) =
                 two(motion, vector, out, |motion: DualQuat<$R>, vector| {
                     Ok(motion.transform_vector(vector))

@@ -1,5 +1,5 @@
-//! Inverse kinematics of a mechanism, in memory of the caller. Here are the types and the functions
-//! of one configuration; [`targets`](crate::targets) has those of many.
+//! Inverse kinematics of a mechanism, in memory of the caller: the types, and the functions for one
+//! configuration. [`targets`](crate::targets) has the functions for many configurations.
 
 use crate::mechanism::{Checked, Mechanism};
 use crate::memory::{Input, Output, bytes, place};
@@ -10,19 +10,19 @@ use dq8::{DualQuat, Real, Scalar, ShapeError, simd::MAX_LANES};
 use dq8_robot::ik::{self, Freedom, Reach, ReachError};
 
 /// A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
-/// components of its error, in the axes of the target. A weight of 0 leaves its component free.
-/// Weights matter where not all components can vanish.
+/// components of its error, in the axes of the target. A component with the weight 0 is free. The
+/// sizes of the other weights matter only if not all components can vanish.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal<R> {
-    /// The number of the link.
+    /// The index of the link.
     pub link: usize,
-    /// The weights of the rotation about the target's x, y and z, none of them negative.
+    /// The weights of the rotation about the target's axes x, y and z. They must not be negative.
     pub angular: [R; 3],
-    /// The weights of the distance along the target's x, y and z, none of them negative.
+    /// The weights of the distance along the target's axes x, y and z. They must not be negative.
     pub linear: [R; 3],
-    /// The point of the link that is to be at the target, in the frame of the link. Zero is its
-    /// origin.
+    /// The point of the link that is to be at the target, in the frame of the link. Zero is the
+    /// origin of the link.
     pub point: [R; 3],
 }
 
@@ -30,63 +30,66 @@ pub struct Goal<R> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachOptions<R> {
-    /// The largest angle in radians that a converged link may be turned from its target.
+    /// The largest angle in radians between a link and its target at which the search has
+    /// converged.
     pub angular_tolerance: R,
-    /// The largest distance of a converged link from its target.
+    /// The largest distance between a link and its target at which the search has converged.
     pub linear_tolerance: R,
-    /// The largest number of iterations, which are steps and restarts together.
+    /// The largest number of iterations. Steps and restarts both count as iterations.
     pub max_iterations: u32,
-    /// 1 to begin again from another configuration when a search gets stuck. 0 to converge from the
-    /// given start only, which is for following a target that moves.
+    /// 1 to begin again from another configuration when the search gets stuck. 0 to search from the
+    /// given start only, which suits a target that moves and is followed.
     pub restarts: u32,
-    /// The distance that weighs as much as a radian. 0 stands for an eighth of the mechanism's
-    /// length. If a joint floats or slides without limits, it stands for an eighth of the distance
-    /// from the base to the farthest target, or of the farthest slide, if one of these is longer.
+    /// The distance whose error weighs as much as an error of a radian. 0 stands for an eighth of
+    /// the mechanism's length. If a joint floats or slides without limits, that length is at least
+    /// the distance from the base to the farthest target, and at least the farthest slide.
     pub length_per_radian: R,
-    /// The largest angle in radians that a joint turns in one step. More than a full turn counts as
-    /// one.
+    /// The largest angle in radians by which a joint turns in one step. A value of more than a full
+    /// turn counts as a full turn.
     pub max_step: R,
-    /// The damping at the target itself, in radians. With 0, the search converges fastest.
+    /// The damping of steps at the target itself, in radians. With 0, the search converges fastest.
     pub damping: R,
 }
 
-/// The outcome of a search.
+/// The outcome of a search for the values that bring links to their targets.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// All links are at their targets, within the tolerances.
     Converged = 0,
-    /// A target is farther away than the joints that carry its link are long.
+    /// A target is farther away than the chain of joints that carries its link can reach.
     OutOfReach = 1,
     /// No step led nearer to the targets, and a joint is at its limit.
     AtLimits = 2,
     /// No step led nearer to the targets.
     Stalled = 3,
-    /// The iterations ran out while the links still came nearer. More iterations would help.
+    /// The search took all its iterations while the links still came nearer. More iterations would
+    /// help.
     Unfinished = 4,
-    /// An input is invalid: a target is not unit to 0.001, a number is not finite, an option is
+    /// An input is invalid: a target is not unit to 0.001, an input is not finite, an option is
     /// negative or NaN, or max_step is 0. The values are as they were.
     Invalid = 5,
 }
 
-/// The report of a search, about the values that it returns.
+/// The report of a search. Its errors are those of the values that the search returns.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachReport<R> {
-    /// One of enum dq8_outcome.
+    /// The outcome, one of enum dq8_outcome.
     pub outcome: i32,
-    /// The number of iterations, which are steps and restarts together.
+    /// The number of iterations. Steps and restarts both count as iterations.
     pub iterations: u32,
     /// The number of restarts.
     pub restarts: u32,
-    /// The largest angle in radians between a link and its target, in components with a weight.
+    /// The largest angle in radians between a link and its target. Components with weight 0 do not
+    /// count.
     pub angular_error: R,
-    /// The largest distance of a link from its target, in components with a weight.
+    /// The largest distance between a link and its target. Components with weight 0 do not count.
     pub linear_error: R,
 }
 
-/// Asserts that a struct of C and one of the library have the same layout, so that either can be
-/// read as the other.
+/// Asserts that a struct of C and a struct of `dq8_robot` have the same layout, so that memory of
+/// one type can be read as the other.
 macro_rules! same {
     ($C:ty, $Rust:ty: $($field:ident)*) => {
         const _: () = {
@@ -111,15 +114,15 @@ macro_rules! same_outcomes {
 }
 same_outcomes! { Converged OutOfReach AtLimits Stalled Unfinished Invalid }
 
-/// The number of configurations that a search computes at a time.
+/// The number of configurations that a search computes at a time: one, or one per lane.
 #[derive(Clone, Copy)]
 pub(crate) enum Width {
     One,
     Lanes,
 }
 
-/// The number of `R` that a search needs as scratch: memory for its freedoms and their alignment,
-/// and then for itself.
+/// Returns the number of elements `R` that a search needs as scratch: memory for its freedoms with
+/// their alignment, and after them the scratch of the search itself.
 fn scratch_len<R: Real>(
     known: dq8_robot::Mechanism<'_, R>,
     goals: usize,
@@ -135,29 +138,29 @@ fn scratch_len<R: Real>(
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Checked::new`] and [`Output::write`].
+/// The mechanism must be zeroed, or made and its steps unchanged. `scratch_count` must point to a
+/// `usize` that no other thread uses during the call.
 pub(crate) unsafe fn reach_scratch<R: Real>(
     mechanism: *const Mechanism<R>,
     goal_count: usize,
     scratch_count: *mut usize,
     width: Width,
 ) -> Done {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
     let checked = unsafe { Checked::new(mechanism)? };
     let to = Output::<usize>::new(scratch_count, 1)?;
     disjoint(&[to.span], &[checked.given, checked.steps])?;
     if goal_count > GOALS {
         return Err(Status::TooLarge);
     }
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that `scratch_count` points to a `usize`, and `disjoint` has
+    // checked that it does not overlap the mechanism.
     unsafe { to.write(scratch_len(checked.known, goal_count, width)?) };
     Ok(())
 }
 
-/// The largest number of goals, which is more than any mechanism has a use for. With more goals,
-/// lengths might not fit into a `usize`.
+/// The largest number of goals. More goals have no use, and the lengths of their arrays might not
+/// fit into a `usize`.
 const GOALS: usize = 1 << 10;
 
 impl<R: Real> ReachOptions<R> {
@@ -182,7 +185,7 @@ impl<R: Real> ReachOptions<R> {
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Output::write`].
+/// `options` must point to memory for options, which no other thread uses during the call.
 unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
     let to = Output::<ReachOptions<R>>::new(options, 1)?;
     let known = ik::Options::<R>::default();
@@ -195,13 +198,13 @@ unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
         max_step: known.max_step,
         damping: known.damping,
     };
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that `options` points to memory for options that no other
+    // thread uses.
     unsafe { to.write(default) };
     Ok(())
 }
 
-/// The inputs of [`reach`].
+/// The inputs of [`reach`], as C passes them. `posture` and `options` may be null.
 pub(crate) struct Query<R> {
     pub(crate) mechanism: *const Mechanism<R>,
     pub(crate) goals: *const Goal<R>,
@@ -211,8 +214,8 @@ pub(crate) struct Query<R> {
     pub(crate) options: *const ReachOptions<R>,
 }
 
-/// The outputs and the scratch of [`reach`], for `count` configurations. The values are the start
-/// of the search as well.
+/// The outputs and the scratch of [`reach`], for `count` configurations, as C passes them. `values`
+/// holds the start of the search before the call.
 pub(crate) struct Results<R> {
     pub(crate) values: *mut R,
     pub(crate) value_count: usize,
@@ -222,7 +225,7 @@ pub(crate) struct Results<R> {
     pub(crate) count: usize,
 }
 
-/// The inputs and outputs of a search, all of them checked.
+/// The inputs and outputs of a search as slices, after all checks.
 pub(crate) struct Search<'a, R> {
     pub(crate) reach: Reach<'a, R>,
     pub(crate) targets: &'a [DualQuat<R>],
@@ -233,15 +236,16 @@ pub(crate) struct Search<'a, R> {
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Checked::new`], [`Input::slice`] and [`Output::slice`].
+/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
+/// elements as its count says, and `posture` and `options` may be null. No other thread may use the
+/// outputs or write the inputs during the call.
 pub(crate) unsafe fn reach<R: Scalar>(
     query: Query<R>,
     results: Results<R>,
     width: Width,
     solve: impl FnOnce(Search<'_, R>) -> Result<(), ShapeError>,
 ) -> Done {
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
     let checked = unsafe { Checked::new(query.mechanism)? };
     let Results { count, value_count, scratch_count, .. } = results;
     let target_count = query.goal_count.checked_mul(count).ok_or(Status::TooLarge)?;
@@ -256,8 +260,8 @@ pub(crate) unsafe fn reach<R: Scalar>(
     let options = Input::<ReachOptions<R>>::unless_null(query.options)?;
     let read = [goals.span, targets.span, posture.span, options.span, checked.given, checked.steps];
     disjoint(&[values.span, scratch.span, reports.span], &read)?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that `options` is null or points to options, and `disjoint` has
+    // checked that no output overlaps them.
     let options = match *unsafe { options.slice() } {
         [options] => options.known()?,
         _ => ik::Options::default(),
@@ -268,17 +272,17 @@ pub(crate) unsafe fn reach<R: Scalar>(
     if scratch_count < scratch_len(known, query.goal_count, width)? {
         return Err(Status::Length);
     }
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that no output overlaps these arrays.
     let (goals, targets, posture) = unsafe { (goals.slice(), targets.slice(), posture.slice()) };
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that both arrays have as many elements as their counts say, and
+    // `disjoint` has checked that they overlap no other array.
     let (values, scratch) = unsafe { (values.slice(), scratch.slice()) };
-    // The scratch is large enough, as has been checked, but the compiler does not know that.
+    // The scratch is large enough, as has been checked above, so this error does not occur.
     let (freedoms, rest) =
         place(bytes(scratch), known.rates(), Freedom::default()).ok_or(Status::Length)?;
     let mut reach = Reach::new(known, goals, freedoms).map_err(|error| status(&error))?;
-    // These goals need no more than the bound that has been checked.
+    // The search needs no more scratch than `scratch_bound`, for which the length has been checked.
     let numbers = match width {
         Width::One => reach.scratch_len(),
         Width::Lanes => reach.batch_scratch_len(),
@@ -287,9 +291,9 @@ pub(crate) unsafe fn reach<R: Scalar>(
     if !query.posture.is_null() {
         reach = reach.with_posture(posture).map_err(|error| status(&error))?;
     }
-    // No error can come any more, so reports may be written. C may have anything there. SAFETY: the
-    // caller guarantees that the memory is valid, and the outputs have been checked to overlap
-    // nothing.
+    // All inputs have been checked, so the reports may be written. Their memory may be
+    // uninitialised. SAFETY: the caller guarantees that `reports` has `count` elements, and
+    // `disjoint` has checked that they overlap no other array.
     let reports = bytes(unsafe { reports.slice() });
     let (reports, _) = place(reports, count, ik::Report::default()).ok_or(Status::Length)?;
     Ok(solve(Search { reach, targets, values, scratch, reports, options })?)
@@ -305,7 +309,7 @@ fn status(error: &ReachError) -> Status {
         ReachError::Limits { .. } => Status::Limits,
         ReachError::Posture { .. } | ReachError::Point { .. } => Status::NotFinite,
         ReachError::Freedoms { .. } | ReachError::PostureLength { .. } => Status::Length,
-        // A newer dq8 may have more errors.
+        // The enum is `non_exhaustive`: a newer `dq8_robot` may have more errors.
         _ => Status::UnknownValue,
     }
 }
@@ -313,33 +317,34 @@ fn status(error: &ReachError) -> Status {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// Writes the default options: tolerances of 1e-5 rad and 1e-5 lengths, 100 iterations,
-            /// with restarts.
+            /// Writes the default options: tolerances of 1e-5 radians and 1e-5 units of length, 100
+            /// iterations, with restarts.
             mechanism::reach_options(options: *mut ReachOptions<$R>) = super::reach_options(options)
         }
         export_one! { $R
-            /// Writes the size in numbers that `scratch` of dq8_mechanism_reach must have. It
-            /// depends on the mechanism and the number of goals only. Returns DQ8_STATUS_TOO_LARGE
-            /// if there are more than 1024 goals.
+            /// Writes the size that `scratch` of dq8_mechanism_reach must have. The size counts
+            /// floats or doubles. It depends on the mechanism and the number of goals only. Returns
+            /// DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
             mechanism::reach_scratch(
                 mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
             ) = super::reach_scratch(mechanism, goal_count, scratch_count, Width::One)
         }
         export_one! { $R
-            /// Solves the inverse kinematics of one configuration. Beginning at `values`, it moves
-            /// them within the limits of the joints until the link of each goal is at its target.
-            /// `targets` holds a unit motion for each goal. From a start nearby the search
-            /// converges in a few steps.
+            /// Solves the inverse kinematics of one configuration. The search begins at `values`
+            /// and changes them, within the limits of the joints, until the link of each goal is at
+            /// its target. `targets` holds a unit motion for each goal. From a start nearby the
+            /// search converges in a few steps.
             ///
-            /// `posture` holds as many numbers as `values`, a configuration that is preferred where
-            /// the goals leave freedom, or is null. `options` may be null for those of
-            /// dq8_mechanism_reach_options. The content of `scratch` does not matter. DQ8_STATUS_OK
-            /// means that there is a report; its `outcome` tells if the targets are reached.
+            /// `posture` is a configuration that the search prefers where the goals leave freedom.
+            /// It holds as many elements as `values`, or is null. `options` may be null for the
+            /// options that dq8_mechanism_reach_options writes. The content of `scratch` does not
+            /// matter. DQ8_STATUS_OK means that `report` has been written, whose `outcome` tells
+            /// whether the targets are reached.
             ///
-            /// Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or all
-            /// of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the posture or a
-            /// point), _LENGTH or _UNKNOWN_VALUE (of `restarts`). `scratch` may then have been
-            /// written, but not the values and the report.
+            /// Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (a weight is negative or not finite,
+            /// or all weights of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the
+            /// posture or of a point), _LENGTH or _UNKNOWN_VALUE (of `restarts`) for wrong inputs.
+            /// The function may then have written `scratch`, but not the values and the report.
             mechanism::reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,
                 goal_count: usize, posture: *const $R, options: *const ReachOptions<$R>,

@@ -1,4 +1,4 @@
-//! [`Skin`]: the joints and weights of a mesh, checked once.
+//! [`Skin`]: the joints and weights of a mesh, which are checked once.
 
 use crate::memory::{Input, Output};
 use crate::span::{Span, disjoint};
@@ -8,38 +8,39 @@ use core::ptr;
 use dq8::skinning::{self, SkinningError};
 use dq8::{DualQuat, Scalar};
 
-/// The layout of the joints, or of the weights, in an array that holds one vertex after the other.
-/// Both fields of this struct count elements of the array.
+/// The layout of the joint indices, or of the weights, in an array that holds one vertex after the
+/// other. Both fields of this struct count elements of the array, not bytes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct InfluenceField {
-    /// The distance from the beginning of a vertex to that of the next.
+    /// The distance from the beginning of a vertex to the beginning of the next vertex.
     pub stride: usize,
-    /// The offset of the field in a vertex.
+    /// The offset of the first joint index, or of the first weight, in a vertex.
     pub first: usize,
 }
 
 /// The joints and weights that move the vertices of a mesh, made by dq8_skin_make. This struct may
-/// be copied and moved. The arrays of joints and weights must stay where they are and must not
-/// change.
+/// be copied and moved. It points to the arrays of joint indices and weights, which must stay where
+/// they are and must not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Skin<R> {
-    /// The number of vertices.
+    /// The number of vertices of the mesh.
     pub vertices: usize,
-    /// The number of influences that every vertex has. It is 0 in a zeroed struct that no skin has
-    /// been made in.
+    /// The number of influences of each vertex, which are its joints with their weights. It is 0 in
+    /// a zeroed struct, in which no skin has been made.
     pub influences: usize,
-    /// The number of joints that its palettes have.
+    /// The number of joints, which is the number of entries of a palette.
     pub joints: usize,
     /// Private to the library.
-    // A `Known<R>`. Some of its bytes are padding, which is uninitialised.
+    // The bytes of a `Known<R>`, if `influences` is not 0. Some of these bytes are padding, which
+    // is uninitialised.
     opaque: [MaybeUninit<*const R>; 8],
 }
 
 pub(crate) type Known<R> = skinning::Skin<'static, u16, R>;
 
-/// Asserts that a skin of the library fits into the memory that C has for it.
+/// Asserts that a [`Known`] fits into the field `opaque` of a [`Skin`].
 macro_rules! fits {
     ($($R:ident)*) => {$(const _: () = {
         assert!(size_of::<Known<$R>>() <= 8 * size_of::<*const ()>());
@@ -48,7 +49,7 @@ macro_rules! fits {
 }
 fits! { f32 f64 }
 
-/// The vertex that an error of a skin names.
+/// Returns the index of the vertex that an error names, if it names a vertex.
 fn vertex_of(error: &SkinningError) -> Option<usize> {
     match *error {
         SkinningError::JointOutOfRange { vertex, .. }
@@ -58,7 +59,7 @@ fn vertex_of(error: &SkinningError) -> Option<usize> {
     }
 }
 
-/// The parts that a skin is made of, as C passes them.
+/// The arguments from which a skin is made, as C passes them. `joints` is the number of joints.
 pub(crate) struct SkinParts<R> {
     pub(crate) joints: usize,
     pub(crate) influences: usize,
@@ -71,8 +72,8 @@ pub(crate) struct SkinParts<R> {
 
 impl<R: Scalar + skinning::Weight> SkinParts<R> {
     /// # Safety
-    /// The caller must keep the conditions of [`Input::slice`] and [`Output::write`], and joints
-    /// and weights must not change later.
+    /// Both arrays must hold `stride` elements per vertex, which must not change while the skin is
+    /// used. No other thread may use the outputs during the call.
     pub(crate) unsafe fn make(self, skin: *mut Skin<R>, bad_vertex: *mut usize) -> Done {
         let Self {
             joints,
@@ -90,8 +91,8 @@ impl<R: Scalar + skinning::Weight> SkinParts<R> {
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
         disjoint(&[made.span, bad_vertex.span], &[joint_indices.span, weights.span])?;
-        // SAFETY: the caller guarantees that both arrays are valid and do not change while the skin
-        // is used.
+        // SAFETY: the caller guarantees that both arrays have their elements, and that these do not
+        // change while the skin is used, so they may be borrowed for `'static`.
         let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
         let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
         let (by, how_much) = ((joint_indices, field(joint_field)), (weights, field(weight_field)));
@@ -99,16 +100,17 @@ impl<R: Scalar + skinning::Weight> SkinParts<R> {
             Ok(known) => known,
             Err(error) => {
                 if let Some(vertex) = vertex_of(&error) {
-                    // SAFETY: the caller guarantees that the memory is valid, and the outputs have
-                    // been checked to overlap nothing.
+                    // SAFETY: the caller guarantees that `bad_vertex` is null or points to a
+                    // `usize`, and `disjoint` has checked that it overlaps no other array.
                     unsafe { bad_vertex.write(vertex) };
                 }
                 return Err(error.into());
             }
         };
         let opaque = [const { MaybeUninit::uninit() }; 8];
-        // SAFETY: the caller guarantees that the memory is valid, the outputs have been checked to
-        // overlap nothing, and `opaque` has room for the skin, which `fits` asserts.
+        // SAFETY: the caller guarantees that `skin` points to a `Skin`, and `disjoint` has checked
+        // that it overlaps no other array. `opaque` has the size and alignment of a `Known`, as
+        // `fits` asserts.
         unsafe {
             made.write(Skin { vertices, influences, joints, opaque });
             ptr::addr_of_mut!((*skin).opaque).cast::<Known<R>>().write(known);
@@ -117,7 +119,8 @@ impl<R: Scalar + skinning::Weight> SkinParts<R> {
     }
 }
 
-/// The inputs that pose a mesh: a skin, and the palettes of its blend.
+/// The inputs that pose a mesh: a skin, and the palettes of a blend, with pointers that are
+/// checked.
 pub(crate) struct Posing<R: 'static> {
     known: Known<R>,
     /// The memory of all inputs, which no output may overlap.
@@ -127,14 +130,14 @@ pub(crate) struct Posing<R: 'static> {
     shares: Input<R>,
 }
 
-/// The pointers to the palettes of a blend, with `None` for those that it does not need.
+/// The pointers to the palettes of a blend, with `None` for palettes that the blend does not need.
 pub(crate) struct Pointers<R> {
-    /// Eight numbers per joint.
+    /// Motions, of eight components per joint.
     pub(crate) motions: Option<*const R>,
-    /// Twelve numbers per joint.
+    /// Matrices or stretches, of twelve components per joint.
     pub(crate) matrices: Option<*const R>,
-    /// A number per vertex, and the number of vertices of the mesh, which may differ from that of
-    /// the skin: that is an error later.
+    /// Shares, one per vertex, and the number of vertices of the mesh. If this number differs from
+    /// that of the skin, posing the mesh returns an error.
     pub(crate) shares: Option<(*const R, usize)>,
 }
 
@@ -142,7 +145,7 @@ impl<R> Pointers<R> {
     pub(crate) const NOTHING: Self = Self { motions: None, matrices: None, shares: None };
 }
 
-/// The palettes of a blend, with empty slices for those that it does not need.
+/// The palettes of a blend, with empty slices for palettes that the blend does not need.
 pub(crate) struct Palettes<'p, R> {
     pub(crate) motions: &'p [DualQuat<R>],
     pub(crate) matrices: &'p [[[R; 4]; 3]],
@@ -151,7 +154,7 @@ pub(crate) struct Palettes<'p, R> {
 
 impl<R: Scalar + skinning::Weight> Posing<R> {
     /// # Safety
-    /// The skin must be zeroed or made, and its arrays must be what they were then.
+    /// The skin must be zeroed, or made by dq8_skin_make, and then its arrays must be unchanged.
     pub(crate) unsafe fn new(
         skin: *const Skin<R>,
         joints: usize,
@@ -159,13 +162,14 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
     ) -> Result<Self, Status> {
         let given = Span::of(skin, 1)?;
         // SAFETY: `Span::of` has checked that the pointer is neither null nor misaligned. The
-        // caller guarantees that it points to valid memory.
+        // caller guarantees that it points to a skin that is zeroed or made.
         if unsafe { ptr::addr_of!((*skin).influences).read() } == 0 {
             return Err(Status::NoSkin);
         }
-        // SAFETY: the skin has been made, so this was written.
+        // SAFETY: `influences` is not 0, so the skin has been made, and `opaque` holds a `Known`.
         let known = unsafe { ptr::addr_of!((*skin).opaque).cast::<Known<R>>().read() };
-        // The arrays that the kernel reads; C may have changed the public numbers of the skin.
+        // The lengths come from `known`, which the kernel reads, because C may have changed the
+        // public fields of the skin.
         let (indices, weights) = (known.joints(), known.weights());
         let indices = Span::of(indices.as_ptr(), indices.len())?;
         let weights = Span::of(weights.as_ptr(), weights.len())?;
@@ -180,13 +184,14 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
         Ok(Self { known, spans, motions, matrices, shares })
     }
 
-    /// The skin and its palettes.
+    /// Returns the skin, and its palettes as slices.
     ///
     /// # Safety
-    /// The caller must keep the conditions of [`new`](Self::new) and [`Input::slice`].
+    /// The arrays of the skin must be unchanged since it was made. The palettes must have their
+    /// elements, and no other thread may write them while `'p` lasts.
     pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, Palettes<'p, R>) {
-        // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-        // functions called here.
+        // SAFETY: the caller guarantees that each palette has its elements and that no other thread
+        // writes them.
         unsafe {
             let (motions, matrices) = (self.motions.slice(), self.matrices.slice());
             (self.known, Palettes { motions, matrices, shares: self.shares.slice() })

@@ -1,12 +1,13 @@
-//! Kernels over arrays, plain or in blocks: those of dq8's list (`src/slices/kernels.rs`), those of
-//! one motion for all elements, and matrices.
+//! Kernels over arrays, plain or in blocks: the kernels of the list in dq8's
+//! `src/slices/kernels.rs`, the kernels that move all elements by one motion, and conversions to
+//! matrices.
 
 use crate::status::{Done, Status};
 use dq8::hierarchy::MatrixOrder;
 use dq8::internal::{for_each_kernel, record};
 use dq8::storage::{AoSoA, Aos, Layout};
 
-/// The order of the numbers of a matrix in memory.
+/// The order of the components of a matrix in memory.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
@@ -17,7 +18,7 @@ pub enum Order {
 }
 
 impl Order {
-    /// The order that a number from C stands for.
+    /// Converts a value of enum dq8_matrix_order from C.
     pub(crate) fn known(order: i32) -> Result<MatrixOrder, Status> {
         match order {
             rows if rows == Self::Rows as i32 => Ok(MatrixOrder::Rows),
@@ -36,7 +37,7 @@ kernel_or_in_place! {
 kernel! { matrices_3x4(motions: 8; order: i32 = Order::known(order)?) -> 12 by matrices }
 kernel! { matrices_4x4(motions: 8; order: i32 = Order::known(order)?) -> 16 by matrices }
 
-/// The functions of the list, generic over the layout.
+/// The functions of the kernels of dq8's list, generic over the layout of the arrays.
 mod of_each {
     use super::*;
 
@@ -66,8 +67,8 @@ mod of_each {
     for_each_kernel!(kernels);
 }
 
-/// Exports the functions of the list for one number type: on plain arrays, and in `blocks` on
-/// blocks.
+/// Exports the functions of the kernels of dq8's list for one element type: on plain arrays, and in
+/// the submodule `blocks` on blocks.
 macro_rules! exports {
     ($R:ident [$few:literal $many:literal], $(
         $(#[doc = $brief:literal])+
@@ -82,7 +83,8 @@ macro_rules! exports {
             $(#[doc = out_may_be!($in_place $input)])?
             ///
             /// # Safety
-            /// Arrays must have the lengths that are named.
+            /// Each array must have the length that the description states. No other thread may use
+            /// the output or write the inputs during the call.
             #[unsafe(export_name = concat!("dq8_", name!($name $($c)?), "_", stringify!($R)))]
             pub unsafe extern "C" fn $name(
                 $input: *const $R,
@@ -91,13 +93,13 @@ macro_rules! exports {
                 out: *mut $R,
                 count: usize,
             ) -> Status {
-                // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-                // functions called here.
+                // SAFETY: the generic function needs arrays of the stated lengths that no other
+                // thread uses, which the caller guarantees.
                 Status::of(unsafe { of_each::$name::<Aos<$R>>($input, $($other,)* $($parameter,)? out, count) })
             }
         )*
 
-        /// The functions on blocks.
+        /// The functions on blocks. Their names in C begin with `dq8_blocks_`.
         pub mod blocks {
             use super::*;
             $(
@@ -107,7 +109,8 @@ macro_rules! exports {
                 )]
                 ///
                 /// # Safety
-                /// Arrays must have the lengths that are named, in blocks.
+                /// Each array must have the length that the description states, counted in blocks.
+                /// No other thread may use the output or write the inputs during the call.
                 #[unsafe(export_name = concat!("dq8_blocks_", name!($name $($c)?), "_", stringify!($R)))]
                 pub unsafe extern "C" fn $name(
                     lanes: usize,
@@ -118,13 +121,13 @@ macro_rules! exports {
                     count: usize,
                 ) -> Status {
                     Status::of(match lanes {
-                        // SAFETY: the caller keeps the conditions under `# Safety`, which are those
-                        // of the functions called here.
+                        // SAFETY: the generic function needs arrays of the stated lengths that no
+                        // other thread uses, which the caller guarantees.
                         $few => unsafe {
                             of_each::$name::<AoSoA<[$R; $few]>>($input, $($other,)* $($parameter,)? out, count)
                         },
-                        // SAFETY: the caller keeps the conditions under `# Safety`, which are those
-                        // of the functions called here.
+                        // SAFETY: the generic function needs arrays of the stated lengths that no
+                        // other thread uses, which the caller guarantees.
                         $many => unsafe {
                             of_each::$name::<AoSoA<[$R; $many]>>($input, $($other,)* $($parameter,)? out, count)
                         },
@@ -136,7 +139,7 @@ macro_rules! exports {
     };
 }
 
-/// The name in C, without `dq8_` and the number type.
+/// Expands to the name in C, without `dq8_` and the element type.
 macro_rules! name {
     ($name:ident) => {
         stringify!($name)
@@ -157,22 +160,22 @@ macro_rules! functions {
         for_each_kernel!(exports, $R $lanes);
 
         export! { $R $lanes
-            /// Moves `points`, three numbers each, by one unit `motion`. `out` may be `points`.
+            /// Moves `points`, three components each, by one unit `motion`. `out` may be `points`.
             points, blocks_points(motion: *const $R, points: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// Turns `vectors`, three numbers each, by one unit `motion`: directions do not
-            /// translate. `out` may be `vectors`.
+            /// Turns `vectors`, three components each, by one unit `motion`. Vectors are
+            /// directions, which the motion does not translate. `out` may be `vectors`.
             vectors, blocks_vectors(motion: *const $R, vectors: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// Writes the matrices `[R | t]` of unit `motions`, twelve numbers each, in `order`,
-            /// one of enum dq8_matrix_order.
+            /// Writes the matrices `[R | t]` of unit `motions`. A matrix has twelve components in
+            /// `order`, one of enum dq8_matrix_order.
             matrices_3x4, blocks_matrices_3x4(motions: *const $R, order: i32, out: *mut $R)
         }
         export! { $R $lanes
-            /// Writes the matrices of unit `motions` with the last row 0 0 0 1, sixteen numbers
-            /// each, in `order`, one of enum dq8_matrix_order.
+            /// Writes the 4x4 matrices of unit `motions`, with the last row 0 0 0 1. A matrix has
+            /// sixteen components in `order`, one of enum dq8_matrix_order.
             matrices_4x4, blocks_matrices_4x4(motions: *const $R, order: i32, out: *mut $R)
         }
     };

@@ -1,8 +1,9 @@
-//! [`Span`]: the memory of an array, and the check that arrays are disjoint.
+//! [`Span`]: the range of memory of an array, and the check that arrays do not overlap.
 
 use crate::status::{Done, Status};
 
-/// The memory of an array: the addresses of its first byte, and of the byte after its last one.
+/// The range of memory of an array: the address of its first byte, and the address after its last
+/// byte.
 #[derive(Clone, Copy)]
 pub(crate) struct Span {
     start: usize,
@@ -10,10 +11,12 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// The memory of an array without elements, which overlaps nothing.
+    /// The range of an array without elements, which overlaps no other range.
     pub(crate) const NOWHERE: Self = Self { start: 0, end: 0 };
 
-    /// The memory of `count` elements from `start`. If `count` is 0, any pointer is good.
+    /// Returns the range of `count` elements from `start` on, after it has checked that the pointer
+    /// is neither null nor misaligned, and that the array fits into memory. If `count` is 0, any
+    /// pointer is accepted.
     pub(crate) fn of<T>(start: *const T, count: usize) -> Result<Self, Status> {
         if count == 0 {
             return Ok(Self::NOWHERE);

@@ -1,4 +1,4 @@
-//! [`Status`]: the result of a call.
+//! [`Status`]: the result of a call from C.
 
 use core::ffi::{CStr, c_char};
 use dq8::{
@@ -11,7 +11,7 @@ use dq8::{
 /// The result of a function inside the library. Its error is the status for C.
 pub(crate) type Done = Result<(), Status>;
 
-/// Defines the enum, and the English text of each of its numbers.
+/// Defines the enum [`Status`], and the English text of each of its values.
 macro_rules! statuses {
     (
         $(#[doc = $about:literal])*
@@ -36,39 +36,40 @@ macro_rules! statuses {
 }
 
 statuses! {
-    /// The result of a call. If it is not DQ8_STATUS_OK, the outputs are as they were, except an
-    /// index such as `bad_joint` or `bad_vertex`, the steps of a mechanism that was to be made, and
-    /// scratch.
+    /// The result of a call. If it is not DQ8_STATUS_OK, the outputs are as they were. Exceptions
+    /// are an index such as `bad_joint` or `bad_vertex`, the steps of a mechanism that could not be
+    /// made, and scratch.
     pub enum Status {
         /// The call has succeeded.
         Ok = 0: c"success",
         /// A pointer is null, but its array has elements.
         NullPointer = 1: c"a pointer is null",
-        /// A pointer is not aligned to its number type or, for blocks, to 64 bytes.
+        /// A pointer is not aligned to its element type or, for blocks, to 64 bytes.
         Misaligned = 2: c"a pointer is not aligned",
-        /// An output overlaps an input or another output. Where a function allows that an output is
-        /// one of the inputs, it must be exactly the same array.
+        /// An output overlaps an input or another output. If a function allows an output to be one
+        /// of its inputs, the two must be exactly the same array.
         Overlap = 3: c"an output overlaps another array",
         /// An array would be larger than memory.
         TooLarge = 4: c"an array would be larger than memory",
         /// Lengths do not fit each other. For example, `count` is no multiple of the number of
-        /// joints; it is the number of all poses, of all instances or configurations.
+        /// joints: it must be the number of poses of all instances or configurations together.
         Length = 5: c"lengths do not fit each other; count is that of all poses, such as links times configurations",
-        /// There are no blocks with that number of lanes. float has blocks of 8 and 16 lanes,
-        /// double of 4 and 8.
+        /// There are no blocks with this number of lanes. Blocks of float have 8 or 16 lanes, and
+        /// blocks of double 4 or 8.
         Lanes = 6: c"there are no blocks with that number of lanes",
         /// The motion, or the placement of a joint, is not unit.
         NotUnit = 7: c"a motion is not unit",
-        /// The dual quaternion cannot be normalized, because its real part is zero or a number is
-        /// not finite.
+        /// The dual quaternion cannot be normalized, because its real part is zero or a component
+        /// is not finite.
         NotNormalizable = 8: c"the motion cannot be normalized: its real part is zero, or a number is not finite",
-        /// The motion has no inverse, because its real part is zero or a number is not finite.
+        /// The motion has no inverse, because its real part is zero or a component is not finite.
         NoInverse = 9: c"the motion has no inverse: its real part is zero, or a number is not finite",
         /// The matrix is no rigid motion, because it scales or shears.
         NotOrthonormal = 10: c"the matrix is no rigid motion: it scales or shears",
         /// The matrix is no rigid motion, because it mirrors.
         Mirrors = 11: c"the matrix is no rigid motion: it mirrors",
-        /// The translation of the matrix, or a number of a joint, is not finite.
+        /// An input that must be finite is not, such as the translation of a matrix or a field of a
+        /// joint.
         NotFinite = 12: c"a number that must be finite is not",
         /// The last row of the 4x4 matrix is not 0 0 0 1.
         NotAffine = 13: c"the last row of the matrix is not 0 0 0 1",
@@ -80,15 +81,16 @@ statuses! {
         ParentOutOfRange = 16: c"the parent of a joint is neither a joint nor -1",
         /// There are more joints than 32 bits can number.
         TooManyJoints = 17: c"there are more joints than 32 bits can number",
-        /// A number is none of the allowed ones: no value of its enum (a backend, an order of
-        /// matrices, a kind of joint, a frame), no 0 or 1 where only these are allowed, or no clip.
+        /// An argument has no allowed value: it is no value of its enum (a backend, an order of
+        /// matrices, a kind of joint, a frame), or neither 0 nor 1 where only these are allowed, or
+        /// no index of a clip.
         UnknownValue = 18: c"a number is none of the allowed ones, such as the values of an enum",
         /// The length of an axis or normal is not 1.
         Axis = 19: c"the length of a joint's axis is not 1",
-        /// A joint cannot mimic its leader: there is no such joint, the leader mimics another one,
-        /// or one of the two does not have exactly one value.
+        /// A joint cannot mimic its leader: there is no joint with the leader's index, the leader
+        /// mimics another joint, or one of the two joints does not have exactly one value.
         Mimic = 20: c"a joint cannot mimic its leader",
-        /// There is no such link.
+        /// The mechanism has no link with the given index.
         NoLink = 21: c"there is no such link",
         /// The mechanism is a zeroed struct that dq8_mechanism_make has not filled in.
         NoMechanism = 22: c"the mechanism has not been made",
@@ -102,12 +104,12 @@ statuses! {
         /// The skin is a zeroed struct that dq8_skin_make has not filled in.
         NoSkin = 26: c"the skin has not been made",
         /// The limits of a joint are not in order, or they allow no value together with the limits
-        /// of joints that mimic it, or they are angles so large that the number type cannot resolve
-        /// them.
+        /// of joints that mimic it, or they are angles so large that the element type cannot
+        /// resolve them.
         Limits = 27: c"the limits of a joint allow no value",
         /// A field of a vertex is not inside of the vertex, or overlaps another field.
         Field = 28: c"a field is not inside of its vertex, or overlaps another field",
-        /// The order was made for other parents.
+        /// The order of a plan was made for other parents.
         NoPlan = 29: c"the order of the plan was made for other parents",
         /// A share of a mix is not in [0, 1].
         Share = 30: c"a share of a mix is not in [0, 1]",
@@ -117,10 +119,10 @@ statuses! {
         NoClips = 32: c"the packed clips have not been made",
         /// The bytes are no packed clips.
         NotClips = 33: c"the bytes are no packed clips",
-        /// A time of a trajectory is not later than the one before, or is not finite.
+        /// A stamp of a trajectory is not later than the stamp before it, or is not finite.
         Times = 34: c"a time of a trajectory is not later than the one before, or is not finite",
-        /// A time is before the first stamp of a trajectory or after its last one and the options
-        /// refuse that, or the time of the frame is not finite.
+        /// A time is before the first stamp or after the last stamp of a trajectory, and the
+        /// options refuse such times. Or the time of the frame is not finite.
         Outside = 35: c"a time is outside the stamps of the trajectory",
     }
 }
@@ -143,7 +145,7 @@ impl From<HierarchyError> for Status {
             HierarchyError::ParentNotBefore { .. } => Self::ParentNotBefore,
             HierarchyError::ParentOutOfRange { .. } => Self::ParentOutOfRange,
             HierarchyError::TooManyJoints { .. } => Self::TooManyJoints,
-            // A newer dq8 may have more errors.
+            // The enum is `non_exhaustive`: a newer `dq8` may have more errors.
             _ => Self::UnknownValue,
         }
     }
@@ -156,7 +158,7 @@ impl From<MatrixError> for Status {
             MatrixError::Mirrors { .. } => Self::Mirrors,
             MatrixError::NotFinite { .. } => Self::NotFinite,
             MatrixError::NotAffine { .. } => Self::NotAffine,
-            // A newer dq8 may have more errors.
+            // The enum is `non_exhaustive`: a newer `dq8` may have more errors.
             _ => Self::UnknownValue,
         }
     }
@@ -174,7 +176,7 @@ impl From<SkinningError> for Status {
             SkinningError::Field { .. } | SkinningError::InfluenceField { .. } => Self::Field,
             SkinningError::Shape(_) => Self::Length,
             SkinningError::Share { .. } => Self::Share,
-            // A newer dq8 may have more errors.
+            // The enum is `non_exhaustive`: a newer `dq8` may have more errors.
             _ => Self::UnknownValue,
         }
     }
@@ -192,8 +194,8 @@ impl From<InverseError> for Status {
     }
 }
 
-/// Returns the meaning of a status in English. The text lives as long as the program. A number that
-/// is no status has a text too, which says so.
+/// Returns the meaning of a status in English. The text lives as long as the program. If `status`
+/// is no value of enum dq8_status, the text says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_status_text(status: i32) -> *const c_char {
     text(status).as_ptr()

@@ -10,22 +10,23 @@ use crate::status::Status;
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// Writes the size in numbers that `scratch` of dq8_reach must have. It depends on the
-            /// mechanism and the number of goals only, and not on the number of configurations.
-            /// Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
+            /// Writes the size that `scratch` of dq8_reach must have. The size counts floats or
+            /// doubles. It depends on the mechanism and the number of goals, and not on the number
+            /// of configurations. Returns DQ8_STATUS_TOO_LARGE if there are more than 1024 goals.
             reach_scratch(
                 mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
             ) = scratch(mechanism, goal_count, scratch_count, Width::Lanes)
         }
         export_one! { $R
-            /// Solves the inverse kinematics of `count` configurations, several at a time on lanes,
-            /// otherwise like dq8_mechanism_reach. `targets` is `[configuration][goal]`. `values`
-            /// is `[configuration][value]` and holds `value_count` numbers in all. `reports` holds
-            /// one report per configuration. Goals, posture and options are the same for all.
+            /// Solves the inverse kinematics of `count` configurations. It computes several
+            /// configurations at a time on lanes, and each like dq8_mechanism_reach. `targets` is
+            /// `[configuration][goal]`. `values` is `[configuration][value]` and holds
+            /// `value_count` values in all. `reports` holds one report per configuration. Goals,
+            /// posture and options are the same for all configurations.
             ///
-            /// The result of a configuration does not depend on the others, so threads may each
-            /// compute a part of them. Each thread needs scratch of its own, of the size that
-            /// dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
+            /// The result of a configuration does not depend on other configurations, so each
+            /// thread may compute a part of them. Each thread needs scratch of its own, of the size
+            /// that dq8_reach_scratch writes. Errors are those of dq8_mechanism_reach.
             reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, goal_count: usize,
                 targets: *const $R, posture: *const $R, options: *const ReachOptions<$R>,

@@ -1,5 +1,5 @@
-//! Trajectories: poses at times, sampled at other times; points that are each moved by the pose at
-//! their own time; splines.
+//! Trajectories: functions that sample poses at stamps, or splines, at other times, and functions
+//! that move each point by the pose at its own time.
 
 use crate::memory::{Input, Output, from_to, read};
 use crate::span::{Span, disjoint};
@@ -9,27 +9,30 @@ use dq8_trajectory::{
     Basis, Frame, Job, Outside, OwnedTrajectory, Spline, Time, Trajectory, TrajectoryError,
 };
 
-/// The clock of the times, the frame that results come out in, and what is outside the stamps.
+/// The options of a trajectory: the clock of the times, the poses outside of the stamps, and the
+/// frame of the results.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// The time t is the stamp origin + unit * t, in seconds; 0 and 1 for times in seconds.
+    /// The stamp, in seconds, of the time 0. A time t is at the stamp origin + unit * t. It is 0 if
+    /// times are on the clock of the stamps.
     pub origin: f64,
-    /// The seconds of a unit of the times, such as 1e-9.
+    /// The seconds in one unit of the times: 1 for times in seconds, and 1e-9 for nanoseconds.
     pub unit: f64,
-    /// Before the first stamp and after the last one: 0 if the body stands there, 1 if it goes on
-    /// as it moved there, 2 if such a time is refused.
+    /// The pose before the first stamp and after the last stamp. 0: the body stands at the first or
+    /// last pose. 1: it goes on as it moves between the first two or the last two poses. 2: a time
+    /// there is an error.
     pub outside: i32,
-    /// 0: the world. 1: the body at the first stamp, 2: at the last one, 3: at `time`. 4: a frame
-    /// with the pose `pose`.
+    /// The frame of the results. 0: the world. 1: the body at the first stamp. 2: the body at the
+    /// last stamp. 3: the body at `time`. 4: a frame whose pose in the world is `pose`.
     pub frame: i32,
-    /// In seconds, on the clock of the stamps.
+    /// If `frame` is 3, the time of the frame, in seconds on the clock of the stamps.
     pub time: f64,
-    /// Unit, in the world.
+    /// If `frame` is 4, the pose of the frame in the world, a unit motion.
     pub pose: [f64; 8],
 }
 
-/// The status of an error, and the index that it names.
+/// Returns the status of an error, and the index that the error names, if it names an index.
 fn fault(error: TrajectoryError) -> (Status, Option<usize>) {
     match error {
         TrajectoryError::NotRising { index, .. } => (Status::Times, Some(index)),
@@ -38,21 +41,21 @@ fn fault(error: TrajectoryError) -> (Status, Option<usize>) {
         TrajectoryError::NoFrame { .. } => (Status::Outside, None),
         TrajectoryError::Interval { .. } => (Status::Times, None),
         TrajectoryError::Clock { .. } => (Status::NotFinite, None),
-        // There is no pose, or one where more are needed.
+        // There are fewer poses than needed, or lengths do not fit each other.
         _ => (Status::Length, None),
     }
 }
 
-/// The place of the index that an error names.
+/// The output for the index that an error names, which is empty if C passes null.
 struct Bad(Output<usize>);
 
 impl Bad {
     /// # Safety
-    /// The caller must keep the conditions of [`Output::write`].
+    /// The output must be empty, or its element must be there and unused by other code.
     unsafe fn tell(&self, (status, index): (Status, Option<usize>)) -> Status {
         if let Some(index) = index {
-            // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the
-            // functions called here.
+            // SAFETY: the caller guarantees that the output is empty, or that its element is there
+            // and unused.
             unsafe { self.0.write(index) };
         }
         status
@@ -60,13 +63,13 @@ impl Bad {
 }
 
 /// # Safety
-/// The options are there, or null.
+/// `options` must be null or point to options that no other thread writes during the call.
 unsafe fn of<P: Copy>(options: *const Options, job: Job<P>) -> Result<Job<P>, Status> {
     if options.is_null() {
         return Ok(job);
     }
-    // SAFETY: the caller keeps the conditions under `# Safety`, which are those of the functions
-    // called here.
+    // SAFETY: `options` is not null, so the caller guarantees that it points to options that no
+    // other thread writes.
     let options: Options = unsafe { read(options)? };
     let outside = match options.outside {
         0 => Outside::Hold,
@@ -85,14 +88,14 @@ unsafe fn of<P: Copy>(options: *const Options, job: Job<P>) -> Result<Job<P>, St
     Ok(job.clock(options.origin, options.unit).outside(outside).frame(frame))
 }
 
-/// Poses at stamps, or control poses.
+/// The arrays of `count` stamps and poses of a trajectory, as C passes them.
 pub(crate) struct Known<R> {
     stamps: *const R,
     poses: *const R,
     count: usize,
 }
 
-/// Times, and what goes with them.
+/// The array of `count` times, with the options, and the output for the index of a wrong input.
 struct At {
     options: *const Options,
     times: *const f64,
@@ -101,8 +104,9 @@ struct At {
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
-/// [`Output::write`].
+/// Each array must have as many elements as its count says, and pointers that may be null must be
+/// null or point to their element. No other thread may use the outputs or write the inputs during
+/// the call.
 unsafe fn resample<R: Scalar + Time>(
     known: Known<R>,
     at: *const R,
@@ -116,8 +120,8 @@ unsafe fn resample<R: Scalar + Time>(
     let out = Output::<DualQuat<R>>::new(out, count)?;
     let bad = Bad(Output::unless_null(bad_time)?);
     disjoint(&[out.span, bad.0.span], &[times.span, poses.span, at.span])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that no output overlaps another array.
     let (times, poses, at, out) =
         unsafe { (times.slice(), poses.slice(), at.slice(), out.slice()) };
     let stamps = times.iter().map(|&time| time.into()).collect();
@@ -127,15 +131,16 @@ unsafe fn resample<R: Scalar + Time>(
         Some(index) => Err((Status::NotFinite, Some(index))),
         None => Ok(path),
     });
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that `bad_time` is null or points to a `usize`, and `disjoint`
+    // has checked that it overlaps no other array.
     let path = path.map_err(|fault| unsafe { bad.tell(fault) })?;
     path.job().sample(at, out).map_err(|error| fault(error).0)
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
-/// [`Output::write`].
+/// Each array must have as many elements as its count says, and pointers that may be null must be
+/// null or point to their element. No other thread may use the outputs or write the inputs during
+/// the call.
 unsafe fn sample<R: Scalar>(known: Known<f64>, at: At, out: *mut R, twists: *mut R) -> Done {
     let stamps = Input::<f64>::new(known.stamps, known.count)?;
     let poses = Input::<DualQuat<f64>>::new(known.poses, known.count)?;
@@ -147,8 +152,8 @@ unsafe fn sample<R: Scalar>(known: Known<f64>, at: At, out: *mut R, twists: *mut
     let bad = Bad(Output::unless_null(at.bad)?);
     let outputs = [out.span, twists.span, bad.0.span];
     disjoint(&outputs, &[stamps.span, poses.span, times.span, options])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that no output overlaps another array.
     unsafe {
         let path = Trajectory::new(stamps.slice(), poses.slice());
         let job = of(at.options, path.map_err(|error| bad.tell(fault(error)))?.job())?;
@@ -162,8 +167,9 @@ unsafe fn sample<R: Scalar>(known: Known<f64>, at: At, out: *mut R, twists: *mut
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
-/// [`Output::write`].
+/// Each array must have as many elements as its count says, and pointers that may be null must be
+/// null or point to their element. No other thread may use the outputs or write the inputs during
+/// the call.
 unsafe fn moved<R: Scalar, const BACK: bool>(
     known: Known<f64>,
     at: At,
@@ -179,8 +185,8 @@ unsafe fn moved<R: Scalar, const BACK: bool>(
     let bad = Bad(Output::unless_null(at.bad)?);
     disjoint(&[out.span, bad.0.span], &[stamps.span, poses.span, times.span, options])?;
     disjoint(&[bad.0.span], &[cloud.span])?;
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs are disjoint from the
-    // inputs, or `points` and `moved` are the same array.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says.
+    // `disjoint` has checked all overlaps but that of `points` and `moved`, which `from_to` checks.
     unsafe {
         let path = Trajectory::new(stamps.slice(), poses.slice());
         let path = path.map_err(|error| bad.tell(fault(error)))?;
@@ -210,7 +216,8 @@ unsafe fn moved<R: Scalar, const BACK: bool>(
     }
 }
 
-/// Knots: the time of the first one and the interval, in seconds, and the number of a [`Basis`].
+/// The knots of a spline: the time of the first knot and the interval, in seconds, and the value of
+/// C for a [`Basis`].
 struct Knots {
     start: f64,
     every: f64,
@@ -218,8 +225,9 @@ struct Knots {
 }
 
 /// # Safety
-/// The caller must keep the conditions of [`Input::slice`], [`Output::slice`] and
-/// [`Output::write`].
+/// Each array must have as many elements as its count says, and pointers that may be null must be
+/// null or point to their element. No other thread may use the outputs or write the inputs during
+/// the call.
 unsafe fn spline<R: Scalar>(
     (control, control_count): (*const f64, usize),
     knots: Knots,
@@ -242,8 +250,8 @@ unsafe fn spline<R: Scalar>(
         1 => Basis::Through,
         _ => return Err(Status::UnknownValue),
     };
-    // SAFETY: the caller guarantees that the memory is valid, and the outputs have been checked to
-    // overlap nothing.
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that no output overlaps another array.
     unsafe {
         let spline = Spline::new(knots.start, knots.every, control.slice(), basis);
         let spline = spline.map_err(|error| bad.tell(fault(error)))?;
@@ -269,13 +277,15 @@ macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
             /// Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
-            /// times and the unit poses at these. `at` holds `count` times, and `out` gets the
-            /// poses there: along one screw from each pose to the next, by the shorter way. Before
-            /// the first time it is the first pose, and after the last time the last one.
+            /// times and the unit poses at these times. `at` holds `count` times, and `out` gets
+            /// the poses at them. The trajectory moves along one screw from each pose to the next,
+            /// by the shorter way. It stands at the first pose before the first time, and at the
+            /// last pose after the last time.
             ///
-            /// Returns DQ8_STATUS_TIMES if one of `times` is not later than the one before or not
-            /// finite, and DQ8_STATUS_NOT_FINITE if one of `at` is NaN, and sets `bad_time`, which
-            /// may be null, to its index. Returns DQ8_STATUS_LENGTH if there is no pose.
+            /// Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
+            /// the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
+            /// both cases it sets `bad_time`, which may be null, to the index of the element.
+            /// Returns DQ8_STATUS_LENGTH if there is no pose.
             resample(
                 times: *const $R, poses: *const $R, pose_count: usize, at: *const $R, out: *mut $R,
                 count: usize, bad_time: *mut usize,
@@ -284,17 +294,19 @@ macro_rules! functions {
             )
         }
         export_one! { $R
-            /// The unit poses of a trajectory at the `times`, `count` of them as of `out` and of
-            /// `twists`, which may be null: the velocities there for one second, in the frame of
-            /// the body, angular first. The trajectory has `pose_count` unit `poses` at rising
-            /// `stamps` in seconds, and goes along one screw from each to the next, by the shorter
-            /// way. `options` may be null: times are seconds, results are in the world, and the
-            /// body stands before the first stamp and after the last one.
+            /// Samples the poses and velocities of a trajectory at `count` times. The trajectory
+            /// has `pose_count` unit `poses` at rising `stamps` in seconds, and moves along one
+            /// screw from each pose to the next, by the shorter way. `out` gets the pose at each of
+            /// the `times`. `twists`, which may be null, gets the body twist at each time: angular
+            /// x y z, then linear x y z, per second. If `options` is null, times are in seconds,
+            /// results are in the world, and the body stands before the first stamp and after the
+            /// last stamp.
             ///
-            /// DQ8_STATUS_TIMES if a stamp is not later than the one before or not finite,
-            /// DQ8_STATUS_OUTSIDE if a time is refused or the frame has none; `bad_time`, which may
-            /// be null, is set to the stamp or time. DQ8_STATUS_LENGTH if there is no pose, or one
-            /// where the body is to go on. NaN makes NaN of its pose.
+            /// Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
+            /// it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
+            /// sets `bad_time`, which may be null, to the index of the stamp or time. Returns
+            /// DQ8_STATUS_LENGTH if there is no pose, or if there is one pose only and the body is
+            /// to go on. The pose at a time that is NaN is NaN.
             trajectory::sample(
                 stamps: *const f64, poses: *const f64, pose_count: usize, options: *const Options,
                 times: *const f64, out: *mut $R, twists: *mut $R, count: usize,
@@ -307,10 +319,11 @@ macro_rules! functions {
             )
         }
         export_one! { $R
-            /// Points, x y z, that the body of a trajectory measured, each at its own time: moved
-            /// into one frame, by the pose at that time. `moved` may be `points`. A scan is thereby
-            /// as if it had been measured at one moment. Trajectory, options and errors are those
-            /// of dq8_trajectory_sample.
+            /// Moves points that a moving body has measured into one frame. The body measured point
+            /// i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
+            /// time moves the point. The frame is that of the options. The result is a scan as if
+            /// it had been measured at one moment. `moved` may be `points`. Trajectory, options and
+            /// errors are those of dq8_trajectory_sample.
             trajectory::deskew(
                 stamps: *const f64, poses: *const f64, pose_count: usize, options: *const Options,
                 times: *const f64, points: *const $R, moved: *mut $R, count: usize,
@@ -323,8 +336,8 @@ macro_rules! functions {
             )
         }
         export_one! { $R
-            /// The inverse of dq8_trajectory_deskew: points of one frame as the body would have
-            /// measured them, each at its own time.
+            /// Computes the inverse of dq8_trajectory_deskew: moves points of one frame into the
+            /// frame of the body, in which it would have measured point i at `times[i]`.
             trajectory::skew(
                 stamps: *const f64, poses: *const f64, pose_count: usize, options: *const Options,
                 times: *const f64, points: *const $R, moved: *mut $R, count: usize,
@@ -337,18 +350,19 @@ macro_rules! functions {
             )
         }
         export_one! { $R
-            /// A cubic spline at the `times`, `count` of them as of `out` and, each unless it is
-            /// null, of `twists` and `accelerations`: velocities for one second in the frame of the
-            /// body, angular first, and how fast they change. The spline has `control_count` unit
-            /// control poses, four or more: number k at the time start + every * (k - 1), in
-            /// seconds. `basis` is 0 for a B-spline, which goes near them, 1 for that of Catmull
-            /// and Rom, which goes through all but the first and the last. Options are those of
-            /// dq8_trajectory_sample.
+            /// Samples the poses of a cubic spline, and its twists, at `count` times. `out` gets
+            /// the pose at each of the `times`. `twists` gets the body twist there: angular x y z,
+            /// then linear x y z, per second. `accelerations` gets the derivative of the body twist
+            /// with respect to time. Either may be null. The spline has `control_count` unit
+            /// control poses, four or more. Control pose k belongs to the time start + every * (k -
+            /// 1), in seconds. `basis` is 0 for a B-spline, which passes near the control poses,
+            /// and 1 for a Catmull-Rom spline, which passes through all control poses but the first
+            /// and the last. Options are those of dq8_trajectory_sample.
             ///
-            /// DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a control
-            /// pose is not finite, DQ8_STATUS_OUTSIDE if a time is refused; `bad_index`, which may
-            /// be null, is set to the control pose or time. DQ8_STATUS_LENGTH if there are fewer
-            /// than four.
+            /// Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
+            /// control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It
+            /// sets `bad_index`, which may be null, to the index of the control pose or time.
+            /// Returns DQ8_STATUS_LENGTH if there are fewer than four control poses.
             spline::poses(
                 control: *const f64, control_count: usize, start: f64, every: f64, basis: i32,
                 options: *const Options, times: *const f64, out: *mut $R, twists: *mut $R,

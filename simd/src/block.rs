@@ -1,15 +1,16 @@
-//! [`Block`]: structure-of-arrays memory, one row of numbers per component.
+//! [`Block`]: a block of AoSoA memory, with one row per component.
 //!
-//! A block needs no transpose: component `c` of all its lanes is one load. That is why kernels over
-//! blocks are the fastest ones, and what the layout is for. A row may be longer than a register;
-//! then a kernel works on one part of the block after the other ([`Native`]), so that all
-//! components of a part fit in registers together.
+//! A block needs no transpose: one load reads component `c` of all lanes. Kernels over blocks are
+//! therefore the fastest. If a row is longer than a register, a kernel computes one part of the
+//! block after the other. A part is one register of each component ([`Native`]), so all components
+//! of a part fit in registers together.
 
 use crate::lanes::{Float, Lanes, Level};
 use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 
-/// `C` components for each of [`Row::LANES`] lanes: row `c` holds component `c` of all of them.
+/// A block of `C` components for each of [`Row::LANES`] lanes: row `c` holds component `c` of all
+/// lanes.
 ///
 /// ```text
 ///              lane 0  lane 1  …  lane 7
@@ -19,20 +20,21 @@ use core::fmt::Debug;
 /// ```
 ///
 /// Eight components of eight `f32` are 256 bytes, which are exactly four cache lines. A block is
-/// aligned to a cache line, so no load of a vector crosses two of them.
+/// aligned to a cache line, so no load of a register crosses from one cache line to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Block<A, const C: usize>(
-    /// The rows.
+    /// The rows, one per component.
     pub [A; C],
 );
 
-// SAFETY: all rows are zeroable, and so are padding bytes, which blocks of few components have.
+// SAFETY: `Zeroable` needs zero bytes to be a valid value. `A: Row` implies `A: Pod`, so zeros are
+// a valid row, and padding after few rows may have any bytes.
 unsafe impl<A: Row, const C: usize> Zeroable for Block<A, C> {}
 
-/// Implements `Pod` for blocks without padding, which can be cast to slices of numbers (for a GPU,
-/// say). Rows have 16, 32 or 64 bytes, so 4, 8, 12 or 16 of them fill whole cache lines whatever
-/// their length, and other counts do so with long rows only.
+/// Implements `Pod` for blocks without padding, so that they can be cast to slices of `f32` or
+/// `f64` (for a GPU, say). Rows have 16, 32 or 64 bytes, so 4, 8, 12 or 16 rows of any length fill
+/// whole cache lines. Other counts of rows fill them only if the rows are long enough.
 macro_rules! without_padding {
     ($($count:literal of any;)*) => {$(
         without_padding! { $count of f32 4, f32 8, f32 16, f64 2, f64 4, f64 8; }
@@ -41,7 +43,7 @@ macro_rules! without_padding {
         const _: () = assert!(
             size_of::<Block<[$real; $lanes], $count>>() == $count * size_of::<[$real; $lanes]>()
         );
-        // SAFETY: the block is an array of numbers, for which any bits are valid, and the assertion
+        // SAFETY: the block is an array of floats, for which any bits are valid, and the assertion
         // above shows that the alignment adds no padding.
         unsafe impl Pod for Block<[$real; $lanes], $count> {}
     )*)*};
@@ -55,12 +57,12 @@ without_padding! {
     7 of f32 16, f64 8;
 }
 
-// SAFETY: `Row` is sealed, and its implementors are arrays of numbers of 16, 32 or 64 bytes. Eight
-// of them fill whole cache lines, so the alignment adds no padding, and any bits are valid numbers.
+// SAFETY: `Row` is sealed, and its implementors are arrays of floats, of 16, 32 or 64 bytes. Eight
+// rows fill whole cache lines, so the alignment adds no padding, and any bits are valid floats.
 unsafe impl<A: Row> Pod for Block<A, 8> {}
 
 impl<A: Row, const C: usize> Block<A, C> {
-    /// Makes a block with the same record in every lane.
+    /// Makes a block with `record`, one value per component, in every lane.
     #[inline]
     #[must_use]
     pub fn splat(record: [A::Real; C]) -> Self {
@@ -71,17 +73,17 @@ impl<A: Row, const C: usize> Block<A, C> {
         }))
     }
 
-    /// Returns the record in `lane`, or `None` if the block has no such lane.
+    /// Returns the `C` components of `lane`, or `None` if the block has no such lane.
     #[inline]
     #[must_use]
     pub fn get(&self, lane: usize) -> Option<[A::Real; C]> {
         (lane < A::LANES).then(|| self.0.map(|row| row.as_ref()[lane]))
     }
 
-    /// Writes the record in `lane`.
+    /// Writes the `C` components of `lane`.
     ///
     /// # Errors
-    /// Returns the record if the block has no such lane.
+    /// Returns `record` if the block has no such lane.
     #[inline]
     pub fn set(&mut self, lane: usize, record: [A::Real; C]) -> Result<(), [A::Real; C]> {
         if lane >= A::LANES {
@@ -96,8 +98,8 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// Loads all lanes of every component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load<V: Level>(&self, level: V) -> [A::Lanes<V>; C] {
-        // This is a loop, because the closure of `map` might not be inlined and would then be
-        // compiled without the kernel's instructions.
+        // This is a loop and not a call of `map`: a closure that is not inlined would be compiled
+        // without the instructions of the level.
         let mut components = [A::Lanes::<V>::splat(level, A::Real::default()); C];
         for (component, row) in components.iter_mut().zip(&self.0) {
             *component = A::Lanes::<V>::load(level, row);
@@ -105,14 +107,15 @@ impl<A: Row, const C: usize> Block<A, C> {
         components
     }
 
-    /// The number of registers that a row fills: the parts of a block.
+    /// Returns the count of registers that a row fills, which is the count of parts of the block.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn parts<V: Level>() -> usize {
         A::LANES / Native::<A, V>::LANES
     }
 
-    /// Loads one part of every component, or zeros if the block has no such part.
+    /// Loads one register of each component: the lanes of part `part`. They are zeros if the block
+    /// has no such part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load_part<V: Level>(&self, level: V, part: usize) -> [Native<A, V>; C] {
         let mut components = [Native::<A, V>::splat(level, A::Real::default()); C];
@@ -126,12 +129,13 @@ impl<A: Row, const C: usize> Block<A, C> {
         components
     }
 
-    /// Stores one part of every component, and nothing if the block has no such part.
+    /// Stores one register of each component to part `part`. Does nothing if the block has no such
+    /// part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        // The same loop stands here twice. By value, the compiler would keep registers of 16 bytes
-        // in memory; by reference, it would schedule the code before a loop over larger registers
-        // worse.
+        // The two loops do the same and differ in how they take `components`. A loop by value would
+        // make the compiler keep registers of 16 bytes on the stack. A loop by reference would make
+        // it schedule the code before the loop worse for larger registers.
         if size_of::<Native<A, V>>() > 16 {
             for (row, component) in self.0.iter_mut().zip(components) {
                 if let Some(array) = part_of::<A, V>(row, part) {
@@ -147,7 +151,8 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// Copies one part of every component from memory, and nothing if the block has no such part.
+    /// Copies `rows`, one array per component, to part `part`. Does nothing if the block has no
+    /// such part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn copy_part<V: Level>(&mut self, rows: &[<Native<A, V> as Lanes>::Array], part: usize) {
         for (row, from) in self.0.iter_mut().zip(rows) {
@@ -157,16 +162,17 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// Fills the blocks of `to` past the caches. `each(block, part)` computes one part of a block,
-    /// and its first `None` ends the loop. This is faster if `to` is larger than the caches, and
-    /// slower if it is not.
+    /// Fills the blocks of `to` with stores past the caches. `each(block, part)` computes part
+    /// `part` of the block with index `block`, and its first `None` ends the loop. This is faster
+    /// than [`store_part`](Self::store_part) if `to` is larger than the caches, and slower if `to`
+    /// fits in them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn stream<V: Level>(
         level: V,
         to: &mut [Self],
         mut each: impl FnMut(usize, usize) -> Option<[Native<A, V>; C]>,
     ) {
-        /// Calls the fence when it is dropped, so also if `each` panics.
+        /// A guard that calls [`Level::fence`] when it is dropped, and so also when `each` panics.
         struct Fence<V: Level>(V);
         impl<V: Level> Drop for Fence<V> {
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -180,8 +186,8 @@ impl<A: Row, const C: usize> Block<A, C> {
                 let Some(components) = each(index, part) else { return };
                 for (row, component) in block.0.iter_mut().zip(components) {
                     if let Some(array) = part_of::<A, V>(row, part) {
-                        // SAFETY: `to` is mutably borrowed until the fence has run, so no other
-                        // code reads or writes it before.
+                        // SAFETY: `stream` needs a fence before other code uses the memory. `to` is
+                        // mutably borrowed until `_fence` is dropped, which runs the fence.
                         unsafe { component.stream(array) };
                     }
                 }
@@ -198,8 +204,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     }
 }
 
-/// Returns one part of a row, which is the memory of one register; `None` if the row has no such
-/// part.
+/// Returns the memory of one register in a row: part `part`, or `None` if the row has no such part.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn part_of<A: Row, V: Level>(
     row: &mut A,
@@ -209,10 +214,10 @@ fn part_of<A: Row, V: Level>(
     parts.get_mut(part)
 }
 
-/// A row of numbers in memory, `[f32; N]` or `[f64; N]`, and the lanes that read it.
+/// A row of a [`Block`], `[f32; N]` or `[f64; N]`, with the lanes that load it.
 ///
-/// The trait is sealed, because a block relies on its rows to be numbers of at least 16 bytes and
-/// nothing else.
+/// The trait is sealed, because the unsafe implementations of `Pod` for blocks rely on rows being
+/// arrays of floats of at least 16 bytes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no row of a block",
     note = "a row has 4, 8 or 16 numbers of `f32`, or 2, 4 or 8 of `f64`: as in `Block<f32, 8>` and `Crowd::<f64, 4>`"
@@ -220,23 +225,24 @@ fn part_of<A: Row, V: Level>(
 pub trait Row:
     Pod + Send + Sync + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed::Sealed
 {
-    /// The type of the numbers.
+    /// The element type.
     type Real: Float;
-    /// The lanes of `V` that hold one row.
+    /// The lanes of the level `V` that hold one row.
     type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V, Array = Self>;
-    /// The length of a row, which is its number of lanes.
+    /// The length of a row, which is its lane count.
     const LANES: usize;
 }
 
-/// The lanes of one register: those of a row, or of one part of it if the row fills several.
+/// The lanes of one register of the level `V`: all lanes of a row, or one part of them if the row
+/// fills several registers.
 pub type Native<A, V> = <<A as Row>::Lanes<V> as Lanes>::Native;
 
 mod sealed {
     pub trait Sealed {}
 }
 
-/// Rows of four numbers exist for every [`Float`] alike, so that proofs can make blocks of a number
-/// type of their own.
+/// Rows of four are implemented for every [`Float`], so that the package `proofs` can make blocks
+/// of its own element type.
 impl<R: Float> sealed::Sealed for [R; 4] {}
 impl<R: Float> Row for [R; 4] {
     type Real = R;
@@ -244,8 +250,8 @@ impl<R: Float> Row for [R; 4] {
     const LANES: usize = 4;
 }
 
-/// Implements [`Row`] for the other row types. Each has lanes of another name, which no generic
-/// `impl` can express.
+/// Implements [`Row`] for rows of 2, 8 and 16 elements. This is a macro, because each row has
+/// another associated type of [`Level`], which no generic `impl` can express.
 macro_rules! rows {
     ($($real:ty, $lanes:literal => $lane:ident;)*) => {$(
         impl sealed::Sealed for [$real; $lanes] {}

@@ -1,8 +1,8 @@
-//! Numbers ([`Float`]), vectors of them ([`Lanes`], [`Mask`], [`PackedDualQuat`]), and instruction
-//! sets ([`Level`]).
+//! The traits of element types ([`Float`]), of vectors ([`Lanes`], [`Mask`], [`PackedDualQuat`]),
+//! and of instruction sets ([`Level`]).
 //!
-//! The idea is that a kernel is written once, for any `L: Lanes`, and compiled once for every level
-//! that is worth it. Which of these versions runs is decided by a value and not by a `cfg`:
+//! A kernel is written once, for any `L: Lanes`, and the compiler makes a monomorphised copy of it
+//! for every level that calls it. A value of the level chooses the copy at run time:
 //!
 //! ```text
 //! if let Some(level) = Avx2::detect() {    // asks the CPU; `level` is the proof
@@ -13,31 +13,33 @@
 //! }
 //! ```
 //!
-//! This is why arithmetic on lanes is not `unsafe`, although an AVX2 instruction on a CPU without
-//! AVX2 is undefined behaviour: where there is no proof there are no lanes.
+//! Lanes are made only from a level or from other lanes, and only detection makes a level whose
+//! instructions the build target lacks. That is why arithmetic on lanes is not `unsafe`, although
+//! an AVX2 instruction on a CPU without AVX2 is undefined behaviour.
 //!
-//! The three traits name each other, which is why they are in one file: a number has vectors, a
-//! vector belongs to an instruction set, and an instruction set has vectors of each number.
+//! [`Float`], [`Lanes`] and [`Level`] are in one file because they name each other: an element type
+//! has vectors, a vector belongs to a level, and a level has vectors of each element type.
 
 use crate::sealed::Sealed;
 use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// The most lanes that a register of any level has.
+/// The largest lane count of any level: sixteen `f32`.
 pub const MAX_LANES: usize = 16;
 
-/// A vector of `LANES` floating-point numbers that are computed together.
+/// A vector of `LANES` floating-point values, one per lane. Each operation acts on all lanes.
 ///
 /// Arithmetic is IEEE 754 lane by lane. Only [`mul_add`](Self::mul_add) and
-/// [`neg_mul_add`](Self::neg_mul_add) may differ between types: they round once where the hardware
-/// fuses, twice elsewhere.
+/// [`neg_mul_add`](Self::neg_mul_add) may differ between types: they round once if the lanes fuse
+/// the multiplication with the addition, and twice if they do not.
 ///
-/// A constant is made from a [`Level`], or from another value of the type
-/// ([`constant`](Self::constant)), which proves as well that the CPU can compute with it.
+/// A vector with one value in all lanes is made from a [`Level`] ([`splat`](Self::splat)) or from
+/// another vector of the type ([`constant`](Self::constant)). Either of them proves that the CPU
+/// has the instructions of the type.
 ///
-/// The trait is sealed, because [`Records`](crate::Records) trusts an implementation to read and
-/// write as many numbers as it says.
+/// The trait is sealed, because the unsafe code of [`Records`](crate::Records) relies on `LANES`
+/// being the length of `Array`.
 pub trait Lanes:
     Sealed
     + Copy
@@ -49,19 +51,19 @@ pub trait Lanes:
     + Neg<Output = Self>
     + 'static
 {
-    /// The number in each lane: `f32` or `f64`.
+    /// The element type: `f32` or `f64`.
     type Real: Float;
     /// One truth value per lane.
     type Mask: Mask;
-    /// The instructions that these lanes need.
+    /// The level whose instructions these lanes need.
     type Level: Level;
-    /// The lanes of one register. They are these lanes, or a fraction of them if these fill several
-    /// registers. A kernel that works on one such part after the other keeps its numbers in
-    /// registers.
+    /// The lanes that fill one register: this type, or a narrower type if a vector of this type
+    /// needs several registers. A kernel that computes one register's part after the other keeps
+    /// its values in registers instead of spilling them to the stack.
     type Native: Lanes<Real = Self::Real, Level = Self::Level>;
-    /// The lanes in memory: `[Real; LANES]`.
+    /// The array of the lanes in memory, `[Real; LANES]`.
     type Array: Pod + Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
-    /// The number of lanes.
+    /// The lane count.
     const LANES: usize;
 
     /// Returns the level of these lanes: whoever holds lanes holds the proof that the CPU has the
@@ -69,30 +71,32 @@ pub trait Lanes:
     fn level(self) -> Self::Level;
     /// Returns a vector with `value` in every lane.
     fn splat(level: Self::Level, value: Self::Real) -> Self;
-    /// The number nearest to `value` in every lane, for code that holds lanes and no level.
+    /// Returns a vector with `value`, rounded to the element type, in every lane. This is for code
+    /// that holds lanes and no level.
     #[inline(always)]
     #[must_use]
     fn constant(self, value: f64) -> Self {
         Self::splat(self.level(), Self::Real::from_f64(value))
     }
 
-    /// Reads lane `i` from element `i`.
+    /// Loads element `i` of `from` into lane `i`.
     fn load(level: Self::Level, from: &Self::Array) -> Self;
-    /// Writes lane `i` to element `i`.
+    /// Stores lane `i` to element `i` of `to`.
     fn store(self, to: &mut Self::Array);
 
-    /// Stores like [`store`](Self::store), but past the caches, if the CPU has such an instruction
-    /// and `to` is aligned for it.
+    /// Stores like [`store`](Self::store), but past the caches, if the CPU has a non-temporal store
+    /// and `to` is aligned to the register. Otherwise it stores through the caches.
     ///
     /// # Safety
-    /// [`Level::fence`] must be called before anything else reads or writes `to`.
+    /// [`Level::fence`] must be called before any other code reads or writes `to`.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn stream(self, to: &mut Self::Array) {
         self.store(to);
     }
 
-    /// Reads the first elements of `from`, at most `LANES`. Lanes without an element are `padding`.
+    /// Loads the first elements of `from`, at most `LANES`. If `from` is shorter than that, the
+    /// remaining lanes are `padding`.
     #[inline(always)]
     fn load_partial(level: Self::Level, from: &[Self::Real], padding: Self::Real) -> Self {
         let mut array = Self::Array::zeroed();
@@ -102,8 +106,8 @@ pub trait Lanes:
         }
         Self::load(level, &array)
     }
-    /// Writes the first lanes to `to`, as many as it has elements. Elements after the first `LANES`
-    /// are left as they were.
+    /// Stores the first lanes to `to`, one per element. Elements of `to` after the first `LANES`
+    /// keep their values.
     #[inline(always)]
     fn store_partial(self, to: &mut [Self::Real]) {
         for (slot, &value) in to.iter_mut().zip(self.to_array().as_ref()) {
@@ -118,11 +122,12 @@ pub trait Lanes:
         array
     }
 
-    /// Loads four numbers per lane and transposes them: number `c` at `from + offset(i)` becomes
-    /// lane `i` of vector `c`. `offset` must be `#[inline(always)]`.
+    /// Loads four components per lane and transposes them: component `c` at `from + offset(i)`
+    /// becomes lane `i` of vector `c`. Offsets count elements. The closure `offset` must be
+    /// `#[inline(always)]`.
     ///
     /// # Safety
-    /// The four numbers at each of these `LANES` places must be readable.
+    /// For each lane `i`, the four components from `from + offset(i)` on must be readable.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn load_quads(
@@ -133,46 +138,48 @@ pub trait Lanes:
         let mut rows = [Self::Array::zeroed(); 4];
         for lane in 0..Self::LANES {
             for (c, row) in rows.iter_mut().enumerate() {
-                // SAFETY: the caller keeps the conditions of this function under `# Safety`, which
-                // are those of the code here.
+                // SAFETY: `c` is below four, and the caller guarantees that the four components at
+                // the offset of each lane are readable.
                 row.as_mut()[lane] = unsafe { *from.add(offset(lane) + c) };
             }
         }
         let [x, y, z, w] = &rows;
         [Self::load(level, x), Self::load(level, y), Self::load(level, z), Self::load(level, w)]
     }
-    /// Transposes four vectors and stores four numbers per lane: lane `i` of vector `c` becomes
-    /// number `c` at `to + i · stride`.
+    /// Transposes four vectors and stores four components per lane: lane `i` of vector `c` becomes
+    /// component `c` at `to + i · stride`. The stride counts elements.
     ///
     /// # Safety
-    /// The four numbers at each of these `LANES` places must be writable, and nothing else may read
-    /// or write them meanwhile.
+    /// For each lane `i`, the four components from `to + i · stride` on must be writable, and no
+    /// other thread may read or write them during the call.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_quads(components: [Self; 4], to: *mut Self::Real, stride: usize) {
-        // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are
-        // those of the code here.
+        // SAFETY: `store_rows` writes four components at `to + i · stride` for each lane `i`,
+        // which the caller guarantees to be writable and unused by other threads.
         unsafe { store_rows(components, to, stride) };
     }
-    /// Transposes three vectors and stores three numbers per lane: lane `i` of vector `c` becomes
-    /// number `c` at `to + 3i`.
+    /// Transposes three vectors and stores three components per lane: lane `i` of vector `c`
+    /// becomes component `c` at `to + 3i`.
     ///
     /// # Safety
-    /// As for [`store_quads`](Self::store_quads).
+    /// The `3 · LANES` components from `to` on must be writable, and no other thread may read or
+    /// write them during the call.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_triples(components: [Self; 3], to: *mut Self::Real) {
-        // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are
-        // those of the code here.
+        // SAFETY: `store_rows` writes three components at `to + 3i` for each lane `i`, which the
+        // caller guarantees to be writable and unused by other threads.
         unsafe { store_rows(components, to, 3) };
     }
 
-    /// Loads `C` numbers per lane that adjoin, and transposes them: number `c` at `from + C·i`
-    /// becomes lane `i` of vector `c`. Returns `None`, and reads nothing, if these lanes have no
-    /// instructions for it: then [`load_quads`](Self::load_quads) is quicker.
+    /// Loads records of `C` components that adjoin in memory, one per lane, and transposes them:
+    /// component `c` at `from + C·i` becomes lane `i` of vector `c`. Returns `None`, and reads
+    /// nothing, if these lanes have no instruction for records of this length. Then
+    /// [`load_quads`](Self::load_quads) is quicker.
     ///
     /// # Safety
-    /// The `C` numbers at each of these `LANES` places must be readable.
+    /// The `C · LANES` components from `from` on must be readable.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn load_adjoining<const C: usize>(
@@ -182,12 +189,13 @@ pub trait Lanes:
         let _ = (level, from);
         None
     }
-    /// Transposes `C` vectors and stores `C` numbers per lane that adjoin: lane `i` of vector `c`
-    /// becomes number `c` at `to + C·i`. Returns `false`, and writes nothing, if these lanes have
-    /// no instructions for it.
+    /// Transposes `C` vectors and stores records of `C` components that adjoin in memory: lane `i`
+    /// of vector `c` becomes component `c` at `to + C·i`. Returns `false`, and writes nothing, if
+    /// these lanes have no instruction for records of this length.
     ///
     /// # Safety
-    /// As for [`store_quads`](Self::store_quads), with `C` numbers per lane.
+    /// The `C · LANES` components from `to` on must be writable, and no other thread may read or
+    /// write them during the call.
     #[doc(hidden)]
     #[inline(always)]
     unsafe fn store_adjoining<const C: usize>(components: [Self; C], to: *mut Self::Real) -> bool {
@@ -195,16 +203,18 @@ pub trait Lanes:
         false
     }
 
-    /// Interpolates between two records of four 16-bit numbers per lane. With
+    /// Interpolates between two records of four 16-bit integers per lane. With
     /// `[a, b] = records(i)`, lane `i` of vector `c` is 2¹⁴((1−t)·aᶜ + t·bᶜ), where aᶜ
-    /// is number `c` of record `from + a` and t is lane `i` of `t`.
+    /// is component `c` of record `from + a`, bᶜ is component `c` of record `from + b`, and t is
+    /// lane `i` of `t`.
     ///
-    /// t is clamped to [0, 1], with 0 for NaN, and rounded to a multiple of 2⁻¹⁴. The result
-    /// is exact before it is rounded to the type of a lane, so its bits are the same on every
-    /// target. `records` must be `#[inline(always)]`.
+    /// t is clamped to [0, 1], with 0 for NaN, and rounded to a multiple of 2⁻¹⁴. The sum is
+    /// computed exactly and then rounded to the element type, so its bits are the same on every
+    /// target. The closure `records` must be `#[inline(always)]`.
     ///
     /// # Safety
-    /// All these records must be readable.
+    /// For each lane `i`, the two records `from + a` and `from + b` with `[a, b] = records(i)` must
+    /// be readable.
     #[doc(hidden)]
     unsafe fn between_shorts(
         level: Self::Level,
@@ -213,10 +223,10 @@ pub trait Lanes:
         t: Self,
     ) -> [Self; 4];
 
-    /// Sums the lanes of four vectors in groups of four lanes: lane `i` of a group of the result is
-    /// (v₀ + v₂) + (v₁ + v₃), where v are the lanes of that group in vector `i`. These are
-    /// four dot products per group, if the vectors are the products. The number of lanes must be a
-    /// multiple of four.
+    /// Sums each group of four adjacent lanes, for four vectors at once. Lane `i` of a group of the
+    /// result is (v₀ + v₂) + (v₁ + v₃), where v₀ to v₃ are the lanes of that group in
+    /// vector `i`. If the vectors are products, the sums are four dot products per group. `LANES`
+    /// must be a multiple of four.
     #[inline(always)]
     #[must_use]
     fn sum_quads(vectors: [Self; 4]) -> Self {
@@ -233,37 +243,42 @@ pub trait Lanes:
         Self::load(vectors[0].level(), &sums)
     }
 
-    /// Returns `self · factor + addend`, rounded once if the hardware fuses.
+    /// Returns `self · factor + addend`, rounded once if the lanes fuse, and twice if they do not.
     #[must_use]
     fn mul_add(self, factor: Self, addend: Self) -> Self;
-    /// Returns `addend − self · factor`, rounded once if the hardware fuses.
+    /// Returns `addend − self · factor`, rounded once if the lanes fuse, and twice if they do
+    /// not.
     #[must_use]
     fn neg_mul_add(self, factor: Self, addend: Self) -> Self;
-    /// The correctly rounded square root. Below zero it is NaN.
+    /// Returns the correctly rounded square root, which is NaN for values below zero.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// The value without its sign. NaN stays NaN.
+    /// Returns the absolute value of each lane. NaN stays NaN.
     #[must_use]
     fn abs(self) -> Self;
-    /// The magnitude of `self` with the sign bit of `sign`.
+    /// Returns the magnitude of `self` with the sign bit of `sign`.
     #[must_use]
     fn copysign(self, sign: Self) -> Self;
 
-    /// `self < other`, which is false if either is NaN.
+    /// Compares `self < other`, which is false in lanes where either value is NaN.
     fn lt(self, other: Self) -> Self::Mask;
-    /// `self ≤ other`, which is false if either is NaN.
+    /// Compares `self ≤ other`, which is false in lanes where either value is NaN.
     fn le(self, other: Self) -> Self::Mask;
-    /// `self = other`, which is false if either is NaN, and true for zeros of either sign.
+    /// Compares `self = other`, which is false in lanes where either value is NaN. Zeros of
+    /// different signs are equal.
     fn eq(self, other: Self) -> Self::Mask;
-    /// `yes` in the lanes in which `mask` is true, and `no` in the others.
+    /// Returns `yes` in the lanes in which `mask` is true, and `no` in the lanes in which it is
+    /// false.
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// Transposes `C` vectors and stores one number at a time.
+/// Transposes `C` vectors and stores one component at a time: lane `i` of vector `c` becomes
+/// component `c` at `to + i · stride`.
 ///
 /// # Safety
-/// The same as for [`Lanes::store_quads`], with `C` numbers per lane.
+/// For each lane `i`, the `C` components from `to + i · stride` on must be writable, and no other
+/// thread may read or write them during the call.
 #[inline(always)]
 unsafe fn store_rows<L: Lanes, const C: usize>(
     components: [L; C],
@@ -272,8 +287,8 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
 ) {
     for (c, component) in components.into_iter().enumerate() {
         for (lane, &number) in component.to_array().as_ref().iter().enumerate() {
-            // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are
-            // those of the code here.
+            // SAFETY: `lane` is below `LANES` and `c` below `C`, so this is one of the components
+            // that the caller guarantees to be writable and unused by other threads.
             unsafe { *to.add(lane * stride + c) = number };
         }
     }
@@ -283,21 +298,22 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// The number of lanes.
+    /// The lane count.
     const LANES: u32;
-    /// True if at least one lane is.
+    /// Returns true if at least one lane is true.
     fn any(self) -> bool;
-    /// True if every lane is.
+    /// Returns true if every lane is true.
     fn all(self) -> bool;
-    /// The lanes as bits: bit `i` is lane `i`. The bits beyond the last lane are zero.
+    /// Returns the lanes as bits: bit `i` is lane `i`, and the bits after the last lane are zero.
     fn to_bitmask(self) -> u32;
 }
 
-/// A set of instructions, held as a value that proves the CPU has them.
+/// An instruction set, held as a value that proves that the CPU has it.
 ///
-/// Anyone may construct [`Portable`](crate::Portable), because its lanes use only what the build
-/// target promises. A level whose instructions are detected at run time has a private field, so
-/// only its `detect` can make one. The trait is sealed.
+/// Anyone may construct [`Portable`](crate::Portable), because its lanes use only the instructions
+/// of the build target. The levels whose instructions are detected at run time, `Avx2` and
+/// `Avx512`, have a private field, so only their method `detect` can make a value. The trait is
+/// sealed.
 pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f32`.
     type F32x4: Lanes<Real = f32, Level = Self, Array = [f32; 4]>;
@@ -312,35 +328,36 @@ pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     /// Eight lanes of `f64`.
     type F64x8: PackedDualQuat<Real = f64, Level = Self, Array = [f64; 8]>;
 
-    /// The `f32` lanes that fill a register.
+    /// The `f32` lanes that fill one register.
     type Single: Lanes<Real = f32, Level = Self>;
-    /// The `f64` lanes that fill a register.
+    /// The `f64` lanes that fill one register.
     type Double: Lanes<Real = f64, Level = Self>;
 
-    /// Waits until other instructions see what was stored past the caches.
+    /// Orders the stores that went past the caches ([`Lanes::stream`]) before all later stores, so
+    /// that other threads see them in this order.
     #[inline(always)]
     fn fence(self) {}
 
     /// Prefetches the cache lines of `value`, which will be read or written soon. This pays for
-    /// memory that is read in order and is larger than the first-level cache: the CPU foresees such
-    /// reads too, but later.
+    /// memory that is read in order and is larger than the first-level cache: the CPU prefetches
+    /// such memory by itself too, but later.
     #[inline(always)]
     fn prefetch<T>(self, value: &T) {
         let _ = value;
     }
 
-    /// Prefetches the first cache line of every `stride`-th value of `memory`, `count` of them in
-    /// all, for lanes whose values are not neighbours. Places beyond the end of `memory` are
-    /// prefetched too: that is harmless, and cheaper than to test for the end.
+    /// Prefetches the first cache line of every `stride`-th value of `memory`, `count` lines in
+    /// all, for lanes whose values do not adjoin. Addresses beyond the end of `memory` are
+    /// prefetched too, which is harmless and cheaper than a test for the end.
     #[inline(always)]
     fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
         let _ = (memory, stride, count);
     }
 
-    /// Returns `value`, and makes the compiler hold its address in one register. AVX-512 can load a
-    /// number into every lane, multiply and add in one step, but only in two if the address is a
-    /// sum of registers; a compiler prefers the sum, which saves the instruction that computes the
-    /// address.
+    /// Returns `value`, and makes the compiler hold its address in one register. An AVX-512
+    /// multiply-add that broadcasts an operand from memory takes one step of the CPU's front end,
+    /// but two if the address is a sum of registers. The compiler alone would choose the sum, which
+    /// saves the instruction that computes the address (docs/measured.md, *One address*).
     #[inline(always)]
     fn locate<T>(self, value: &T) -> &T {
         value
@@ -348,11 +365,13 @@ pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
 
     /// Runs `kernel` compiled with the instructions of this level.
     ///
-    /// Everything that `kernel` calls must be `#[inline(always)]`, or it is compiled without them.
+    /// Every function that `kernel` calls must be `#[inline(always)]`, or it is compiled without
+    /// the instructions of this level.
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R;
 }
 
-/// `f32` or `f64`: the number in a lane, its vectors, and constants of it. The trait is sealed.
+/// The element type of a lane, `f32` or `f64`, with its vectors and its constants. The trait is
+/// sealed.
 pub trait Float:
     Pod
     + Send
@@ -368,15 +387,15 @@ pub trait Float:
 {
     /// True for `f32`, false for `f64`.
     const SINGLE: bool;
-    /// The lanes of this number that fill a register of `V`.
+    /// The lanes of this element type that fill one register of the level `V`.
     type Lanes<V: Level>: Lanes<Real = Self, Level = V>;
-    /// The lanes that hold one record of eight of this number.
+    /// The eight lanes that hold one dual quaternion of this element type.
     type Packed<V: Level>: PackedDualQuat<Real = Self, Level = V, Array = [Self; 8]>;
-    /// The lanes that hold half a record of eight.
+    /// The four lanes that hold half a dual quaternion, one quaternion.
     type Half<V: Level>: Lanes<Real = Self, Level = V, Array = [Self; 4]>;
-    /// The number of this type that is nearest to `value`.
+    /// Returns `value` rounded to this type.
     fn from_f64(value: f64) -> Self;
-    /// The number of this type that is nearest to `value`.
+    /// Returns `value` rounded to this type.
     fn from_i32(value: i32) -> Self;
 }
 
@@ -411,14 +430,15 @@ impl Float for f64 {
     }
 }
 
-/// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in
-/// memory.
+/// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]` that hold one dual quaternion p + εq in the
+/// order of memory.
 ///
-/// Such vectors serve kernels that have only one motion to compute at a time, as where a child
-/// waits for its parent. A product of two of them needs only two rearrangements that [`Lanes`] does
-/// not have: [`columns`](Self::columns) and [`times_epsilon`](Self::times_epsilon).
+/// Such vectors serve kernels that can compute only one motion at a time, because each joint needs
+/// the pose of its parent first. The product of two dual quaternions needs two rearrangements of
+/// lanes that [`Lanes`] does not have: [`columns`](Self::columns) and
+/// [`times_epsilon`](Self::times_epsilon).
 pub trait PackedDualQuat: Lanes {
-    /// Reads the same four components into both halves.
+    /// Loads the four components of `from` into lanes 0 to 3 and again into lanes 4 to 7.
     #[inline(always)]
     fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
         let mut twice = Self::Array::zeroed();
@@ -428,7 +448,7 @@ pub trait PackedDualQuat: Lanes {
         Self::load(level, &twice)
     }
 
-    /// Returns eight vectors, each with one of the eight components in all lanes.
+    /// Returns eight vectors: vector `c` has component `c` of `from` in all lanes.
     #[inline(always)]
     fn splat_each(level: Self::Level, from: &[Self::Real; 8]) -> [Self; 8] {
         let &[a, b, c, d, e, f, g, h] = level.locate(from);
@@ -444,8 +464,9 @@ pub trait PackedDualQuat: Lanes {
         ]
     }
 
-    /// Returns the columns of the matrix that multiplies from the left, in both halves: for a
-    /// quaternion b, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
+    /// Returns the columns c₀ to c₃ of the matrix of the multiplication from the left by p,
+    /// such that p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w for every quaternion b. The lower
+    /// half of each vector has the column of p, and the upper half that of q.
     ///
     /// ```text
     /// c₀ = (pw, pz, −py, −px)   c₁ = (−pz, pw, px, −py)
@@ -473,8 +494,8 @@ pub trait PackedDualQuat: Lanes {
     /// Returns ε·(p + εq) = εp: the lower half moves to the upper half, and the lower half
     /// becomes −0.
     ///
-    /// It is −0 and not +0, because the result is added to another dual quaternion: x + (−0) is
-    /// x for every x, but −0 + (+0) is +0.
+    /// The lower half is −0 and not +0, because the result is added to another dual quaternion:
+    /// x + (−0) is x for every x, but −0 + (+0) is +0.
     #[inline(always)]
     #[must_use]
     fn times_epsilon(self) -> Self {

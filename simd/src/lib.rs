@@ -2,19 +2,20 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`lanes`] | [`Lanes`] and [`Mask`]: the operations of a vector of numbers |
-//! | | [`Float`]: the number in a lane |
+//! | [`lanes`] | [`Lanes`] and [`Mask`]: the operations of a vector and of its comparisons |
+//! | | [`Float`]: the element type of a lane, `f32` or `f64` |
 //! | | [`Level`]: a set of instructions, and the proof that the CPU has them |
-//! | [`records`] | [`Records`]: transposes between vectors and records of numbers |
-//! | [`mod@portable`] | [`Portable`]: the instructions that the build target has |
-//! | [`x86_64`] | `Avx2` and `Avx512`: instructions that are detected at run time |
+//! | [`records`] | [`Records`]: transposes between records in memory and vectors of components |
+//! | [`mod@portable`] | [`Portable`]: the level of the instructions that the build target has |
+//! | [`x86_64`] | `Avx2` and `Avx512`: the levels that are detected at run time |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
-//! | [`unfused`] | [`Unfused`]: another level, whose `mul_add` rounds twice |
-//! | [`block`] | [`Block`]: structure-of-arrays memory, one row of numbers per component |
+//! | [`unfused`] | [`Unfused`]: a wrapper of any level, whose `mul_add` rounds twice |
+//! | [`block`] | [`Block`]: a block of AoSoA memory, with one row per component |
 //!
-//! A kernel is one function, generic over [`Lanes`]. It is marked `#[inline(always)]`, as is
-//! everything that it calls: a function that is not inlined into [`Level::run`] is compiled without
-//! the instructions of the level, and then every operation on lanes is a function call.
+//! A kernel is one function, generic over [`Lanes`]. The kernel and every function that it calls
+//! are marked `#[inline(always)]`. A function that is not inlined into [`Level::run`] is compiled
+//! without the instructions of the level, and then each of its operations on lanes becomes a
+//! function call.
 //!
 //! ```
 //! use dq8_simd::{Lanes, Portable};
@@ -61,5 +62,5 @@ pub use portable::Portable;
 pub use records::Records;
 pub use unfused::Unfused;
 
-/// The portable lane types themselves.
+/// The vectors of the crate `wide`, which are the lane types of [`Portable`].
 pub use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};

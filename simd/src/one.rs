@@ -1,5 +1,5 @@
-//! Plain `f32` and `f64` as vectors of one lane. They run the same kernels on targets without SIMD,
-//! and let tests compare a vector with single numbers.
+//! Plain `f32` and `f64` as vectors of one lane. They run the kernels on targets without SIMD, and
+//! tests compare the lanes of wider vectors with them.
 
 use crate::internal::square_root;
 use crate::lanes::{Lanes, Mask};
@@ -22,8 +22,8 @@ impl Mask for bool {
     }
 }
 
-/// Implements [`Lanes`] for a number. `f32` and `f64` differ in nothing but names, but their
-/// methods are inherent, so no generic `impl` can call them.
+/// Implements [`Lanes`] for `f32` and `f64`. This is a macro, because the methods of both types are
+/// inherent, so no generic `impl` can call them.
 macro_rules! one_lane {
     ($($real:ident, $bits:ty;)*) => {$(
         impl Lanes for $real {
@@ -57,14 +57,14 @@ macro_rules! one_lane {
                 records: impl Fn(usize) -> [usize; 2],
                 t: Self,
             ) -> [Self; 4] {
-                // SAFETY: the caller keeps the conditions of this function under `# Safety`, which
-                // are those of the code here.
+                // SAFETY: `one_by_one` reads the records that `records` names for lane 0, which the
+                // caller guarantees to be readable.
                 unsafe { shorts::one_by_one(Portable, from, records, t) }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
-                // `f32::mul_add` would be a slow call into a library if the target has no such
-                // instruction.
+                // `f32::mul_add` would be a slow call into a library on a target without a fused
+                // multiply-add.
                 self * factor + addend
             }
             #[inline(always)]

@@ -1,5 +1,5 @@
-//! [`Pair`]: two vectors as one of twice the width. A level has it for the vectors that are wider
-//! than its registers.
+//! [`Pair`]: two vectors that act as one vector of twice the width. A level uses it for vectors
+//! that are wider than its registers.
 
 use crate::lanes::Float;
 use crate::lanes::{Lanes, Mask};
@@ -7,7 +7,7 @@ use crate::shorts::Shorts;
 use bytemuck::Pod;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// A vector as its lower half and its upper half.
+/// A vector of twice the lanes of `L`: its lower half and its upper half.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
@@ -69,8 +69,9 @@ where
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
-        // each half's lanes is valid too.
+        // SAFETY: lane `i` of the upper half is lane `L::LANES + i` of the pair, at whose offset it
+        // reads. The caller guarantees four readable components at the offset of every lane of the
+        // pair.
         let [a, b] = unsafe {
             [
                 L::load_quads(level, from, &offset),
@@ -92,8 +93,8 @@ where
         records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
-        // each half's lanes is valid too.
+        // SAFETY: lane `i` of the upper half is lane `L::LANES + i` of the pair, whose records it
+        // reads. The caller guarantees that the records of every lane of the pair are readable.
         let [a, b] = unsafe {
             [
                 L::between_shorts(level, from, &records, t.0),
@@ -111,8 +112,9 @@ where
     }
     #[inline(always)]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
-        // each half's lanes is valid too.
+        // SAFETY: the upper half begins at the place of lane `L::LANES` of the pair. The caller
+        // guarantees that the four components of every lane of the pair are writable and unused by
+        // other threads.
         unsafe {
             L::store_quads([x.0, y.0, z.0, w.0], to, stride);
             L::store_quads([x.1, y.1, z.1, w.1], to.add(L::LANES * stride), stride);
@@ -120,8 +122,9 @@ where
     }
     #[inline(always)]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: the caller guarantees that the memory of all lanes is valid, so the memory of
-        // each half's lanes is valid too.
+        // SAFETY: the upper half begins at the place of lane `L::LANES` of the pair. The caller
+        // guarantees that the three components of every lane of the pair are writable and unused by
+        // other threads.
         unsafe {
             L::store_triples([x.0, y.0, z.0], to);
             L::store_triples([x.1, y.1, z.1], to.add(3 * L::LANES));
@@ -169,7 +172,7 @@ where
     }
 }
 
-/// Implements an operator, which acts on both halves.
+/// Implements operators of two operands, which act on both halves.
 macro_rules! operator {
     ($($trait:ident $method:ident;)*) => {$(
         impl<L: $trait<Output = L>> $trait for Pair<L> {

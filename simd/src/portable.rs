@@ -1,4 +1,4 @@
-//! [`Portable`]: the lanes of the crate [`wide`], with the instructions that the build target has.
+//! [`Portable`]: the level of the build target, whose lanes are the vectors of the crate [`wide`].
 
 #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
 use crate::aarch64;
@@ -10,7 +10,7 @@ use crate::shorts::{Shorts, four_at_once, one_by_one};
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
-/// The instructions of the build target: SSE2 for a default x86-64 build, AVX2 with
+/// The level of the build target's instructions: SSE2 for a default x86-64 build, AVX2 with
 /// `-C target-cpu=x86-64-v3`, NEON on aarch64, simd128 on wasm, and scalar code elsewhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Portable;
@@ -32,9 +32,10 @@ impl Level for Portable {
     }
 }
 
-/// The lanes of one register of the build target, for vectors of each length ([`Lanes::Native`]):
-/// at most 256 bits with AVX, at most 128 with SSE2, NEON or simd128, and one number on a target
-/// without vectors, where `wide` would emulate them.
+/// The lanes of one register of the build target, for each vector of `wide` ([`Lanes::Native`]). A
+/// register has at most 256 bits with AVX and at most 128 bits with SSE2, NEON or simd128. On a
+/// target without vector registers the lanes are a single float, because `wide` would emulate
+/// vectors there.
 mod part {
     #[cfg(not(any(
         target_feature = "avx",
@@ -60,12 +61,13 @@ mod part {
     };
 }
 
-/// A mask of [`wide`]: a vector in which all bits of a lane are ones, or all are zeros.
+/// A mask of [`wide`]: a vector in which all bits of a lane are ones (true) or all are zeros
+/// (false).
 #[derive(Clone, Copy, Debug)]
 pub struct WideMask<V>(V);
 
-/// The multiply-adds of relaxed-simd, which round once if the machine has such an instruction. On
-/// wasm, those of `wide` always round twice.
+/// The multiply-adds of WebAssembly's relaxed-simd, which round once if the host CPU has a fused
+/// multiply-add. The multiply-adds of `wide` always round twice on WebAssembly.
 #[cfg(target_feature = "relaxed-simd")]
 mod relaxed {
     use core::arch::wasm32::{
@@ -74,9 +76,9 @@ mod relaxed {
     use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
     pub(super) trait Relaxed: Copy {
-        /// self · factor + addend
+        /// Returns self · factor + addend.
         fn madd(self, factor: Self, addend: Self) -> Self;
-        /// addend − self · factor
+        /// Returns addend − self · factor.
         fn nmadd(self, factor: Self, addend: Self) -> Self;
     }
 
@@ -92,7 +94,8 @@ mod relaxed {
                     each::<$vector, $registers>(self, factor, addend, |a, b, c| $nmadd(a, b, c))
                 }
             }
-            // In `wide`, such a vector is its registers one after the other.
+            // A vector of `wide` must consist of whole registers, because `each` transmutes it to
+            // them.
             const _: () = assert!(size_of::<$vector>() == $registers * size_of::<v128>());
         )*};
     }
@@ -105,22 +108,24 @@ mod relaxed {
         f64x8: 4, f64x2_relaxed_madd, f64x2_relaxed_nmadd;
     }
 
-    /// Calls `of` for each register of three vectors.
+    /// Calls `of` with registers `i` of three vectors, and returns the results as a vector.
     #[inline(always)]
     fn each<V: Copy, const N: usize>(a: V, b: V, c: V, of: impl Fn(v128, v128, v128) -> v128) -> V {
-        // SAFETY: V has the size of N registers, as asserted for every V that this is called with.
+        // SAFETY: `V` is plain floats and has the size of `N` registers, as `relaxed!` asserts for
+        // every `V`, and any bits are a valid `v128`.
         let [mut a, b, c] =
             [a, b, c].map(|vector| unsafe { core::mem::transmute_copy::<V, [v128; N]>(&vector) });
         for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
             *a = of(*a, b, c);
         }
-        // SAFETY: V has the size of N registers, as asserted for every V that this is called with.
+        // SAFETY: `V` has the size of `N` registers, as `relaxed!` asserts for every `V`, and any
+        // bits are valid floats.
         unsafe { core::mem::transmute_copy::<[v128; N], V>(&a) }
     }
 }
 
-/// Implements lanes and masks for the vectors of `wide`, whose operations are inherent methods that
-/// no generic `impl` can call.
+/// Implements [`Lanes`] and [`Mask`] for the vectors of `wide`. This is a macro, because the
+/// operations of these vectors are inherent methods, which no generic `impl` can call.
 macro_rules! wide_lanes {
     ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(quads $quads:ident)? $(records $neon:ident)? $(=> $half:ident)?;)*) => {$(
         impl crate::sealed::Sealed for $vector {}
@@ -157,8 +162,8 @@ macro_rules! wide_lanes {
                 ) -> [Self; 4] {
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
-                        // SAFETY: the caller guarantees that the numbers are readable, and an array
-                        // needs no more alignment than a number.
+                        // SAFETY: the caller guarantees four readable components at the offset of
+                        // each lane, and an array has the alignment of its elements.
                         *row = Self::new(unsafe { *from.add(offset(i)).cast::<[$real; $lanes]>() });
                     }
                     Self::$transpose(rows)
@@ -166,8 +171,8 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     for (i, row) in Self::$transpose(components).iter().enumerate() {
-                        // SAFETY: the caller guarantees that the numbers are writable, and an array
-                        // needs no more alignment than a number.
+                        // SAFETY: the caller guarantees four writable components at the place of
+                        // each lane, and an array has the alignment of its elements.
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
                 }
@@ -184,22 +189,22 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
-                    // which are those of the code here.
+                    // SAFETY: the caller guarantees four readable components at the offset of each
+                    // lane, and NEON's function reads no others.
                     unsafe { aarch64::$quads::load_quads(from, offset) }
                 }
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
-                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
-                    // which are those of the code here.
+                    // SAFETY: the caller guarantees four writable components at the place of each
+                    // lane, and NEON's function writes no others.
                     unsafe { aarch64::$quads::store_quads(components, to, stride) }
                 }
             )?
             $(
                 #[inline(always)]
                 unsafe fn store_triples(components: [Self; 3], to: *mut $real) {
-                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
-                    // which are those of the code here.
+                    // SAFETY: the caller guarantees three writable components per lane from `to`
+                    // on, and NEON's function writes no others.
                     unsafe { aarch64::$neon::store_triples(components, to) }
                 }
                 #[inline(always)]
@@ -207,8 +212,8 @@ macro_rules! wide_lanes {
                     components: [Self; C],
                     to: *mut $real,
                 ) -> bool {
-                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
-                    // which are those of the code here.
+                    // SAFETY: the caller guarantees `C` writable components per lane from `to` on,
+                    // and NEON's function writes no others.
                     unsafe { aarch64::$neon::store_adjoining(components, to) }
                 }
                 #[inline(always)]
@@ -216,8 +221,8 @@ macro_rules! wide_lanes {
                     _: Portable,
                     from: *const $real,
                 ) -> Option<[Self; C]> {
-                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
-                    // which are those of the code here.
+                    // SAFETY: the caller guarantees `C` readable components per lane from `from`
+                    // on, and NEON's function reads no others.
                     unsafe { aarch64::$neon::load_adjoining::<C>(from) }
                 }
             )?
@@ -228,8 +233,9 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller guarantees that the memory of all lanes is valid, so the
-                    // memory of each half's lanes is valid too.
+                    // SAFETY: lane `i` of the upper half is lane `$lanes / 2 + i` of this vector.
+                    // The caller guarantees four readable components at the offset of every lane of
+                    // this vector.
                     let [[a, b, c, d], [e, f, g, h]] = unsafe {
                         let upper = |lane| offset($lanes / 2 + lane);
                         [$half::load_quads(level, from, &offset), $half::load_quads(level, from, upper)]
@@ -239,16 +245,17 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     let halves = components.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
-                    // SAFETY: the caller guarantees that the memory of all lanes is valid, so the
-                    // memory of each half's lanes is valid too.
+                    // SAFETY: the upper half begins at the place of lane `$lanes / 2` of this
+                    // vector. The caller guarantees four writable components at the place of every
+                    // lane of this vector.
                     unsafe {
                         $half::store_quads(halves.map(|half| half[0]), to, stride);
                         let upper = to.add($lanes / 2 * stride);
                         $half::store_quads(halves.map(|half| half[1]), upper, stride);
                     }
                 }
-                // For the loop over numbers of `Lanes::sum_quads` the compiler goes through memory,
-                // which takes five times as long with SSE2.
+                // This replaces the loop over lanes in `Lanes::sum_quads`, whose vectors the
+                // compiler stores to memory and reloads, which takes five times as long with SSE2.
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
                     let halves = vectors.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
@@ -263,8 +270,8 @@ macro_rules! wide_lanes {
                 records: impl Fn(usize) -> [usize; 2],
                 t: Self,
             ) -> [Self; 4] {
-                // SAFETY: the caller keeps the conditions of this function under `# Safety`, which
-                // are those of the code here.
+                // SAFETY: `$between` reads the two records that `records` names for each lane,
+                // which the caller guarantees to be readable.
                 unsafe { $between(Portable, from, records, t) }
             }
             #[inline(always)]

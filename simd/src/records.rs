@@ -1,16 +1,16 @@
 //! [`Records`]: transposes between records in memory and vectors of components.
 //!
-//! A *record* is the `C` numbers of one thing: a point has 3, a motion 8. Plain memory holds one
-//! record after the other, while a kernel wants one vector per component:
+//! A *record* is the `C` components of one object: a point has three, a motion eight. Plain memory
+//! holds one record after the other, while a kernel needs one vector per component:
 //!
 //! ```text
 //! memory   x₀ y₀ z₀  x₁ y₁ z₁  x₂ y₂ z₂  x₃ y₃ z₃
 //! vectors  [x₀ x₁ x₂ x₃]  [y₀ y₁ y₂ y₃]  [z₀ z₁ z₂ z₃]
 //! ```
 //!
-//! Lanes can transpose four components at a time ([`Lanes::load_quads`]), from any addresses. What
-//! is left to do here is to find these addresses, and to prove once per vector that all of them are
-//! inside the slice:
+//! [`Lanes::load_quads`] transposes four components at a time, from any addresses, and is `unsafe`.
+//! The methods here are safe: they compute the addresses from a slice and check once per vector
+//! that all of them are inside the slice:
 //!
 //! ```text
 //! load_strided(from, stride):
@@ -20,22 +20,24 @@
 //!     else:                                   move one number at a time, in a cold function
 //! ```
 //!
-//! 1. If `C` is not a multiple of four, the last four components overlap the ones before: seven are
-//!    read as 0 to 3 and 3 to 6. So nothing outside of the record is read, and a transpose of three
-//!    components would cost as much as one of four.
-//! 2. Of a record of three numbers, a fourth one is read and dropped. The slice must have it, so
-//!    the vector that ends with the last record of a slice takes the cold function.
-//! 3. The cold function passes no vectors, so the loop around the call keeps its registers.
+//! 1. If `C` is not a multiple of four, the last two transposes overlap: components 0 to 6 are read
+//!    as 0 to 3 and 3 to 6. So nothing outside of the record is read. The overlap costs no time,
+//!    because a transpose of three components takes as long as a transpose of four.
+//! 2. Of a record of three components, a fourth component is read after the record and dropped. The
+//!    slice must contain it, so the cold function loads the vector that ends with the last record
+//!    of a slice.
+//! 3. The cold function takes and returns arrays, not vectors, so the loop around the call keeps
+//!    its vectors in registers.
 
 use crate::internal::GatheredRows;
 use crate::lanes::Lanes;
 use bytemuck::Zeroable;
 
-/// Transposes between `C` vectors and records of `C` numbers: number `c` of record `i` is lane `i`
-/// of vector `c`.
+/// Transposes between `C` vectors and records of `C` components: component `c` of record `i` is
+/// lane `i` of vector `c`.
 pub trait Records: Lanes {
-    /// Loads records: record `i` of `from` becomes lane `i` of `C` vectors. Lanes without a record
-    /// take `padding`.
+    /// Loads the first `LANES` records: component `c` of record `i` of `from` becomes lane `i` of
+    /// vector `c`. If `from` has fewer records, the remaining lanes hold the record `padding`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_records<const C: usize>(
         level: Self::Level,
@@ -44,16 +46,17 @@ pub trait Records: Lanes {
     ) -> [Self; C] {
         Self::load_strided(level, from, None, &padding)
     }
-    /// Loads four numbers from each of `LANES` rows: lane `i` of vector `c` is number
+    /// Loads four elements from each of `LANES` rows: lane `i` of vector `c` is element
     /// `i · stride + c` of `from`. This is for rows whose length is known at run time only.
-    /// Returns `None` if `from` ends before the last of these numbers.
+    /// Returns `None` if `from` ends before the last of these elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_rows(level: Self::Level, from: &[Self::Real], stride: usize) -> Option<[Self; 4]> {
         if from.len() < reach(Self::LANES, stride, 4) {
             return None;
         }
-        // SAFETY: the last row begins at number `(LANES − 1) · stride`, and `from` has four
-        // numbers from there on, as checked above.
+        // SAFETY: the last row begins at element `(LANES − 1) · stride`, and `from` has four
+        // elements from there on, as checked above, so the four elements of every lane are
+        // readable.
         Some(unsafe {
             Self::load_quads(
                 level,
@@ -63,9 +66,9 @@ pub trait Records: Lanes {
             )
         })
     }
-    /// Stores `4 · Q` numbers to each of `LANES` rows: lane `i` of vector `c` of quad `q` becomes
-    /// number `i · stride + 4q + c` of `to`. Returns `false`, and writes nothing, if `to` ends
-    /// before the last of these numbers.
+    /// Stores `4 · Q` elements to each of `LANES` rows: lane `i` of vector `c` of quad `q` becomes
+    /// element `i · stride + 4q + c` of `to`. Returns `false`, and writes nothing, if `to` ends
+    /// before the last of these elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_rows<const Q: usize>(
         quads: [[Self; 4]; Q],
@@ -76,20 +79,21 @@ pub trait Records: Lanes {
             return false;
         }
         for (index, quad) in quads.into_iter().enumerate() {
-            // SAFETY: the last row begins at number `(LANES − 1) · stride`, and `to` has the
-            // `4Q` numbers of all quads from there on, as checked above.
+            // SAFETY: the last row begins at element `(LANES − 1) · stride`, and `to` has the
+            // `4Q` elements of all quads from there on, as checked above. `to` is borrowed mutably.
             unsafe { Self::store_quads(quad, to.as_mut_ptr().add(4 * index), stride) };
         }
         true
     }
-    /// Stores records: lane `i` of `C` vectors becomes record `i` of `to`. Records after the first
-    /// `LANES` are left as they were.
+    /// Stores records: lane `i` of vector `c` becomes component `c` of record `i` of `to`. Records
+    /// after the first `LANES` keep their values.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
         Self::store_strided(components, to, None);
     }
-    /// Loads every `stride`-th record, otherwise like [`load_records`](Self::load_records). `None`
-    /// is a stride of 1 that is a constant for the compiler.
+    /// Loads every `stride`-th record, from the first record on, and is otherwise like
+    /// [`load_records`](Self::load_records). `None` stands for a stride of 1 that the compiler
+    /// knows as a constant.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_strided<const C: usize>(
         level: Self::Level,
@@ -97,8 +101,8 @@ pub trait Records: Lanes {
         stride: Option<usize>,
         padding: &[Self::Real; C],
     ) -> [Self; C] {
-        // The conditions here and below are `const` blocks, so that the branch that is not taken is
-        // never compiled.
+        // The conditions here and below are `const` blocks, so that a branch that is never taken is
+        // not compiled.
         if const { Self::LANES == 1 } {
             let mut components = [Self::splat(level, Self::Real::default()); C];
             for (component, &number) in components.iter_mut().zip(from.first().unwrap_or(padding)) {
@@ -108,7 +112,7 @@ pub trait Records: Lanes {
         }
         let flat = from.as_flattened();
         let spacing = C.saturating_mul(stride.unwrap_or(1));
-        // Records of one number each need no transpose.
+        // Adjoining records of one component need no transpose.
         if const { C == 1 }
             && let (None, Some(row)) = (stride, flat.get(..Self::LANES))
         {
@@ -118,19 +122,19 @@ pub trait Records: Lanes {
         }
         if stride.is_none()
             && flat.len() >= reach(Self::LANES, C, C)
-            // SAFETY: `from` has a record for each lane, as just checked.
+            // SAFETY: `from` has `C · LANES` components, as the line above checks.
             && let Some(components) = unsafe { Self::load_adjoining::<C>(level, flat.as_ptr()) }
         {
             return components;
         }
         let all = match stride {
             Some(stride) if const { C >= 4 } => has_all::<Self, C>(from.len(), stride),
-            // A fourth number is read after a record of three.
+            // After a record of three components a fourth component is read.
             _ => flat.len() >= reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } }),
         };
         if const { C < 3 } || !all {
-            // `padding` is passed by value, so that a caller with a constant need not keep it in
-            // memory for this call.
+            // `padding` is passed by value. By reference, a caller with a constant would have to
+            // keep it on the stack for this call.
             let rows = load_each::<Self, C>(from, stride.unwrap_or(1), *padding);
             let mut components = [Self::splat(level, Self::Real::default()); C];
             let mut component = 0;
@@ -140,8 +144,8 @@ pub trait Records: Lanes {
             }
             return components;
         }
-        // SAFETY: the last record begins at number `(LANES − 1) · spacing`, and `from` has `C`
-        // numbers from there on, or four if `C` is three, as checked above.
+        // SAFETY: the last record begins at component `(LANES − 1) · spacing`, and `from` has
+        // `C` components from there on, or four if `C` is three, because `all` is true.
         unsafe {
             load_all(
                 level,
@@ -151,8 +155,8 @@ pub trait Records: Lanes {
             )
         }
     }
-    /// Loads record `column` of each lane's own row, into `C` vectors. Returns `None` if `from`
-    /// does not have that record for all of the rows. `C` must be at least four.
+    /// Loads record `column` of each lane's own row into `C` vectors. Returns `None` if the record
+    /// `column` of one of these rows is beyond the end of `from`. `C` must be at least four.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_gathered<const C: usize>(
@@ -165,8 +169,9 @@ pub trait Records: Lanes {
         if rows.greatest.saturating_add(column) >= from.len() {
             return None;
         }
-        // SAFETY: there are as many rows as any vector has lanes, and none begins after the
-        // greatest, whose record `column` is in `from`, as checked above.
+        // SAFETY: `starts` has `MAX_LANES` elements, so `lane` is in bounds. No row begins after
+        // the greatest row, whose record `column` is in `from`, as checked above, so the `C`
+        // components of each lane are readable.
         Some(unsafe {
             load_all(
                 level,
@@ -176,19 +181,20 @@ pub trait Records: Lanes {
             )
         })
     }
-    /// Loads four components of the first `LANES` records, from component `first` on. Returns
-    /// `None` if there are fewer records, or no such components.
+    /// Loads components `first` to `first + 3` of the first `LANES` records. Returns `None` if
+    /// there are fewer than `LANES` records, or if a record ends before component `first + 3`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_four<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
         first: usize,
     ) -> Option<[Self; 4]> {
-        // `first + 4 > C` would be wrong: the sum may wrap.
+        // The condition is not `first + 4 > C`, because that sum may wrap.
         if from.len() < Self::LANES || C < 4 || first > C - 4 {
             return None;
         }
-        // SAFETY: there is a record for each lane, with four numbers from `first` on.
+        // SAFETY: `from` has a record for each lane, and each record has four components from
+        // `first` on, as checked above.
         Some(unsafe {
             Self::load_quads(
                 level,
@@ -198,8 +204,9 @@ pub trait Records: Lanes {
             )
         })
     }
-    /// Stores to every `stride`-th record, otherwise like [`store_records`](Self::store_records).
-    /// `None` stands for 1.
+    /// Stores to every `stride`-th record, from the first record on, and is otherwise like
+    /// [`store_records`](Self::store_records). `None` stands for a stride of 1 that the compiler
+    /// knows as a constant.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_strided<const C: usize>(
         components: [Self; C],
@@ -223,7 +230,8 @@ pub trait Records: Lanes {
             _ => flat.len() >= reach(Self::LANES, spacing, C),
         };
         if stride.is_none() && fits {
-            // SAFETY: `to` has a record for each lane.
+            // SAFETY: `fits` means that `to` has `C · LANES` components, and `to` is borrowed
+            // mutably.
             if unsafe { Self::store_adjoining(components, flat.as_mut_ptr()) } {
                 return;
             }
@@ -231,7 +239,8 @@ pub trait Records: Lanes {
         if const { C == 3 }
             && let (&[x, y, z], true, 3) = (components.as_slice(), fits, spacing)
         {
-            // SAFETY: the slice is long enough for a record of every lane, as checked above.
+            // SAFETY: `fits` and `spacing` mean that `to` has the `3 · LANES` components that are
+            // written, and `to` is borrowed mutably.
             return unsafe { Self::store_triples([x, y, z], flat.as_mut_ptr()) };
         }
         if const { C < 4 } || !fits {
@@ -243,26 +252,29 @@ pub trait Records: Lanes {
             }
             return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
         }
-        // SAFETY: the slice is long enough for a record of every lane, as checked above.
+        // SAFETY: `fits` means that `to` has the `C` components of each lane, `spacing` components
+        // apart. `C` is at least four here, and `to` is borrowed mutably.
         unsafe { store_all(components, flat.as_mut_ptr(), spacing) };
     }
 }
 
 impl<L: Lanes> Records for L {}
 
-/// The first component of four out of `C`. Fours follow each other, but the last one ends with the
-/// last component, so it overlaps the one before it if `C` is not a multiple of four.
+/// Returns the first component of group `number`, where each group is four of `C` components. The
+/// last group ends with the last component, so it overlaps the group before it if `C` is not a
+/// multiple of four.
 #[cfg_attr(not(opt_level_0), inline(always))]
 const fn first_of_four<const C: usize>(number: usize) -> usize {
     if 4 * number + 4 <= C { 4 * number } else { C.saturating_sub(4) }
 }
 
-/// Runs `$each` for each four of `C` components, with the first of the four as `$first`.
+/// Runs `$each` for each group of four of `C` components, with the group's first component as
+/// `$first`.
 ///
-/// The body is written out four times, for up to 16 components, and only larger records (matrices
-/// of six rows) take a loop. The compiler does not always unroll a loop, and one that stays a loop
-/// keeps its vectors in memory, which takes 1.4 times as long in WebAssembly. The conditions are
-/// `const` blocks, so a record of four components compiles one body and not four.
+/// The macro writes the body out four times, for up to 16 components, and only larger records
+/// (matrices of six rows) take a loop. The compiler does not always unroll a loop, and a loop that
+/// is not unrolled keeps its vectors in memory, which takes 1.4 times as long in WebAssembly. The
+/// conditions are `const` blocks, so a record of four components compiles one body and not four.
 macro_rules! fours {
     ($C:ident, |$first:ident| $each:expr) => {
         fours!(@ $C, |$first| $each, 0 1 2 3);
@@ -281,10 +293,11 @@ macro_rules! fours {
     )*};
 }
 
-/// Loads `C` numbers per lane, which begin `offset(lane)` numbers after `from`.
+/// Loads `C` components per lane, from `from + offset(lane)` on, into `C` vectors.
 ///
 /// # Safety
-/// These numbers must be readable for each lane, and a fourth one if `C` is three.
+/// For each lane, the `C` components from `from + offset(lane)` on must be readable, or four if `C`
+/// is three.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn load_all<L: Lanes, const C: usize>(
     level: L::Level,
@@ -293,8 +306,9 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 ) -> [L; C] {
     let mut components = [L::splat(level, L::Real::default()); C];
     fours!(C, |first| {
-        // SAFETY: the caller guarantees that the numbers are readable. `first` is at most C − 4,
-        // or 0 if C is less than four, so `quad` and `components` both hold what is copied.
+        // SAFETY: `first` is at most C − 4, or 0 if C is three, so the four components from
+        // `first` on are among those that the caller guarantees to be readable, and `components`
+        // has room for the copy of at most C vectors.
         unsafe {
             let quad = L::load_quads(level, from.add(first), offset);
             let to = components.as_mut_ptr().add(first);
@@ -304,16 +318,18 @@ unsafe fn load_all<L: Lanes, const C: usize>(
     components
 }
 
-/// Stores `C` numbers per lane, which begin `lane · stride` numbers after `to`. `C` is at least
-/// four.
+/// Stores `C` vectors as `C` components per lane, from `to + lane · stride` on. `C` must be at
+/// least four.
 ///
 /// # Safety
-/// These numbers must be writable for each lane.
+/// For each lane, the `C` components from `to + lane · stride` on must be writable, and no other
+/// thread may use them during the call.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Real, stride: usize) {
     fours!(C, |first| {
-        // SAFETY: `first` is at most C − 4, and C at least four, so there are four components
-        // from `first` on. The caller guarantees that their memory is valid.
+        // SAFETY: C is at least four and `first` at most C − 4, so `components` has four vectors
+        // from `first` on, and the four components from `first` on are among those that the caller
+        // guarantees to be writable for each lane.
         unsafe {
             let quad = components.as_ptr().add(first).cast::<[L; 4]>().read();
             L::store_quads(quad, to.add(first), stride);
@@ -321,24 +337,26 @@ unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Re
     });
 }
 
-/// The length that a slice needs for `lanes` records of `count` numbers whose first numbers are
-/// `spacing` numbers apart.
+/// Returns the length that a slice needs for `lanes` records of `count` elements each, which begin
+/// `spacing` elements apart.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn reach(lanes: usize, spacing: usize, count: usize) -> usize {
     spacing.saturating_mul(lanes - 1).saturating_add(count)
 }
 
-/// Returns `true` if a slice of `records` records has every `stride`-th record for each lane. This
-/// is the comparison with [`reach`] in fewer instructions. `C` is at least four.
+/// Returns `true` if a slice of `records` records has the record `lane · stride` for each lane.
+/// This compares the same lengths as a test with [`reach`], in fewer instructions. `C` must be at
+/// least four.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn has_all<L: Lanes, const C: usize>(records: usize, stride: usize) -> bool {
-    // A slice has at most `usize::MAX / 2` bytes, and a record has at least as many bytes as there
-    // are lanes. So the product below does not wrap.
+    // The product below does not wrap: `stride` is at most `records`, a slice has at most
+    // `usize::MAX / 2` bytes, and a record has at least as many bytes as there are lanes.
     const { assert!(C < 4 || L::LANES <= C * size_of::<L::Real>()) }
     stride <= records && (L::LANES - 1) * stride < records
 }
 
-/// Loads one number at a time where the slice ends: the rare case of [`Records::load_strided`].
+/// Loads records one component at a time, with `padding` after the end of the slice. This is the
+/// rare case of [`Records::load_strided`].
 #[cold]
 #[inline(never)]
 fn load_each<L: Lanes, const C: usize>(
@@ -356,7 +374,8 @@ fn load_each<L: Lanes, const C: usize>(
     rows
 }
 
-/// Stores one number at a time where the slice ends: the rare case of [`Records::store_strided`].
+/// Stores records one component at a time, as many as the slice has. This is the rare case of
+/// [`Records::store_strided`].
 #[cold]
 #[inline(never)]
 fn store_each<L: Lanes, const C: usize>(

@@ -1,9 +1,11 @@
-//! [`Sealed`]: the trait that keeps other crates from implementing lanes, levels and numbers.
+//! [`Sealed`]: the supertrait that keeps other crates from implementing `Lanes`, `Level` and
+//! `Float`.
 
 /// A trait that other crates cannot name, and so cannot implement.
 ///
-/// If they could, safe code could write out of bounds. These lanes say that they are two, but their
-/// array has four numbers, so the last line would write four records to a slice of two:
+/// If another crate could implement `Lanes`, its safe code could write out of bounds. The type
+/// `Two` below says that it has two lanes, but its array has four elements, so the last line would
+/// write four records to a slice of two:
 ///
 /// ```compile_fail
 /// use core::ops::{Add, Div, Mul, Neg, Sub};

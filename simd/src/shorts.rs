@@ -1,25 +1,24 @@
-//! Interpolation between records of 16-bit numbers: [`Lanes::between_shorts`] for lanes without an
-//! instruction of their own.
-//!
-//! All lanes compute it in integers, so that every target has the same bits:
+//! Interpolation between records of four 16-bit integers: [`Lanes::between_shorts`] for all lanes
+//! but the eight and sixteen `f32` of AVX2 and AVX-512, which have their own code. All lanes
+//! interpolate in integers, so that the result has the same bits on every target:
 //!
 //! ```text
 //! w = round(2¹⁴·t)                an integer from 0 to 2¹⁴
 //! (2¹⁴ − w)·a + w·b               at most 2²⁹, so it is exact in 32 bits
 //! ```
 //!
-//! This is what "multiply 16-bit numbers and add the products in pairs" computes, an instruction
-//! that SSE2, NEON and simd128 have.
+//! SSE2 and simd128 compute such sums by one instruction, which multiplies 16-bit integers and adds
+//! the products in pairs. NEON takes three instructions.
 //!
-//! The weight needs no conversion to an integer: the last bit of an `f32` near 1.5·2²³ stands
-//! for 1, so the last bits of the sum 2¹⁴·t + 1.5·2²³ are w, rounded to nearest. For `f64`
-//! the constant is 1.5·2⁵².
+//! The weight w needs no conversion to an integer. The lowest bit of an `f32` near 1.5·2²³ has
+//! the value 1, so the sum 2¹⁴·t + 1.5·2²³ is rounded to an integer, and its lowest 16 bits
+//! are w. For `f64` the constant is 1.5·2⁵².
 
 use crate::lanes::{Float, Lanes};
 use bytemuck::Zeroable;
 
-/// A record of four numbers of 16 bits, each with its lower byte first on every target, because
-/// records are read from files in place.
+/// A record of four 16-bit integers. Each integer has its lower byte first on every target, because
+/// records are read from the bytes of files in place.
 pub(crate) type Shorts = [u8; 8];
 
 /// Returns the four 16-bit components of a record.
@@ -29,10 +28,10 @@ pub(crate) fn numbers(record: Shorts) -> [i16; 4] {
     [word as i16, (word >> 16) as i16, (word >> 32) as i16, (word >> 48) as i16]
 }
 
-/// Interpolates one component after the other, for any lanes.
+/// Interpolates one component of one lane after the other, for any lanes.
 ///
 /// # Safety
-/// The same as for [`Lanes::between_shorts`].
+/// For each lane, the two records that `records(lane)` names must be readable after `from`.
 #[inline(always)]
 pub(crate) unsafe fn one_by_one<L: Lanes>(
     level: L::Level,
@@ -48,7 +47,7 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     let weights = t.mul_add(t.constant(16384.0), in_last_bits).to_array();
     let mut rows = [L::Array::zeroed(); 4];
     for lane in 0..L::LANES {
-        // SAFETY: the caller guarantees that the records are readable.
+        // SAFETY: the caller guarantees that the records of each lane are readable.
         let [a, b] = records(lane).map(|record| numbers(unsafe { *from.add(record) }));
         let sum = weights.as_ref()[lane];
         let weight =
@@ -63,15 +62,15 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     [L::load(level, x), L::load(level, y), L::load(level, z), L::load(level, w)]
 }
 
-/// Four lanes have no code of their own on big-endian targets, where a load of a record would swap
-/// the bytes of its numbers.
+/// Big-endian targets take the code for any lanes also for four lanes, because a load of a record
+/// into a register would swap the bytes of its integers there.
 #[cfg(target_endian = "big")]
 pub(crate) use one_by_one as four_at_once;
 
-/// Computes four lanes at once, with the instruction that multiplies and adds pairs.
+/// Interpolates four lanes at once, by products of 16-bit integers that are added in pairs.
 ///
 /// # Safety
-/// The same as for [`Lanes::between_shorts`].
+/// For each lane, the two records that `records(lane)` names must be readable after `from`.
 #[cfg(target_endian = "little")]
 #[inline(always)]
 pub(crate) unsafe fn four_at_once(
@@ -90,11 +89,11 @@ pub(crate) unsafe fn four_at_once(
     let low = u32x4::splat(0xffff);
     let weights = ((u32x4::splat(16384) - (to & low)) & low) | (to << 16);
     let weights: i16x8 = bytemuck::cast(weights);
-    // Row `lane` holds both records of that lane, two numbers in each 32 bits: a₀a₁ a₂a₃
-    // b₀b₁ b₂b₃.
+    // Row `lane` holds both records of that lane, with two integers in each 32 bits: a₀a₁
+    // a₂a₃ b₀b₁ b₂b₃.
     let mut rows = [f32x4::ZERO; 4];
     for (lane, row) in rows.iter_mut().enumerate() {
-        // SAFETY: the caller guarantees that the records are readable.
+        // SAFETY: the caller guarantees that the records of each lane are readable.
         *row = bytemuck::cast(records(lane).map(|record| unsafe { *from.add(record) }));
     }
     let [a01, a23, b01, b23]: [u32x4; 4] = bytemuck::cast(f32x4::transpose(rows));

@@ -1,15 +1,15 @@
-//! [`Unfused`]: the lanes of another level, whose `mul_add` rounds twice.
+//! [`Unfused`]: a wrapper of a level and of its lanes, whose `mul_add` rounds twice.
 //!
 //! IEEE 754 fixes every bit of +, −, ×, ÷ and √, and the compiler never fuses a product and a
-//! sum on its own. So a kernel whose lanes do not fuse either has the same results, bit by bit,
-//! with every instruction set and every number of lanes. NaN is the exception, because IEEE 754
-//! leaves its bits open.
+//! sum on its own. So a kernel on lanes that do not fuse has the same results, bit by bit, with
+//! every instruction set and every lane count. Only the bits of NaN may differ, because IEEE 754
+//! leaves them open.
 
 use crate::lanes::{Lanes, Level, PackedDualQuat};
 use crate::shorts::Shorts;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A level whose lanes fuse no multiply-add, or a vector of such a level.
+/// The level `T` with lanes that do not fuse the multiply-add, or the vector `T` of such a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unfused<T>(pub T);
 
@@ -72,8 +72,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn stream(self, to: &mut L::Array) {
-        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
-        // `L`.
+        // SAFETY: the caller calls `Level::fence` of this level before other code uses `to`, and
+        // that method calls the fence of the level of `L`.
         unsafe { self.0.stream(to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -82,21 +82,21 @@ impl<L: Lanes> Lanes for Unfused<L> {
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
-        // `L`.
+        // SAFETY: the caller guarantees four readable components at the offset of each lane, and
+        // `L` has the same lanes.
         let [x, y, z, w] = unsafe { L::load_quads(level.0, from, offset) };
         [Self(x), Self(y), Self(z), Self(w)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
-        // `L`.
+        // SAFETY: the caller guarantees four writable components at the place of each lane, and `L`
+        // has the same lanes.
         unsafe { L::store_quads([x.0, y.0, z.0, w.0], to, stride) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
-        // `L`.
+        // SAFETY: the caller guarantees three writable components per lane from `to` on, and `L`
+        // has the same lanes.
         unsafe { L::store_triples([x.0, y.0, z.0], to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -104,8 +104,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
         level: Self::Level,
         from: *const L::Real,
     ) -> Option<[Self; C]> {
-        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
-        // `L`.
+        // SAFETY: the caller guarantees `C` readable components per lane from `from` on, and `L`
+        // has the same lanes.
         let components = unsafe { L::load_adjoining::<C>(level.0, from) };
         components.map(
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -118,8 +118,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
             #[cfg_attr(not(opt_level_0), inline(always))]
             |component| component.0,
         );
-        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
-        // `L`.
+        // SAFETY: the caller guarantees `C` writable components per lane from `to` on, and `L` has
+        // the same lanes.
         unsafe { L::store_adjoining(components, to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -129,8 +129,9 @@ impl<L: Lanes> Lanes for Unfused<L> {
         records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: the caller keeps the conditions of this method, which are those of the method of
-        // `L`. The products in it are exact, so fusing changes no bit.
+        // SAFETY: the caller guarantees that the records of each lane are readable, and `L` has the
+        // same lanes. `L` may fuse here without a change of bits, because the product 2¹⁴·t is
+        // exact.
         unsafe { L::between_shorts(level.0, from, records, t.0) }.map(Self)
     }
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -1,5 +1,6 @@
-//! Four lanes of `f32`. Quads are transposed by `wide`, in the fewest shuffles, of which the
-//! compiler merges a quarter with their stores (`st2`).
+//! Loads and stores of four lanes of `f32`. Records of four components have no function here: the
+//! transpose of `wide` takes the fewest shuffles, and the compiler merges a quarter of them with
+//! the stores (`st2`).
 
 use core::arch::aarch64::*;
 use core::mem::transmute;
@@ -8,26 +9,28 @@ use wide::f32x4;
 /// Implements [`Lanes::store_triples`](crate::Lanes::store_triples).
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// The twelve `f32` from `to` on must be writable, and no other thread may use them during the
+/// call.
 #[inline(always)]
 pub(crate) unsafe fn store_triples(components: [f32x4; 3], to: *mut f32) {
-    // SAFETY: the caller guarantees that the numbers are writable; the types have the same
-    // registers.
+    // SAFETY: `vst3q_f32` writes the twelve `f32` that the caller guarantees to be writable, and
+    // both types of the transmute are three registers.
     unsafe { vst3q_f32(to, transmute::<[f32x4; 3], float32x4x3_t>(components)) };
 }
 
-/// Implements [`Lanes::store_adjoining`](crate::Lanes::store_adjoining) for two components.
-/// `store_triples` stores three.
+/// Implements [`Lanes::store_adjoining`](crate::Lanes::store_adjoining) for records of two
+/// components. Those of three are stored by [`store_triples`].
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// The `4 · C` floats from `to` on must be writable, and no other thread may use them during the
+/// call.
 #[inline(always)]
 pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f32x4; C], to: *mut f32) -> bool {
     if C != 2 {
         return false;
     }
-    // SAFETY: the caller guarantees that the numbers are writable. There are two components, which
-    // are two registers.
+    // SAFETY: C is two here, so `components` is two registers, and `vst2q_f32` writes the eight
+    // `f32` that the caller guarantees to be writable.
     unsafe { vst2q_f32(to, components.as_ptr().cast::<float32x4x2_t>().read()) };
     true
 }
@@ -35,13 +38,13 @@ pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f32x4; C], to:
 /// Implements [`Lanes::load_adjoining`](crate::Lanes::load_adjoining).
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// The `4 · C` floats from `from` on must be readable.
 #[inline(always)]
 pub(crate) unsafe fn load_adjoining<const C: usize>(from: *const f32) -> Option<[f32x4; C]> {
     let mut to = [f32x4::ZERO; C];
     let at = to.as_mut_ptr();
-    // SAFETY: the caller guarantees that four records of C numbers are readable, and `to` has C
-    // vectors, which are registers.
+    // SAFETY: each arm loads four records of C components, which the caller guarantees to be
+    // readable, and writes them to `to`, whose C vectors are C registers.
     unsafe {
         match C {
             2 => at.cast::<float32x4x2_t>().write(vld2q_f32(from)),

@@ -1,4 +1,4 @@
-//! Two lanes of `f64`.
+//! Loads and stores of two lanes of `f64`.
 
 use core::arch::aarch64::*;
 use core::mem::transmute;
@@ -7,10 +7,11 @@ use wide::f64x2;
 /// Implements [`Lanes::load_quads`](crate::Lanes::load_quads).
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// For each lane, the four `f64` from `from + offset(lane)` on must be readable.
 #[inline(always)]
 pub(crate) unsafe fn load_quads(from: *const f64, offset: impl Fn(usize) -> usize) -> [f64x2; 4] {
-    // SAFETY: the caller guarantees that the numbers are readable; all types are of 128 bits.
+    // SAFETY: each load reads two of the four `f64` at a lane's offset, which the caller guarantees
+    // to be readable. All registers have 128 bits, so the transmute keeps the size.
     unsafe {
         let (a, b) = (from.add(offset(0)), from.add(offset(1)));
         let (xy_a, zw_a) = (vld1q_f64(a), vld1q_f64(a.add(2)));
@@ -27,10 +28,12 @@ pub(crate) unsafe fn load_quads(from: *const f64, offset: impl Fn(usize) -> usiz
 /// Implements [`Lanes::store_quads`](crate::Lanes::store_quads).
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// For each lane, the four `f64` from `to + lane · stride` on must be writable, and no other
+/// thread may use them during the call.
 #[inline(always)]
 pub(crate) unsafe fn store_quads(components: [f64x2; 4], to: *mut f64, stride: usize) {
-    // SAFETY: the caller guarantees that the numbers are writable; all types are of 128 bits.
+    // SAFETY: each store writes two of the four `f64` at a lane's place, which the caller
+    // guarantees to be writable. All registers have 128 bits, so the transmute keeps the size.
     unsafe {
         let [x, y, z, w]: [float64x2_t; 4] = transmute(components);
         vst1q_f64(to, vzip1q_f64(x, y));
@@ -43,41 +46,42 @@ pub(crate) unsafe fn store_quads(components: [f64x2; 4], to: *mut f64, stride: u
 /// Implements [`Lanes::store_triples`](crate::Lanes::store_triples).
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// The six `f64` from `to` on must be writable, and no other thread may use them during the call.
 #[inline(always)]
 pub(crate) unsafe fn store_triples(components: [f64x2; 3], to: *mut f64) {
-    // SAFETY: the caller guarantees that the numbers are writable; the types have the same
-    // registers.
+    // SAFETY: `vst3q_f64` writes the six `f64` that the caller guarantees to be writable, and both
+    // types of the transmute are three registers.
     unsafe { vst3q_f64(to, transmute::<[f64x2; 3], float64x2x3_t>(components)) };
 }
 
-/// Implements [`Lanes::store_adjoining`](crate::Lanes::store_adjoining) for two components.
-/// `store_triples` stores three.
+/// Implements [`Lanes::store_adjoining`](crate::Lanes::store_adjoining) for records of two
+/// components. Those of three are stored by [`store_triples`].
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// The `2 · C` floats from `to` on must be writable, and no other thread may use them during the
+/// call.
 #[inline(always)]
 pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f64x2; C], to: *mut f64) -> bool {
     if C != 2 {
         return false;
     }
-    // SAFETY: the caller guarantees that the numbers are writable. There are two components, which
-    // are two registers.
+    // SAFETY: C is two here, so `components` is two registers, and `vst2q_f64` writes the four
+    // `f64` that the caller guarantees to be writable.
     unsafe { vst2q_f64(to, components.as_ptr().cast::<float64x2x2_t>().read()) };
     true
 }
 
-/// Implements [`Lanes::load_adjoining`](crate::Lanes::load_adjoining). Four numbers are as quick by
-/// shuffles.
+/// Implements [`Lanes::load_adjoining`](crate::Lanes::load_adjoining). Records of four components
+/// load as quickly by shuffles, so they return `None`.
 ///
 /// # Safety
-/// The caller must keep the conditions of that method.
+/// The `2 · C` floats from `from` on must be readable.
 #[inline(always)]
 pub(crate) unsafe fn load_adjoining<const C: usize>(from: *const f64) -> Option<[f64x2; C]> {
     let mut to = [f64x2::ZERO; C];
     let at = to.as_mut_ptr();
-    // SAFETY: the caller guarantees that two records of C numbers are readable, and `to` has C
-    // vectors, which are registers.
+    // SAFETY: each arm loads two records of C components, which the caller guarantees to be
+    // readable, and writes them to `to`, whose C vectors are C registers.
     unsafe {
         match C {
             2 => at.cast::<float64x2x2_t>().write(vld2q_f64(from)),

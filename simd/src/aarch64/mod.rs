@@ -1,5 +1,5 @@
-//! Records and single dual quaternions by instructions of NEON, for the lanes of
-//! [`Portable`](crate::Portable). Their arithmetic is that of `wide`.
+//! Transposes of records, and single dual quaternions, by instructions of NEON, for the lanes of
+//! [`Portable`](crate::Portable). The arithmetic of these lanes is in `wide`.
 //!
 //! NEON has instructions for *structures*: `ld3` reads three components of each of four records
 //! into three registers. This module uses them where LLVM's models of Neoverse N1, Neoverse V2 and
@@ -8,9 +8,9 @@
 //!
 //! | records that adjoin | loads | stores |
 //! |---|---|---|
-//! | 2 or 3 numbers | `ld2`, `ld3` | `st2`, `st3` |
-//! | 4 numbers | `ld4` | shuffles: `st4` takes twice as long on V2 |
-//! | 8 numbers | shuffles: after two `ld4` as many shuffles follow as `ld4` saved | shuffles |
+//! | 2 or 3 components | `ld2`, `ld3` | `st2`, `st3` |
+//! | 4 components | `ld4` | shuffles: `st4` takes twice as long on V2 |
+//! | 8 components | shuffles: two `ld4` need as many shuffles after them as they save | shuffles |
 
 pub(crate) mod f32x4;
 pub(crate) mod f64x2;

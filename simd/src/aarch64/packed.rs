@@ -1,4 +1,5 @@
-//! One dual quaternion in registers of 128 bits: two of `f32`, or four of `f64`.
+//! [`PackedDualQuat`]: one dual quaternion in two registers of `f32`, or in four registers of
+//! `f64`.
 
 use crate::lanes::PackedDualQuat;
 use core::arch::aarch64::*;
@@ -6,13 +7,13 @@ use core::arch::asm;
 use core::mem::transmute;
 use wide::{f32x8, f64x8};
 
-/// The sign bits of (w, z, −y, −x), (−z, w, x, −y) and (y, −x, w, −z), the first three
-/// columns, for `f32`.
+/// The sign bits of the columns c₀ = (w, z, −y, −x), c₁ = (−z, w, x, −y) and c₂ = (y,
+/// −x, w, −z) of [`PackedDualQuat::columns`], for `f32`.
 const SINGLE: [[u32; 4]; 3] = {
     const MINUS: u32 = 1 << 31;
     [[0, 0, MINUS, MINUS], [MINUS, 0, 0, MINUS], [0, MINUS, 0, MINUS]]
 };
-/// The sign bits of the first three columns, for `f64`.
+/// The sign bits of the columns c₀, c₁ and c₂ of [`PackedDualQuat::columns`], for `f64`.
 const DOUBLE: [[u64; 4]; 3] = {
     const MINUS: u64 = 1 << 63;
     [[0, 0, MINUS, MINUS], [MINUS, 0, 0, MINUS], [0, MINUS, 0, MINUS]]
@@ -23,8 +24,8 @@ const DOUBLE: [[u64; 4]; 3] = {
 fn signs() -> [uint32x4_t; 3] {
     // SAFETY: both types have the same size, and any bits are valid for integers.
     let mut signs = unsafe { transmute::<[[u32; 4]; 3], [uint32x4_t; 3]>(SINGLE) };
-    // The assembly hides the constants from the compiler, which would move the changes of signs to
-    // other places and load two of the constants for every product.
+    // The assembly hides the constants from the compiler. Without it, the compiler would move the
+    // changes of signs to other places and load two of the constants for every product.
     for row in &mut signs {
         // SAFETY: the assembly is a comment without an instruction, so it changes no register or
         // memory.
@@ -38,8 +39,8 @@ fn signs() -> [uint32x4_t; 3] {
 impl PackedDualQuat for f32x8 {
     #[inline(always)]
     fn splat_each(_: Self::Level, from: &[f32; 8]) -> [Self; 8] {
-        // SAFETY: the pointers are to a whole array, and NEON is compiled in wherever this module
-        // is. A vector is two registers.
+        // SAFETY: this module is compiled only for targets with NEON. The loads read the first and
+        // the last four of the array's eight `f32`, and an `f32x8` is two registers.
         unsafe {
             let (p, q) = (vld1q_f32(from.as_ptr()), vld1q_f32(from.as_ptr().add(4)));
             let twice = |one: float32x4_t| transmute::<[float32x4_t; 2], Self>([one, one]);
@@ -58,7 +59,8 @@ impl PackedDualQuat for f32x8 {
     #[inline(always)]
     fn columns(self) -> [Self; 4] {
         let [s, t, u] = signs();
-        // SAFETY: NEON is compiled in wherever this module is. A vector is two registers.
+        // SAFETY: this module is compiled only for targets with NEON, and an `f32x8` is two
+        // registers.
         unsafe {
             let [p, q]: [uint32x4_t; 2] = transmute(self);
             let join = |p, q| transmute::<[uint32x4_t; 2], Self>([p, q]);
@@ -77,7 +79,8 @@ impl PackedDualQuat for f32x8 {
 impl PackedDualQuat for f64x8 {
     #[inline(always)]
     fn columns(self) -> [Self; 4] {
-        // SAFETY: NEON is compiled in wherever this module is. A vector is four registers.
+        // SAFETY: this module is compiled only for targets with NEON, and an `f64x8` is four
+        // registers.
         unsafe {
             let [p_xy, p_zw, q_xy, q_zw]: [uint64x2_t; 4] = transmute(self);
             let swapped = |v| vextq_u64::<1>(v, v);

@@ -1,7 +1,8 @@
-//! [`CheckedSchedule`]: steps that each need the result of an earlier step, with checked indices.
+//! [`CheckedSchedule`]: a list of steps, each of which needs the result of an earlier step, with
+//! indices that are checked once.
 //!
-//! The chain of dependent products is what limits the speed of a single skeleton, so nothing else
-//! may stand between them:
+//! The poses of a single skeleton are a chain of products, each of which waits for the product
+//! before it. This chain limits the speed, so the loop has no check of indices:
 //!
 //! ```text
 //! for [to, from] in pairs:
@@ -12,11 +13,12 @@ use crate::index::saturated;
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 
-/// Pairs `[to, from]`, where element `to` is computed from element `from`, and all indices are
-/// below a bound.
+/// A list of pairs `[to, from]`, where element `to` is computed from element `from`, and all
+/// indices are below a bound.
 ///
-/// The indices are checked once and not in the loop: a step takes seven cycles, and a check would
-/// add half a cycle. `S` holds the pairs, and is a slice or a box. A box is borrowed to run.
+/// The constructor checks the indices, and the loop does not: a step takes seven cycles, and a
+/// check would add half a cycle. The type `S` holds the pairs. It is a slice, or a box, whose
+/// schedule must be `borrowed` to run.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedSchedule<S> {
     /// Invariant: all indices in `pairs` are less than `bound`.
@@ -25,11 +27,12 @@ pub struct CheckedSchedule<S> {
 }
 
 impl<S: AsRef<[[u32; 2]]>> CheckedSchedule<S> {
-    /// A schedule of these pairs, in this order, for slices of `bound` elements. `None` if an index
-    /// is not below the bound.
+    /// Makes a schedule of these pairs, in this order, for slices of `bound` elements. Returns
+    /// `None` if an index is not below `bound`.
     #[must_use]
     pub fn new(pairs: S, bound: usize) -> Option<Self> {
-        // The compiler vectorises a maximum, but not a search that ends at the first bad index.
+        // The largest index decides, because the compiler vectorises a maximum, but not a search
+        // that ends at the first bad index.
         let largest = pairs.as_ref().as_flattened().iter().fold(0, |most, &index| index.max(most));
         let within = pairs.as_ref().is_empty() || saturated::<usize>(largest) < bound;
         within.then_some(Self { pairs, bound })
@@ -46,9 +49,10 @@ impl CheckedSchedule<Box<[[u32; 2]]>> {
     }
 }
 
-// For slices only: another `AsRef` might return other pairs than the ones that were checked.
+// These methods exist for slices only: another implementation of `AsRef` might return pairs here
+// that `new` has not checked.
 impl CheckedSchedule<&[[u32; 2]]> {
-    /// The number of elements that the slices must have.
+    /// Returns the length that the slices of [`run`](Self::run) must have.
     #[inline(always)]
     #[must_use]
     pub fn bound(&self) -> usize {
@@ -69,7 +73,7 @@ impl CheckedSchedule<&[[u32; 2]]> {
         }
         for &[to, from] in self.pairs {
             // SAFETY: both slices have `bound` elements, as checked above, and all indices are
-            // below `bound`, by the invariant.
+            // below `bound`, by the invariant of `pairs`.
             unsafe {
                 let output =
                     step(outputs.get_unchecked(from as usize), inputs.get_unchecked(to as usize));
@@ -92,7 +96,7 @@ impl CheckedSchedule<&[[u32; 2]]> {
         }
         for &[to, from] in self.pairs {
             // SAFETY: the slice has `bound` elements, as checked above, and all indices are below
-            // `bound`, by the invariant.
+            // `bound`, by the invariant of `pairs`.
             unsafe {
                 let element = step(
                     elements.get_unchecked(from as usize),

@@ -1,7 +1,7 @@
-//! [`Gather`]: the row of a table that each lane reads.
+//! [`Gather`]: the choice of a table's row for each lane.
 //!
-//! A clip that is sampled for many instances is such a table: a row holds the poses of one frame,
-//! and each lane, which is an instance, is at a frame of its own.
+//! The table is a clip that is played for many instances. A row of the table holds the poses of one
+//! frame. Each lane is an instance, which is at a frame of its own.
 //!
 //! ```text
 //! Gather::new(frames, pitch)          finds the greatest frame, once
@@ -13,8 +13,8 @@ use crate::MAX_LANES;
 use crate::index::saturated;
 use crate::lanes::Lanes;
 
-/// A frame of a table for each lane. Row `frame` of the table is its `pitch` records from record
-/// `frame · pitch` on.
+/// A list with one frame of a table for each instance. Row `frame` of the table is its `pitch`
+/// records from record `frame · pitch` on.
 ///
 /// ```
 /// use dq8_simd::internal::Gather;
@@ -36,7 +36,8 @@ pub struct Gather<'f> {
 }
 
 impl<'f> Gather<'f> {
-    /// Makes a gather of these frames from a table whose rows have `pitch` records.
+    /// Makes a gather of these frames, one per instance, from a table whose rows have `pitch`
+    /// records.
     #[must_use]
     #[inline(always)]
     pub fn new(frames: &'f [u32], pitch: usize) -> Self {
@@ -48,16 +49,16 @@ impl<'f> Gather<'f> {
         Self { frames, pitch, greatest: greatest.saturating_mul(pitch) }
     }
 
-    /// The frames.
+    /// Returns the frames, one per instance.
     #[must_use]
     #[inline(always)]
     pub fn frames(self) -> &'f [u32] {
         self.frames
     }
 
-    /// The rows that the lanes of a vector read: lane `i` that of frame number `first + i`, or of
-    /// the last frame if there are fewer. The records of the table have `C` numbers. `None` if
-    /// there are no frames.
+    /// Returns the rows that the lanes of a vector read: lane `i` reads the row of frame
+    /// `frames[first + i]`. Lanes after the last frame read the row of the last frame. The records
+    /// of the table have `C` components. Returns `None` if there are no frames.
     #[must_use]
     #[inline(always)]
     pub fn rows<L: Lanes, const C: usize>(self, first: usize) -> Option<GatheredRows<C>> {
@@ -68,25 +69,27 @@ impl<'f> Gather<'f> {
             frames = &copied;
         }
         let mut starts = [0; MAX_LANES];
-        // The slice has `LANES` frames, which is a constant. For a number that it does not know,
-        // the compiler makes masked stores, and the loads after these wait for memory.
+        // The loop has `LANES` turns, which is a constant. With a count that is known at run time
+        // only, the compiler makes masked stores to `starts`, and the loads from `starts` then wait
+        // for them.
         for (start, &frame) in starts.iter_mut().zip(frames.get(..L::LANES)?) {
-            // If this wraps, the row is beyond the end of every table, and so is the greatest row,
-            // for which the load checks.
+            // If the product wraps, the row is beyond the end of every table. Then the greatest row
+            // is too, and `load_gathered` refuses it.
             *start = (frame as usize).wrapping_mul(self.pitch.wrapping_mul(C));
         }
         Some(GatheredRows { starts, greatest: self.greatest })
     }
 
-    /// A range of these frames. It is empty if one of its ends is beyond the last frame.
+    /// Returns a gather of a range of these frames, which is empty if an end of the range is beyond
+    /// the last frame.
     #[must_use]
     pub fn part(self, frames: core::ops::Range<usize>) -> Self {
         Self { frames: self.frames.get(frames).unwrap_or_default(), ..self }
     }
 }
 
-/// The rows of a [`Gather`] that the lanes of a vector read, in a table of records of `C` numbers.
-/// They are found once for all columns.
+/// The rows of a [`Gather`] that the lanes of a vector read, in a table of records of `C`
+/// components. One value serves for all columns of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct GatheredRows<const C: usize> {
     /// The index, in components, at which each row begins in the table.
@@ -95,8 +98,8 @@ pub struct GatheredRows<const C: usize> {
     pub(crate) greatest: usize,
 }
 
-/// Returns a value for each lane if fewer values than lanes are left: first these values, then
-/// `last` in the remaining lanes.
+/// Returns an array with one value per lane, for vectors with more lanes than `values`: first
+/// `values`, then `last` in the remaining lanes.
 #[cold]
 #[inline(never)]
 pub(super) fn padded<T: Copy>(values: &[T], last: T) -> [T; MAX_LANES] {

@@ -1,20 +1,20 @@
-//! Types that need `unsafe` code to be quick, for `dq8`, `dq8-robot` and `dq8-trajectory`, which
-//! forbid it.
+//! Types that need `unsafe` code to be quick, for the crates `dq8`, `dq8-robot` and
+//! `dq8-trajectory`, which forbid `unsafe` code.
 //!
-//! Most of them follow one pattern: a constructor checks indices once, the type keeps them together
-//! with what was checked, and a loop then reads memory without further checks.
+//! Most of these types follow one pattern: a constructor checks indices against a bound, the type
+//! keeps the indices together with the bound, and a loop then reads memory without further checks.
 //!
-//! Nothing here is for other crates. The module is hidden from the documentation and may change in
-//! any release, so `dq8` and `dq8-robot` depend on exactly one version of this crate.
+//! No other crate may use this module. It is hidden from the documentation and may change in any
+//! release, so `dq8` and `dq8-robot` depend on exactly one version of this crate.
 //!
 //! | file | contents |
 //! |---|---|
-//! | `checked_schedule.rs` | [`CheckedSchedule`]: results that need earlier results |
-//! | `gather.rs` | [`Gather`]: records of a table, each lane from a row of its own |
-//! | `picks.rs` | [`CheckedIndices`] and [`Picks`]: records of a table by indices |
+//! | `checked_schedule.rs` | [`CheckedSchedule`]: steps that need the results of earlier steps |
+//! | `gather.rs` | [`Gather`]: reads of a table, with a row of its own for each lane |
+//! | `picks.rs` | [`CheckedIndices`] and [`Picks`]: reads of a table's records by indices |
 //! | `tracks.rs` | [`Tracks`]: the keys of packed clips |
-//! | `pod.rs` | [`pod!`](crate::pod!): structs of numbers that are `bytemuck::Pod` |
-//! | `square_root.rs` | the square root of one number, which `core` does not have |
+//! | `pod.rs` | [`pod!`](crate::pod!): generic structs of floats that are `bytemuck::Pod` |
+//! | `square_root.rs` | the square root of one float, which `core` does not have |
 
 mod checked_schedule;
 mod gather;

@@ -1,14 +1,14 @@
-//! Records of a table by indices from memory, as a vertex reads the motions of its joints.
+//! Reads of a table's records by indices, as a vertex reads the motions of its joints.
 //!
 //! The indices are a table of their own. A row has `columns` indices (the joints of one vertex),
-//! and the next row begins `stride` indices later; what is between rows is something else (a
+//! and the next row begins `stride` indices after it. Memory between rows may hold other data (the
 //! vertex's position, say) and is never read:
 //!
 //! ```text
 //! columns = 4, stride = 6:    a a a a . .  b b b b . .  c c c c
 //! ```
 //!
-//! Each vector of lanes takes four indices per lane at a time. They go through these types:
+//! A kernel reads four indices per lane at a time. The indices pass through these types:
 //!
 //! ```text
 //! CheckedIndices          checked once: all indices are below a bound
@@ -22,14 +22,14 @@ use crate::index::saturated;
 use crate::lanes::{Lanes, MAX_LANES};
 use core::fmt::Debug;
 
-/// The number of records that a lane takes at a time.
+/// The count of records that a lane reads at a time.
 pub const RECORDS_PER_LANE: usize = 4;
 
 /// The type of an index in memory: `u8`, `u16` or `u32`. The trait is sealed.
 pub trait Index:
     Copy + Debug + Default + Into<u32> + Send + Sync + sealed::Sealed + 'static
 {
-    /// Four indices as `usize`. `u16` loads all four at once, which is quicker.
+    /// Returns four indices as `usize`. For `u16`, one load reads all four, which is quicker.
     #[doc(hidden)]
     #[inline(always)]
     fn numbers(row: [Self; RECORDS_PER_LANE]) -> [usize; RECORDS_PER_LANE] {
@@ -56,8 +56,8 @@ mod sealed {
     impl Sealed for u32 {}
 }
 
-/// Indices of records of a table, all of them below a bound, in rows of `columns` indices that
-/// begin `stride` indices apart.
+/// A table of indices, all of them below a bound. Its rows have `columns` indices and begin
+/// `stride` indices apart.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedIndices<'a, J> {
     indices: &'a [J],
@@ -67,8 +67,8 @@ pub struct CheckedIndices<'a, J> {
 }
 
 impl<'a, J: Index> CheckedIndices<'a, J> {
-    /// Checks that every index is below `bound`, the number of records of the table. There are as
-    /// many rows as fit into `indices` as a whole, and none if `columns` is 0 or more than
+    /// Checks that every index is below `bound`, the count of records that may be read. The rows
+    /// are those that lie in `indices` as a whole. There are none if `columns` is 0 or more than
     /// `stride`.
     ///
     /// # Errors
@@ -90,14 +90,14 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         Ok(Self { indices, columns, stride, bound })
     }
 
-    /// The indices, including what is between rows.
+    /// Returns the slice of indices, with the memory between rows.
     #[inline(always)]
     #[must_use]
     pub fn indices(self) -> &'a [J] {
         self.indices
     }
 
-    /// The number of rows. This costs a division.
+    /// Returns the count of rows, which costs a division.
     #[inline(always)]
     #[must_use]
     pub fn rows(self) -> usize {
@@ -106,40 +106,42 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
             .map_or(0, |more| if self.indices.is_empty() { 0 } else { more + 1 })
     }
 
-    /// The number of indices of a row.
+    /// Returns the count of indices of a row.
     #[inline(always)]
     #[must_use]
     pub fn columns(self) -> usize {
         self.columns
     }
 
-    /// The indices of a row, or nothing if there is no such row.
+    /// Returns the indices of a row, or an empty slice if there is no such row.
     #[inline(always)]
     #[must_use]
     pub fn row(self, row: usize) -> &'a [J] {
-        // Only whole rows have been checked, so a row that is cut off by the end is none.
+        // Only whole rows have been checked, so a row that the end of the slice cuts off does not
+        // count.
         let from = row.checked_mul(self.stride).and_then(|from| self.indices.get(from..));
         from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
 
-    /// The number of records that the table must have.
+    /// Returns the count of records that a table must have at least to be read by these indices.
     #[inline(always)]
     #[must_use]
     pub fn bound(self) -> usize {
         self.bound
     }
 
-    /// The indices of [`MAX_LANES`] lanes, in place: lane `i` takes row `first + i`. `None` if
-    /// there are not as many rows, or if `columns` or `stride` is not four.
+    /// Returns the indices of [`MAX_LANES`] lanes without copying them: lane `i` has row
+    /// `first + i`. Returns `None` if there are fewer rows from `first` on, or if `columns` or
+    /// `stride` is not four.
     #[inline(always)]
     #[must_use]
     pub fn in_place(self, first: usize) -> Option<PickRows<'a, J>> {
         Some(PickRows { rows: self.fours(first)?.first_chunk()?, bound: self.bound })
     }
 
-    /// The records of `count` rows of four indices, from row `first` on, in `table`. `None` if
-    /// there are not as many rows, if `columns` or `stride` is not four, or if the table is too
-    /// short.
+    /// Combines `count` rows of four indices, from row `first` on, with the table whose records
+    /// they name. Returns `None` if there are fewer rows, if `columns` or `stride` is not four, or
+    /// if the table has fewer records than [`bound`](Self::bound).
     #[inline(always)]
     #[must_use]
     pub fn all_in_place<'t, R, const C: usize>(
@@ -152,7 +154,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         (self.bound <= table.len()).then_some(PickedInPlace { rows, table })
     }
 
-    /// The rows from row `first` on, if `columns` and `stride` are four.
+    /// Returns the rows from row `first` on, or `None` if `columns` or `stride` is not four.
     #[inline(always)]
     fn fours(self, first: usize) -> Option<&'a [[J; RECORDS_PER_LANE]]> {
         let packed = self.columns == RECORDS_PER_LANE && self.stride == RECORDS_PER_LANE;
@@ -160,7 +162,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     }
 }
 
-/// Rows of four indices that adjoin in memory, with a table that has all these records.
+/// Rows of four indices that adjoin in memory, with a table that has the records of all indices.
 #[derive(Clone, Copy, Debug)]
 pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
     rows: &'a [[J; RECORDS_PER_LANE]],
@@ -168,28 +170,29 @@ pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
 }
 
 impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
-    /// The four records of a row. `None` if there is no such row.
+    /// Returns the four records that a row's indices name, or `None` if there is no such row.
     #[inline(always)]
     #[must_use]
     pub fn records(&self, row: usize) -> Option<[&'t [R; C]; RECORDS_PER_LANE]> {
         let &row = self.rows.get(row)?;
-        // SAFETY: the indices are below a bound, and the table has as many records.
+        // SAFETY: `all_in_place` makes this type, whose indices are all below a bound. It has
+        // checked that the table has at least as many records as the bound.
         Some(unsafe { records(row, self.table) })
     }
 }
 
-/// The records of four indices.
+/// Returns the records of `table` that four indices name.
 ///
 /// # Safety
-/// The table must have them.
+/// Every index of `row` must be less than the length of `table`.
 #[inline(always)]
 unsafe fn records<J: Index, R, const C: usize>(
     row: [J; RECORDS_PER_LANE],
     table: &[[R; C]],
 ) -> [&[R; C]; RECORDS_PER_LANE] {
     let [a, b, c, d] = J::numbers(row);
-    // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are those of
-    // the code here.
+    // SAFETY: a to d are the indices of `row`, which the caller guarantees to be less than the
+    // length of `table`.
     unsafe {
         [
             table.get_unchecked(a),
@@ -200,8 +203,8 @@ unsafe fn records<J: Index, R, const C: usize>(
     }
 }
 
-/// Four indices per lane, copied from [`CheckedIndices`], for lanes whose rows are not of four
-/// indices that adjoin.
+/// Four indices per lane, copied from [`CheckedIndices`]. This is for rows that
+/// [`CheckedIndices::in_place`] refuses, because they are not four indices each that adjoin.
 #[derive(Clone, Debug)]
 pub struct Picks<'a, J> {
     rows: [[J; RECORDS_PER_LANE]; MAX_LANES],
@@ -209,16 +212,15 @@ pub struct Picks<'a, J> {
 }
 
 impl<'a, J: Index> Picks<'a, J> {
-    /// Index 0 for all lanes.
+    /// Makes picks with index 0 for all lanes.
     #[inline(always)]
     #[must_use]
     pub fn new(checked: CheckedIndices<'a, J>) -> Self {
         Self { rows: [[J::default(); RECORDS_PER_LANE]; MAX_LANES], checked }
     }
 
-    /// Copies a row of four indices to each of the first `lanes` lanes, from row `first` on.
-    /// Returns `false`, and may have written some lanes, if there are not as many rows, or if rows
-    /// do not have four indices.
+    /// Copies row `first + i` to lane `i`, for the first `lanes` lanes. Returns `false` if there
+    /// are fewer rows, or if rows do not have four indices; some lanes may then be written.
     #[inline(always)]
     pub fn set_rows(&mut self, lanes: usize, first: usize) -> bool {
         let CheckedIndices { indices, columns, stride, .. } = self.checked;
@@ -229,20 +231,21 @@ impl<'a, J: Index> Picks<'a, J> {
         for slots in self.rows.iter_mut().take(lanes) {
             let Some(own) = rest.first_chunk() else { return false };
             *slots = *own;
-            // The slice may end right after the last row, less than a stride later.
+            // The slice may end right after the last row, before the whole stride.
             rest = rest.get(stride..).unwrap_or_default();
         }
         true
     }
 
     /// Copies four indices of a row to a lane, from column `from` on. Columns that the row does not
-    /// have are replaced by its first one. If there is no such row, the lane takes index 0 and the
-    /// return value is `false`.
+    /// have are replaced by column 0. If there is no such row, the lane has index 0 and the return
+    /// value is `false`.
     #[inline(always)]
     pub fn set_row(&mut self, lane: usize, row: usize, from: usize) -> bool {
         let (row, given) = (self.checked.row(row), self.checked.columns.saturating_sub(from));
         if let Some(slots) = self.rows.get_mut(lane) {
-            // The loop always has four turns: one over the columns that exist takes twice as long.
+            // The loop always has four turns. A loop over only the columns that the row has takes
+            // twice as long.
             for (which, slot) in slots.iter_mut().enumerate() {
                 let column = if which < given { from + which } else { 0 };
                 *slot = row.get(column).copied().unwrap_or_default();
@@ -251,7 +254,8 @@ impl<'a, J: Index> Picks<'a, J> {
         !row.is_empty()
     }
 
-    /// Copies one index to be the first of a lane, or 0 if there is no such row or column.
+    /// Copies the index at `row` and `column` to the first of a lane's four indices, or 0 if there
+    /// is no such row or column.
     #[inline(always)]
     pub fn set_first(&mut self, lane: usize, row: usize, column: usize) {
         if let Some([slot, ..]) = self.rows.get_mut(lane) {
@@ -259,7 +263,7 @@ impl<'a, J: Index> Picks<'a, J> {
         }
     }
 
-    /// The indices of all lanes.
+    /// Returns the indices of all lanes.
     #[inline(always)]
     #[must_use]
     pub fn rows(&self) -> PickRows<'_, J> {
@@ -267,7 +271,7 @@ impl<'a, J: Index> Picks<'a, J> {
     }
 }
 
-/// Four indices per lane, each of them below a bound, or 0.
+/// Four indices per lane. Each index is below a bound, or 0.
 #[derive(Clone, Copy, Debug)]
 pub struct PickRows<'a, J> {
     rows: &'a [[J; RECORDS_PER_LANE]; MAX_LANES],
@@ -275,7 +279,8 @@ pub struct PickRows<'a, J> {
 }
 
 impl<'a, J: Index> PickRows<'a, J> {
-    /// The records of these indices in `table`, or `None` if it does not have all of them.
+    /// Combines these indices with the table whose records they name. Returns `None` if the table
+    /// is empty or has fewer records than the bound of the indices.
     #[inline(always)]
     #[must_use]
     pub fn of<'t, R, const C: usize>(self, table: &'t [[R; C]]) -> Option<Picked<'a, 't, J, R, C>> {
@@ -284,10 +289,10 @@ impl<'a, J: Index> PickRows<'a, J> {
     }
 }
 
-/// Four records of a table per lane, all of which the table has.
+/// Four indices per lane, with a table that has the records of all indices.
 ///
-/// An index is turned into an address just before it is read. To compute the offsets of many lanes
-/// as a vector and store them first took a third longer.
+/// An index becomes an address just before the record is read. A version that computed the offsets
+/// of many lanes as a vector, and stored them first, took a third longer.
 #[derive(Clone, Copy, Debug)]
 pub struct Picked<'p, 't, J, R, const C: usize> {
     rows: &'p [[J; RECORDS_PER_LANE]; MAX_LANES],
@@ -295,32 +300,33 @@ pub struct Picked<'p, 't, J, R, const C: usize> {
 }
 
 impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
-    /// The four records of a lane.
+    /// Returns the four records that a lane's indices name.
     ///
     /// # Panics
     /// Panics if there is no such lane.
     #[inline(always)]
     #[must_use]
     pub fn records(&self, lane: usize) -> [&'t [R; C]; RECORDS_PER_LANE] {
-        // SAFETY: an index is below a bound that the table reaches, or 0, and the table has a first
-        // record.
+        // SAFETY: each index is 0 or below a bound. `PickRows::of` makes this type, and it has
+        // checked that the table is not empty and has at least as many records as the bound.
         unsafe { records(self.rows[lane], self.table) }
     }
 
-    /// Loads four components of one record per lane: component `from + c` of record `which` of lane
-    /// `i` becomes lane `i` of vector `c`.
+    /// Loads four components of one record per lane: component `from + c` of the record that index
+    /// `which` of lane `i` names becomes lane `i` of vector `c`.
     ///
     /// # Panics
-    /// Panics if there are no such components, or if `which` is not below four.
+    /// Panics if `from + 4` is more than `C`, or if `which` is not below four.
     #[inline(always)]
     #[must_use]
     pub fn quads<L: Lanes<Real = R>>(&self, level: L::Level, which: usize, from: usize) -> [L; 4] {
         const { assert!(4 <= C) };
-        // `from + 4 <= C` would be wrong: the sum may wrap.
+        // The condition is not `from + 4 <= C`, because that sum may wrap.
         assert!(from <= C - 4 && which < RECORDS_PER_LANE, "no such components");
         let first = self.table.as_flattened().as_ptr();
-        // SAFETY: the table has a record for each index, as in `records`, which has four numbers
-        // from `from` on, and there are indices for as many lanes as any vector has.
+        // SAFETY: each index is 0 or below a bound, and the table is not empty and has at least as
+        // many records as the bound, as `PickRows::of` has checked. A record has four components
+        // from `from` on, as asserted above.
         unsafe {
             L::load_quads(
                 level,

@@ -1,14 +1,15 @@
-//! [`pod!`](crate::pod!): structs that consist of numbers and nothing else, as `bytemuck::Pod`.
+//! [`pod!`](crate::pod!): generic structs whose fields are all of one number type `T`, as
+//! `bytemuck::Pod`.
 //!
-//! `bytemuck` derives `Pod` for a generic struct only if it has one field. The macro here proves it
-//! for any number of fields, at compile time, from two facts about the finished struct:
+//! `bytemuck` derives `Pod` for a generic struct only if the struct has one field. The macro here
+//! proves at compile time that a struct of several fields has no padding, from two facts:
 //!
-//! 1. Every field has a type that implements [`Numbers<T>`], so it consists of numbers `T`.
-//! 2. With `T = u8` the struct has alignment 1 and the size of its fields. So nothing adds padding
-//!    or an alignment: for another `T`, all sizes and alignments grow by the same factor.
+//! 1. Every field has a type that implements [`Numbers<T>`], so it consists of values of type `T`.
+//! 2. With `T = u8` the struct has alignment 1 and the size of its fields. So no attribute adds
+//!    padding or an alignment. For another `T`, the sizes of all fields grow by the same factor.
 
-/// A type that consists of numbers `T` and nothing else. It has no padding, and any bits are valid
-/// if any bits of `T` are.
+/// A type that consists of values of type `T` and of nothing else. It has no padding, and any bits
+/// are valid if any bits are a valid `T`.
 ///
 /// # Safety
 /// The size must be a multiple of that of `T`, the alignment must be that of `T`, and every byte
@@ -16,28 +17,29 @@
 #[doc(hidden)]
 pub unsafe trait Numbers<T> {}
 
-// SAFETY: a number consists of itself.
+// SAFETY: a `T` consists of one `T`, so size and alignment are those of `T`.
 unsafe impl<T> Numbers<T> for T {}
-// SAFETY: arrays have no padding between their elements.
+// SAFETY: an array has no padding between its elements, and the alignment of an element.
 unsafe impl<T, const N: usize> Numbers<T> for [T; N] {}
-// SAFETY: an array of arrays has no padding either.
+// SAFETY: an array of arrays has no padding between its elements, and the alignment of an element.
 unsafe impl<T, const N: usize, const M: usize> Numbers<T> for [[T; N]; M] {}
 
-/// The size of a field in bytes. This compiles only if the field consists of numbers.
+/// Returns the size of a field in bytes. The call compiles only if the field consists of values of
+/// type `T`.
 #[doc(hidden)]
 pub const fn size_of_numbers<T, F: Numbers<T>>(_: &F) -> usize {
     size_of::<F>()
 }
 
-/// A value whose bytes are all zero.
+/// Returns a value whose bytes are all zero.
 #[doc(hidden)]
 pub const fn zeroed<P: Zeroable>() -> P {
-    // SAFETY: `Zeroable` promises that zeros are a valid value.
+    // SAFETY: `P: Zeroable` guarantees that zero bytes are a valid `P`.
     unsafe { core::mem::MaybeUninit::zeroed().assume_init() }
 }
 
-/// Checks the layout of a finished struct of bytes, whatever attributes have done to it: its
-/// alignment is 1, and its fields fill it.
+/// Checks the layout of the struct with `T = u8`, after attributes have acted on it: its alignment
+/// is 1, and its size is the sum of its fields' sizes.
 #[doc(hidden)]
 pub const fn check_padding<P>(size_of_fields: usize) {
     assert!(align_of::<P>() == 1, "an attribute gives this struct an alignment of its own");
@@ -49,10 +51,11 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 ///
 /// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. It accepts
 /// documentation, `must_use`, derives and, behind a feature, derives and `serde` attributes. It
-/// rejects any other attribute, because one could change the layout or remove the struct. `derive`
-/// and `serde` are looked up where the macro is called, and somebody may have defined attributes of
-/// these names there. So the finished struct is checked as well, and one with an alignment or
-/// padding of its own does not compile. Nothing else that the macro uses is looked up at the call.
+/// rejects any other attribute, because one could change the layout or remove the struct. The names
+/// `derive` and `serde` are resolved where the macro is called, and the calling crate may have
+/// attributes of its own with these names. So the macro also checks the finished struct, and a
+/// struct with padding or with an alignment of its own does not compile. No other name in the macro
+/// is resolved there.
 ///
 /// ```
 /// dq8_simd::pod! {
@@ -67,7 +70,7 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 /// assert_eq!(bytemuck::cast::<_, [f32; 4]>(sphere), [1.0, 2.0, 3.0, 4.0]);
 /// ```
 ///
-/// A field that is not made of the struct's numbers is an error:
+/// A field that does not consist of values of type `T` is an error:
 ///
 /// ```compile_fail,E0277
 /// dq8_simd::pod! {
@@ -78,8 +81,7 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 ///     }
 /// }
 /// ```
-///
-/// A layout of its own is an error too:
+/// An attribute that changes the layout is an error too:
 ///
 /// ```compile_fail
 /// dq8_simd::pod! {
@@ -107,7 +109,7 @@ macro_rules! pod {
             @define transparent [0] $(#[$($attribute)+])* $seen struct $name<$number>($shown $type);
         }
     };
-    // A direct call of this rule is checked like any other.
+    // A call of this rule from outside of the macro makes the same checks as a call of the others.
     (@define $layout:ident [$($field:tt)+] $(#[$($attribute:tt)+])*
         $seen:vis struct $name:ident<$number:ident> $fields:tt $($end:tt)?) => {
         $crate::pod! { @without_padding $layout }
@@ -125,13 +127,14 @@ macro_rules! pod {
             $crate::internal::pod::check_padding::<$name<$crate::internal::pod::Byte>>(size_of_fields(&plain));
         };
         // SAFETY: `size_of_fields` compiles, so the finished struct has exactly the fields above,
-        // and each consists of numbers. So all have the alignment of a number, and there is no
-        // padding between or after them. Attributes add none either: the struct of bytes would have
-        // the same padding and alignment, and `check_padding` finds that it has none.
+        // and each consists of numbers. So all fields have the alignment of a number, and there is
+        // no padding between or after them. An attribute that added padding or an alignment would
+        // add it to the struct of bytes too, and `check_padding` finds none there.
         unsafe impl<$number> $crate::internal::pod::Numbers<$number> for $name<$number> {}
-        // SAFETY: all fields are zeroable if a number is.
+        // SAFETY: all fields consist of numbers, so zero bytes are valid if they are a valid
+        // number.
         unsafe impl<$number: $crate::internal::pod::Zeroable> $crate::internal::pod::Zeroable for $name<$number> {}
-        // SAFETY: the struct is numbers without padding, for which any bits are valid.
+        // SAFETY: the struct consists of numbers without padding, and any bits are a valid number.
         unsafe impl<$number: $crate::internal::pod::Pod> $crate::internal::pod::Pod for $name<$number> {}
     };
     (@without_padding C) => {};
@@ -145,19 +148,19 @@ macro_rules! pod {
 
 #[doc(hidden)]
 pub use bytemuck::{Pod, Zeroable};
-/// `u8`, by a path that means the same wherever the macro is called.
+/// The type `u8`, by a path that the caller of the macro cannot shadow.
 #[doc(hidden)]
 pub type Byte = u8;
-/// `usize`, by such a path.
+/// The type `usize`, by a path that the caller of the macro cannot shadow.
 #[doc(hidden)]
 pub type Size = usize;
 
-/// Programs of safe code that earlier versions of the macro accepted, although they implement `Pod`
-/// for a struct with padding or with an unspecified layout. `tests/attributes` has more, with
-/// attributes of their own.
+/// Programs of safe code that must not compile, because they would implement `Pod` for a struct
+/// with padding or with an unspecified layout. Earlier versions of the macro accepted them. The
+/// package `tests/attributes` has more such programs, which define attributes.
 ///
-/// The struct is defined elsewhere, and the macro, which once took its name only, finds another
-/// `align_of` or `assert!` where it is called:
+/// These programs define the struct outside of the macro, of which earlier versions took the name
+/// only. The programs then shadow the `align_of` or the `assert!` that the macro used:
 ///
 /// ```compile_fail
 /// mod a {
@@ -184,8 +187,8 @@ pub type Size = usize;
 /// struct Sphere<T> { centre: [T; 3], radius: T }
 /// dq8_simd::pod!(Sphere { centre, radius });
 /// ```
-///
-/// An attribute removes the struct, and another one has its name:
+/// These programs remove the struct by an attribute, with another struct of the same name, or
+/// change the layout by an attribute:
 ///
 /// ```compile_fail
 /// mod other {
@@ -205,8 +208,8 @@ pub type Size = usize;
 ///     struct Point<T> { position: [T; 3] }
 /// }
 /// ```
-///
-/// The caller passes a layout and a list of fields to a rule that is meant for the macro itself:
+/// These programs pass a layout and a list of fields to a rule that only the macro itself should
+/// call, or remove a field:
 ///
 /// ```compile_fail
 /// dq8_simd::pod! {

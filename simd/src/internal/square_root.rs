@@ -1,8 +1,8 @@
 //! The square root of one float, which `core` does not have. It compiles to one instruction on
-//! targets that have one.
+//! targets that have an instruction for it.
 
-/// True if the square root of a vector of `wide` is quick, which is so if the target has vectors or
-/// `std`. Otherwise `wide` computes it in `f64`, with integers.
+/// True if `wide` computes the square root of a vector quickly: by an instruction of the target, or
+/// by `std`. On other targets `wide` computes it in `f64` by operations on integers.
 pub(crate) const VECTORS: bool = cfg!(any(
     not(feature = "libm"),
     feature = "std",
@@ -11,7 +11,7 @@ pub(crate) const VECTORS: bool = cfg!(any(
     target_feature = "simd128"
 ));
 
-/// √`value`, correctly rounded. Below zero it is NaN.
+/// Returns √`value`, correctly rounded. It is NaN if `value` is below zero.
 #[inline(always)]
 #[must_use]
 pub fn f32(value: f32) -> f32 {
@@ -22,7 +22,7 @@ pub fn f32(value: f32) -> f32 {
     wide::f32x4::splat(value).sqrt().to_array()[0]
 }
 
-/// √`value`, correctly rounded. Below zero it is NaN.
+/// Returns √`value`, correctly rounded. It is NaN if `value` is below zero.
 #[inline(always)]
 #[must_use]
 pub fn f64(value: f64) -> f64 {
@@ -33,21 +33,22 @@ pub fn f64(value: f64) -> f64 {
     wide::f64x2::splat(value).sqrt().to_array()[0]
 }
 
-/// Square roots for targets without vectors. `libm` computes that of an `f32` in `f32`.
+/// Square roots for targets without vectors. `libm` computes the root of an `f32` in `f32`, and not
+/// in `f64` as `wide` does.
 #[cfg(feature = "libm")]
 mod without_vectors {
-    /// √`value`. Every Arm FPU whose registers pass arguments has the instruction, from the
-    /// Cortex-M4F on.
+    /// Returns √`value` by the instruction `vsqrt.f32`, which every Arm FPU has that passes
+    /// arguments in its registers, from the Cortex-M4F on.
     #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
     #[inline(always)]
     pub(super) fn f32(value: f32) -> f32 {
         let root: f32;
-        // SAFETY: the target passes floats in FPU registers, so it has an FPU, and each of these
-        // has a square root in single precision. Only the registers named here are read or written.
+        // SAFETY: `target_abi = "eabihf"` passes floats in FPU registers, so the target has an FPU,
+        // and every such FPU has `vsqrt.f32`. The operands name every register that the code uses.
         unsafe {
             core::arch::asm!(
-                // The number goes through a core register: the compiler offers no FPU registers
-                // (`sreg`) if the FPU has no double precision.
+                // The value is moved through a core register, because the compiler offers no FPU
+                // registers (`sreg`) as operands if the FPU has no double precision.
                 "vmov s0, {value}",
                 "vsqrt.f32 s0, s0",
                 "vmov {root}, s0",
@@ -61,6 +62,7 @@ mod without_vectors {
     }
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
     pub(super) use libm::sqrtf as f32;
-    // Some FPUs, as the Cortex-M4F's, have no double precision, and no stable `cfg` tells which.
+    // Some FPUs, such as that of the Cortex-M4F, have no double precision. No stable `cfg` tells
+    // these FPUs apart, so `libm` computes the root of an `f64`.
     pub(super) use libm::sqrt as f64;
 }

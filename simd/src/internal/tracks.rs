@@ -1,8 +1,9 @@
-//! Interpolation between the keys of packed clips, which are read from the bytes of a file in
-//! place.
+//! Interpolation between the keys of packed clips. The keys are read in place, from the bytes of a
+//! file.
 //!
-//! `dq8` describes the file and parses its head. This file has the three tables of the format that
-//! a loop reads without checks, and therefore also the checks that make these reads sound:
+//! The crate `dq8` defines the file and parses its head. This module has the three tables of the
+//! file that a loop reads without checks, and so it also has the checks that make these reads
+//! sound:
 //!
 //! ```text
 //! keys                 four 16-bit numbers each
@@ -18,8 +19,9 @@
 //! keys[first + m · f · step + offset]       with the entry of rows[row][c]
 //! ```
 //!
-//! Offsets count from the first key of a clip, so that clips in which the same columns move share a
-//! row. The row then stays in the first-level cache, while keys come from far away.
+//! Offsets count from the first key of a clip, so that clips in which the same columns move can
+//! share one row. A shared row stays in the first-level cache, while keys are read from slower
+//! memory.
 //!
 //! ```text
 //! Tracks::new(keys, clips, rows)    checks the key of every column at the last frame of every clip
@@ -36,18 +38,20 @@ use crate::shorts::{Shorts, numbers};
 use alloc::boxed::Box;
 use bytemuck::{Pod, Zeroable};
 
-/// A little-endian number of 32 bits.
+/// The bytes of a little-endian 32-bit integer.
 type Word = [u8; 4];
-/// The little-endian entry of a column in a row.
+/// The bytes of a column's entry in a row, a little-endian 16-bit integer.
 type Entry = [u8; 2];
 
-/// The number of keys in a cache line.
+/// The count of keys in a cache line.
 const KEYS_PER_LINE: usize = 8;
-/// The number of keys above which the keys do not fit into the second-level cache.
+/// The count of keys from which on their table, of 1 MiB and more, is not expected to fit into the
+/// second-level cache.
 const BEYOND_CACHE: usize = 1 << 17;
 
-/// The keys of clips that have the same columns. Every key that a clip refers to exists: the
-/// constructor has checked it. All integers are little-endian, and no table is aligned.
+/// The tables of clips that have the same columns. The constructor has checked that every key to
+/// which a clip refers exists. All integers are little-endian, and the tables may begin at any
+/// address.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
@@ -61,20 +65,21 @@ pub struct Tracks<'a> {
 /// The error of bytes that are not valid [`Tracks`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrackError {
-    /// This clip has no frame, a step without a second frame, more keys than 32 bits count, or a
-    /// row that does not exist.
+    /// The clip with this index has no frame, or one frame and a step that is not 0, or a key whose
+    /// index exceeds 32 bits, or a row that does not exist.
     Clip(usize),
-    /// The entry at this index, counted over all rows, refers a clip to a key that does not exist.
+    /// The entry with this index, counted over all rows, refers to a key that does not exist in one
+    /// of the clips that use its row.
     Entry(usize),
 }
 
 impl<'a> Tracks<'a> {
-    /// Reads the bytes of the three tables. Bytes after the last whole record of a table are
-    /// ignored.
+    /// Makes tracks of the bytes of the three tables, for clips of `columns` columns, and checks
+    /// them. Bytes after the last whole record of a table are ignored.
     ///
     /// # Errors
-    /// Returns the first clip that is wrong, or the first entry that refers to a key that does not
-    /// exist.
+    /// Returns the first clip that is not valid, or the first entry that refers to a key that does
+    /// not exist.
     pub fn new(
         keys: &'a [u8],
         clips: &'a [u8],
@@ -87,8 +92,8 @@ impl<'a> Tracks<'a> {
             let Clip { first, frames, step, row: number } =
                 tracks.clip(clip).ok_or(TrackError::Clip(clip))?;
             let row = tracks.row(number).ok_or(TrackError::Clip(clip))?;
-            // A clip of one frame has no next frame, so its step must be 0. `TrackPlace` has keys
-            // in 32 bits.
+            // A clip of one frame has no next frame, so its step must be 0. The index of the last
+            // key must fit into 32 bits, because `TrackPlace` holds indices of keys in 32 bits.
             let last = frames.checked_sub(1).filter(|_| frames > 1 || step == 0);
             let last = last.map(|last| u64::from(first) + u64::from(last) * u64::from(step));
             let last =
@@ -96,8 +101,8 @@ impl<'a> Tracks<'a> {
             let exists = |&entry: &Entry| {
                 let entry = u16::from_le_bytes(entry);
                 let from = saturated::<usize>(if entry & 1 == 0 { first } else { last });
-                // In a clip whose step is 0 no column may move. Otherwise, one key could stand for
-                // four billion frames.
+                // In a clip whose step is 0 no column may move. Otherwise a small file could claim
+                // four billion frames of one moving key.
                 (entry & 1 == 0 || step > 0)
                     && from.saturating_add((entry >> 1).into()) < tracks.keys.len()
             };
@@ -108,13 +113,13 @@ impl<'a> Tracks<'a> {
         Ok(tracks)
     }
 
-    /// The number of clips.
+    /// Returns the count of clips.
     #[must_use]
     pub fn clips(&self) -> usize {
         self.clips.len()
     }
 
-    /// The number of columns, which all clips have.
+    /// Returns the count of columns, which is the same for all clips.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
@@ -131,20 +136,21 @@ impl<'a> Tracks<'a> {
         Some(Clip { first, frames, step, row })
     }
 
-    /// The number of frames of a clip. `None` if there is no such clip.
+    /// Returns the count of frames of a clip, or `None` if there is no such clip.
     #[must_use]
     pub fn frames(&self, clip: usize) -> Option<u32> {
         Some(self.clip(clip)?.frames)
     }
 
-    /// True if a column of a clip has a key for each frame. `None` if there is no such column.
+    /// Returns true if a column of a clip has a key for each frame, and false if it has one key in
+    /// all. Returns `None` if there is no such clip or column.
     #[must_use]
     pub fn moves(&self, clip: usize, column: usize) -> Option<bool> {
         Some(u16::from_le_bytes(*self.row(self.clip(clip)?.row)?.get(column)?) & 1 == 1)
     }
 
     /// Returns the key of a column at a frame: its index among all keys, and its four components.
-    /// `None` if there is no such clip, column or frame.
+    /// Returns `None` if there is no such clip, column or frame.
     #[must_use]
     pub fn key(&self, clip: usize, column: usize, frame: u32) -> Option<(usize, [i16; 4])> {
         let Clip { first, frames, step, row } = self.clip(clip)?;
@@ -155,8 +161,8 @@ impl<'a> Tracks<'a> {
         Some((key, numbers(*self.keys.get(key)?)))
     }
 
-    /// Returns the place between a frame of a clip and the next frame; in a clip of one frame, the
-    /// place at that frame. `None` if there is no such clip, or no next frame.
+    /// Returns the place between `frame` of a clip and the next frame. In a clip of one frame, it
+    /// is the place at frame 0. Returns `None` if there is no such clip, or no next frame.
     #[must_use]
     #[inline]
     pub fn place(&self, clip: usize, frame: u32) -> Option<TrackPlace> {
@@ -167,14 +173,16 @@ impl<'a> Tracks<'a> {
         Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, origins, steps: [0, step] })
     }
 
-    /// Combines these clips with a place in them for each lane.
+    /// Combines these clips with places in them, one per lane or instance, and checks the places.
     ///
     /// # Errors
-    /// Returns the index of the first place that does not belong to these clips.
+    /// Returns the index of the first place that [`place`](Self::place) does not make for these
+    /// clips.
     pub fn placed<'p>(self, places: &'p [TrackPlace]) -> Result<PlacedTracks<'a, 'p>, usize> {
         let there = |place: &TrackPlace| {
             let after = place.origins[1].wrapping_sub(place.origins[0]);
-            // A clip in which no column moves has the step 0, so all its frames are the same place.
+            // A clip in which no column moves may have the step 0. Then all its frames have the
+            // same place.
             let frame = after.checked_div(place.steps[1]).unwrap_or(0);
             self.place(saturated(place.clip), frame).is_some_and(|own| own == *place)
         };
@@ -185,7 +193,7 @@ impl<'a> Tracks<'a> {
     }
 }
 
-/// A record of the table of clips.
+/// A record of the table of clips: its first key, its count of frames, its step and its row.
 struct Clip {
     first: u32,
     frames: u32,
@@ -193,44 +201,46 @@ struct Clip {
     row: u32,
 }
 
-/// A frame of a packed clip, and where its keys are. `PackedClips::place` makes one. It is plain
-/// data, and checked again when it is used: with other clips, or other bits, it is an error.
+/// A frame of a packed clip, with the places of its keys in the file. `PackedClips::place` makes
+/// it. It is plain data that users may keep or change, so it is checked again when it is used. A
+/// place that [`Tracks::place`] would not make for the clips is then an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct TrackPlace {
     clip: u32,
     /// The index of the row's first entry.
     row: u32,
-    /// The index of the key from which offsets count: first for a column that stays, then for a
-    /// column that moves.
+    /// The indices of the keys from which offsets count: element 0 for a column that stays, element
+    /// 1 for a column that moves.
     origins: [u32; 2],
-    /// The distance to the key of the next frame: 0 for a column that stays, and the clip's step
-    /// for one that moves.
+    /// The distances to the key of the next frame: element 0 is 0, for a column that stays. Element
+    /// 1 is the clip's step, for a column that moves.
     steps: [u32; 2],
 }
-// SAFETY: the struct is six numbers of 32 bits, without padding.
+// SAFETY: the struct is six integers of 32 bits, for which zero bytes are valid.
 unsafe impl Zeroable for TrackPlace {}
 // SAFETY: the struct is six integers of 32 bits without padding, and any bits are valid integers.
 unsafe impl Pod for TrackPlace {}
 
-/// Clips, with a place in them for each lane.
+/// Clips with places in them, one per lane or instance, all of them checked.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedTracks<'a, 'p> {
     tracks: Tracks<'a>,
-    /// Invariant: `Tracks::place` of these tracks makes each of them.
+    /// Invariant: `Tracks::place` of these tracks makes each of these places.
     places: &'p [TrackPlace],
 }
 
 impl<'a> PlacedTracks<'a, '_> {
-    /// A range of these places. It is empty if one of its ends is beyond the last place.
+    /// Returns these clips with a range of the places, which is empty if an end of the range is
+    /// beyond the last place.
     #[must_use]
     pub fn part(self, places: core::ops::Range<usize>) -> Self {
         Self { places: self.places.get(places).unwrap_or_default(), ..self }
     }
 
-    /// Interpolates a column ([`Lanes::between_shorts`]), lane `i` at place `first + i` and
-    /// parameter `t`. Lanes after the last place are at the last one. `None` if there is no place,
-    /// or no such column.
+    /// Interpolates a column between two frames, by [`Lanes::between_shorts`]: lane `i` is at place
+    /// `first + i` and has lane `i` of `t` as its parameter. Lanes after the last place take the
+    /// last place. Returns `None` if there is no place, or no such column.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between<L: Lanes>(
         self,
@@ -253,8 +263,10 @@ impl<'a> PlacedTracks<'a, '_> {
         if column >= columns {
             return None;
         }
-        // SAFETY: there are as many places as lanes. Each has a row, which has the column, and
-        // `Tracks::new` has checked that the entry leads to a key at this frame and at the next.
+        // SAFETY: `lanes` has at least as many places as there are lanes. By the invariant of
+        // `places`, `place.row` is the first entry of a row, which has `columns` entries, and
+        // `column` is less. `Tracks::new` has checked that the entry leads to keys that exist at
+        // every frame.
         Some(unsafe {
             L::between_shorts(
                 level,
@@ -270,9 +282,9 @@ impl<'a> PlacedTracks<'a, '_> {
     }
 
     /// Prefetches the keys of a column that `lanes` lanes from place `first` on will read, if there
-    /// are more keys than the second-level cache holds. The CPU does not foresee these reads,
-    /// because each frame's keys are few. Only every eighth column, and the `last`, reaches another
-    /// cache line, so other columns do nothing.
+    /// are more keys than the second-level cache holds. The CPU does not prefetch them by itself,
+    /// because each frame has few keys. A cache line has eight keys, so the call does nothing
+    /// unless the column is a multiple of eight, or `last` says that it is the last column.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn prefetch<V: Level>(
         self,
@@ -286,7 +298,7 @@ impl<'a> PlacedTracks<'a, '_> {
         if !(column.is_multiple_of(KEYS_PER_LINE) || last) || keys.len() < BEYOND_CACHE {
             return;
         }
-        // This loop is inlined, because around a call the loop that samples would spill its
+        // This loop is inlined. Around a call, the loop that samples the clip would spill its
         // registers to the stack.
         for place in self.places.get(first..).unwrap_or_default().iter().take(lanes) {
             let Some(&entry) = rows.get(place.row as usize + column) else { return };
@@ -296,9 +308,9 @@ impl<'a> PlacedTracks<'a, '_> {
         }
     }
 
-    /// Interpolates columns of one place ([`Lanes::between_shorts`]), lane `i` column `first + i`
-    /// at parameter `t`. Lanes after the last column take the last one. `None` if there is no such
-    /// place, or there are no columns.
+    /// Interpolates several columns at one place, by [`Lanes::between_shorts`]: lane `i` has column
+    /// `first + i` and lane `i` of `t` as its parameter. Lanes after the last column take the last
+    /// column. Returns `None` if there is no such place, or if the clips have no columns.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between_columns<L: Lanes>(
         self,
@@ -321,8 +333,9 @@ impl<'a> PlacedTracks<'a, '_> {
             };
         }
         let from = self.tracks.keys.as_ptr();
-        // SAFETY: there are as many entries as lanes, all of them of the row of the place, and
-        // `Tracks::new` has checked that each leads to a key at this frame and at the next.
+        // SAFETY: `lanes` has at least as many entries as there are lanes, all from the row of the
+        // place. `Tracks::new` has checked that each entry leads to keys that exist at every frame,
+        // and by the invariant of `places` the place has this frame and the next.
         unsafe {
             let first = *lanes.get_unchecked(0);
             let mut differ = [0; MAX_LANES];
@@ -330,8 +343,8 @@ impl<'a> PlacedTracks<'a, '_> {
                 let beside = u16::from_le_bytes(first).wrapping_add(2 * lane as u16);
                 *differ = u16::from_le_bytes(*lanes.get_unchecked(lane)) ^ beside;
             }
-            // In most clips the keys of the lanes adjoin. Then all loads use one address, which is
-            // quicker than an address for each lane.
+            // In most clips the keys of the lanes adjoin. Then all loads use one base address,
+            // which is quicker than an address for each lane.
             if differ.iter().fold(0, |all, one| all | one) == 0 {
                 let [key, next] = place.keys(first);
                 return Some(L::between_shorts(
@@ -354,8 +367,8 @@ impl<'a> PlacedTracks<'a, '_> {
 }
 
 impl TrackPlace {
-    /// Returns the indices of a column's keys at the frame and at the next frame; `entry` is the
-    /// column's entry.
+    /// Returns the indices of a column's keys at the frame of this place and at the next frame.
+    /// `entry` is the column's entry in the row.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn keys(&self, entry: Entry) -> [usize; 2] {
         let entry = u16::from_le_bytes(entry);
@@ -365,24 +378,25 @@ impl TrackPlace {
     }
 }
 
-/// [`Tracks`] that own their bytes.
+/// Tracks like [`Tracks`] that own their bytes.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Debug)]
 pub struct OwnedTracks {
-    /// Invariant: `Tracks::new` accepts the three ranges.
+    /// Invariant: `Tracks::new` accepts the tables in the three `ranges` of these bytes.
     bytes: Box<[u8]>,
-    /// The ranges of keys, clips and rows.
+    /// The ranges of the tables of keys, clips and rows in `bytes`.
     ranges: [core::ops::Range<usize>; 3],
     columns: usize,
 }
 
 #[cfg(feature = "alloc")]
 impl OwnedTracks {
-    /// Checks like [`Tracks::new`], with the tables as three ranges of `bytes`: of keys, clips and
-    /// rows. A range that is not inside of `bytes` is an empty table.
+    /// Makes tracks of the tables of keys, clips and rows, which are three ranges of `bytes`, and
+    /// checks them like [`Tracks::new`]. A range that is not inside of `bytes` is an empty table.
     ///
     /// # Errors
-    /// The same as for [`Tracks::new`].
+    /// Returns the first clip that is not valid, or the first entry that refers to a key that does
+    /// not exist.
     pub fn new(
         bytes: Box<[u8]>,
         ranges: [core::ops::Range<usize>; 3],
@@ -393,7 +407,7 @@ impl OwnedTracks {
         Ok(Self { bytes, ranges, columns })
     }
 
-    /// All bytes.
+    /// Returns all bytes, with those outside of the tables.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         &self.bytes
@@ -408,7 +422,7 @@ impl OwnedTracks {
     }
 }
 
-/// Returns the bytes of each range; a range beyond the end gives no bytes.
+/// Returns the bytes of each range, which are none if the range is not inside of `bytes`.
 #[cfg(feature = "alloc")]
 fn tables<'a>(bytes: &'a [u8], ranges: &[core::ops::Range<usize>; 3]) -> [&'a [u8]; 3] {
     ranges.each_ref().map(|range| bytes.get(range.clone()).unwrap_or_default())

@@ -1,4 +1,4 @@
-//! [`Avx2`]: its lanes and masks.
+//! [`Avx2`]: the level of AVX2 and FMA, with its lanes and masks.
 
 use super::frame::align_frame;
 use super::prefetch::{prefetch, prefetch_every};
@@ -11,12 +11,14 @@ use crate::pair::Pair;
 use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
-/// AVX2 and FMA: eight `f32` or four `f64` at a time. Only [`Avx2::detect`] makes one.
+/// The level of AVX2 and FMA: eight `f32` or four `f64` at a time. Only [`Avx2::detect`] makes a
+/// value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx2(());
 
 impl Avx2 {
-    /// The proof that the CPU and the operating system have AVX2 and FMA, if they do.
+    /// Returns the level if the CPU has AVX2 and FMA and the operating system saves their
+    /// registers, and `None` if not.
     #[inline]
     #[must_use]
     pub fn detect() -> Option<Self> {
@@ -37,7 +39,7 @@ impl Level for Avx2 {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn fence(self) {
-        // SAFETY: `self` proves AVX2, which implies the SSE that the instruction is part of.
+        // SAFETY: `sfence` is an instruction of SSE, which every x86-64 CPU has.
         unsafe { _mm_sfence() };
     }
 
@@ -64,7 +66,7 @@ impl Level for Avx2 {
 }
 
 vector! {
-    /// Four `f32`.
+    /// Four lanes of `f32` in a register of 128 bits.
     F32x4 = __m128 [f32; 4], Avx2, mask M32x4;
     add _mm_add_ps; sub _mm_sub_ps; mul _mm_mul_ps; div _mm_div_ps; sqrt _mm_sqrt_ps;
     mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
@@ -79,7 +81,7 @@ vector! {
 }
 
 vector! {
-    /// Eight `f32`.
+    /// Eight lanes of `f32` in a register of 256 bits.
     F32x8 = __m256 [f32; 8], Avx2, mask M32x8;
     add _mm256_add_ps; sub _mm256_sub_ps; mul _mm256_mul_ps; div _mm256_div_ps; sqrt _mm256_sqrt_ps;
     mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
@@ -94,7 +96,7 @@ vector! {
 }
 
 vector! {
-    /// Two `f64`.
+    /// Two lanes of `f64` in a register of 128 bits.
     F64x2 = __m128d [f64; 2], Avx2, mask M64x2;
     add _mm_add_pd; sub _mm_sub_pd; mul _mm_mul_pd; div _mm_div_pd; sqrt _mm_sqrt_pd;
     mul_add _mm_fmadd_pd; neg_mul_add _mm_fnmadd_pd;
@@ -109,7 +111,7 @@ vector! {
 }
 
 vector! {
-    /// Four `f64`.
+    /// Four lanes of `f64` in a register of 256 bits.
     F64x4 = __m256d [f64; 4], Avx2, mask M64x4;
     add _mm256_add_pd; sub _mm256_sub_pd; mul _mm256_mul_pd; div _mm256_div_pd; sqrt _mm256_sqrt_pd;
     mul_add _mm256_fmadd_pd; neg_mul_add _mm256_fnmadd_pd;
@@ -123,11 +125,11 @@ vector! {
     select |mask, yes, no| _mm256_blendv_pd(no.0, yes.0, mask.0);
 }
 
-/// Defines the mask of a lane type: a vector in which all bits of a lane are ones, or all are
-/// zeros.
+/// Defines the mask of a lane type: a vector in which all bits of a lane are ones (true) or all are
+/// zeros (false).
 macro_rules! mask {
     ($name:ident = $register:ident, $lanes:literal; $and:ident; $or:ident; $xor:ident; $ones:expr; $bits:ident) => {
-        /// One truth value per lane: all bits are ones, or all are zeros.
+        /// One truth value per lane: all bits of a lane are ones (true) or all are zeros (false).
         #[derive(Clone, Copy, Debug)]
         pub struct $name($register, Avx2);
 
@@ -143,7 +145,7 @@ macro_rules! mask {
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn to_bitmask(self) -> u32 {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds an `Avx2`, which proves that the CPU has the instructions.
                 unsafe { $bits(self.0) }.cast_unsigned()
             }
         }
@@ -151,7 +153,7 @@ macro_rules! mask {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn bitand(self, other: Self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds an `Avx2`, which proves that the CPU has the instructions.
                 Self(unsafe { $and(self.0, other.0) }, self.1)
             }
         }
@@ -159,7 +161,7 @@ macro_rules! mask {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn bitor(self, other: Self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds an `Avx2`, which proves that the CPU has the instructions.
                 Self(unsafe { $or(self.0, other.0) }, self.1)
             }
         }
@@ -167,7 +169,7 @@ macro_rules! mask {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn not(self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds an `Avx2`, which proves that the CPU has the instructions.
                 Self(unsafe { $xor(self.0, $ones) }, self.1)
             }
         }

@@ -1,4 +1,4 @@
-//! [`Avx512`]: its lanes and masks.
+//! [`Avx512`]: the level of AVX-512 F, VL and DQ, with its lanes and masks.
 
 use super::frame::align_frame;
 use super::prefetch::{prefetch, prefetch_every};
@@ -11,19 +11,22 @@ use core::arch::asm;
 use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
-/// AVX-512 F, VL and DQ: sixteen `f32` or eight `f64` at a time. Only [`Avx512::detect`] makes one.
+/// The level of AVX-512 F, VL and DQ: sixteen `f32` or eight `f64` at a time. Only
+/// [`Avx512::detect`] makes a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx512(());
 
 impl Avx512 {
-    /// The proof that the CPU and the operating system have AVX-512 F, VL and DQ, if they do.
+    /// Returns the level if the CPU has AVX-512 F, VL and DQ and the operating system saves their
+    /// registers, and `None` if not.
     #[inline]
     #[must_use]
     pub fn detect() -> Option<Self> {
         crate::detect::avx512().then_some(Self(()))
     }
 
-    /// True if this CPU shuffles sixteen `f32` as quickly as eight. AMD's CPUs do, Intel's do not.
+    /// Returns true if this CPU shuffles sixteen `f32` as quickly as eight. This is true of AMD's
+    /// CPUs and false of Intel's.
     #[inline]
     #[must_use]
     pub fn shuffles_wide(self) -> bool {
@@ -44,7 +47,7 @@ impl Level for Avx512 {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn fence(self) {
-        // SAFETY: `self` proves AVX-512, which implies the SSE that the instruction is part of.
+        // SAFETY: `sfence` is an instruction of SSE, which every x86-64 CPU has.
         unsafe { _mm_sfence() };
     }
 
@@ -61,7 +64,8 @@ impl Level for Avx512 {
     #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
     fn locate<T>(self, value: &T) -> &T {
         let mut address = core::ptr::from_ref(value);
-        // SAFETY: the assembly has no instruction, so the address is still that of `value`.
+        // SAFETY: the assembly is a comment without an instruction, so `address` is still that of
+        // `value`, which is borrowed for as long as the result.
         unsafe {
             asm!("/* {0} */", inout(reg) address, options(pure, nomem, nostack, preserves_flags));
             &*address
@@ -76,12 +80,14 @@ impl Level for Avx512 {
             align_frame();
             kernel()
         }
-        // SAFETY: `self` proves AVX-512 F, VL and DQ, of which AVX2 and FMA are a part.
+        // SAFETY: only `detect` makes `self`, after it has found AVX2, FMA and AVX-512 F, VL and
+        // DQ.
         unsafe { with_avx512(kernel) }
     }
 }
 
-/// One truth value per lane, of one bit each, for up to 16 lanes.
+/// A mask of up to 16 lanes: bit `i` is the truth value of lane `i`, and the bits after the last
+/// lane are zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const LANES: u32>(u32);
 
@@ -135,7 +141,7 @@ type Bits8 = Bits<8>;
 type Bits16 = Bits<16>;
 
 vector! {
-    /// Four `f32`.
+    /// Four lanes of `f32` in a register of 128 bits.
     F32x4 = __m128 [f32; 4], Avx512, mask Bits4;
     add _mm_add_ps; sub _mm_sub_ps; mul _mm_mul_ps; div _mm_div_ps; sqrt _mm_sqrt_ps;
     mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
@@ -150,7 +156,7 @@ vector! {
 }
 
 vector! {
-    /// Eight `f32`.
+    /// Eight lanes of `f32` in a register of 256 bits.
     F32x8 = __m256 [f32; 8], Avx512, mask Bits8;
     add _mm256_add_ps; sub _mm256_sub_ps; mul _mm256_mul_ps; div _mm256_div_ps; sqrt _mm256_sqrt_ps;
     mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
@@ -165,7 +171,7 @@ vector! {
 }
 
 vector! {
-    /// Sixteen `f32`.
+    /// Sixteen lanes of `f32` in a register of 512 bits.
     F32x16 = __m512 [f32; 16], Avx512, mask Bits16;
     add _mm512_add_ps; sub _mm512_sub_ps; mul _mm512_mul_ps; div _mm512_div_ps; sqrt _mm512_sqrt_ps;
     mul_add _mm512_fmadd_ps; neg_mul_add _mm512_fnmadd_ps;
@@ -180,7 +186,7 @@ vector! {
 }
 
 vector! {
-    /// Two `f64`.
+    /// Two lanes of `f64` in a register of 128 bits.
     F64x2 = __m128d [f64; 2], Avx512, mask Bits2;
     add _mm_add_pd; sub _mm_sub_pd; mul _mm_mul_pd; div _mm_div_pd; sqrt _mm_sqrt_pd;
     mul_add _mm_fmadd_pd; neg_mul_add _mm_fnmadd_pd;
@@ -195,7 +201,7 @@ vector! {
 }
 
 vector! {
-    /// Four `f64`.
+    /// Four lanes of `f64` in a register of 256 bits.
     F64x4 = __m256d [f64; 4], Avx512, mask Bits4;
     add _mm256_add_pd; sub _mm256_sub_pd; mul _mm256_mul_pd; div _mm256_div_pd; sqrt _mm256_sqrt_pd;
     mul_add _mm256_fmadd_pd; neg_mul_add _mm256_fnmadd_pd;
@@ -210,7 +216,7 @@ vector! {
 }
 
 vector! {
-    /// Eight `f64`.
+    /// Eight lanes of `f64` in a register of 512 bits.
     F64x8 = __m512d [f64; 8], Avx512, mask Bits8;
     add _mm512_add_pd; sub _mm512_sub_pd; mul _mm512_mul_pd; div _mm512_div_pd; sqrt _mm512_sqrt_pd;
     mul_add _mm512_fmadd_pd; neg_mul_add _mm512_fnmadd_pd;

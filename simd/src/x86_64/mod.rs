@@ -1,19 +1,19 @@
-//! Lanes for x86-64 instructions that are detected at run time.
+//! Levels and lanes of x86-64 instructions that are detected at run time.
 //!
-//! Every value of a lane type holds the proof of its level, because its constructors ask for one.
-//! This is what makes calls of intrinsics sound, and what the `SAFETY` comments here mean by
-//! "proves the instructions".
+//! Every value of a lane type holds a value of its level, which only detection makes. So whoever
+//! has a vector has the proof that the CPU has the level's instructions, which makes the calls of
+//! intrinsics sound.
 
 // | file | contents |
 // |---|---|
-// | `vector.rs` | the macro that makes a lane type of a register and its instructions |
-// | `frame.rs` | the place of spilled vector registers |
+// | `vector.rs` | the macro that defines a lane type by its register and its instructions |
+// | `frame.rs` | the alignment of the stack slots of spilled vector registers |
 // | `prefetch.rs` | prefetches of memory |
-// | `quads.rs` | transposes between records of four or three numbers and vectors |
-// | `shorts.rs` | interpolation between records of four 16-bit numbers |
+// | `quads.rs` | transposes between records of four or three components and vectors |
+// | `shorts.rs` | interpolation between records of four 16-bit integers |
 // | `packed.rs` | one dual quaternion in a register |
-// | `avx2.rs` | `Avx2`: 8 × `f32`, 4 × `f64`, and half as many |
-// | `avx512.rs` | `Avx512`: 16 × `f32`, 8 × `f64`, and the narrower ones |
+// | `avx2.rs` | `Avx2`: 8 lanes of `f32`, 4 lanes of `f64`, and half as many of each |
+// | `avx512.rs` | `Avx512`: 16 lanes of `f32`, 8 lanes of `f64`, and a half and a quarter of each |
 
 mod avx2;
 mod avx512;

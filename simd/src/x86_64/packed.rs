@@ -1,4 +1,4 @@
-//! [`PackedDualQuat`]: one dual quaternion in a register, or in two.
+//! [`PackedDualQuat`]: one dual quaternion in one register, or in two.
 
 use super::avx2;
 use super::avx512;
@@ -8,11 +8,12 @@ use crate::pair::Pair;
 use core::arch::asm;
 use core::arch::x86_64::*;
 
-/// The signs of [`PackedDualQuat::columns`] c₀, c₁ and c₂: −0 where the column has a minus.
+/// The signs of the columns c₀, c₁ and c₂ of [`PackedDualQuat::columns`]: −0 where the
+/// component has a minus, and +0 elsewhere.
 const SIGNS: [[f64; 4]; 3] =
     [[0.0, 0.0, -0.0, -0.0], [-0.0, 0.0, 0.0, -0.0], [0.0, -0.0, 0.0, -0.0]];
 
-/// [`SIGNS`], repeated in every group of four lanes.
+/// Returns [`SIGNS`], repeated in every group of four lanes.
 const fn signs_f32<const N: usize>() -> [[f32; N]; 3] {
     let mut signs = [[0.0; N]; 3];
     let mut i = 0;
@@ -23,7 +24,7 @@ const fn signs_f32<const N: usize>() -> [[f32; N]; 3] {
     signs
 }
 
-/// [`SIGNS`], repeated in every group of four lanes.
+/// Returns [`SIGNS`], repeated in every group of four lanes.
 const fn signs_f64<const N: usize>() -> [[f64; N]; 3] {
     let mut signs = [[0.0; N]; 3];
     let mut i = 0;
@@ -34,8 +35,8 @@ const fn signs_f64<const N: usize>() -> [[f64; N]; 3] {
     signs
 }
 
-/// The columns of a product: each is a permutation of every group of four, and an exclusive or that
-/// flips signs.
+/// Computes [`PackedDualQuat::columns`] of the register `$v`: each column but the last is a
+/// permutation of every group of four lanes, and an exclusive or that flips signs.
 macro_rules! columns {
     ($v:expr, $signs:expr, $permute:ident, $xor:ident, $load:ident) => {{
         let [x, y, z] = $signs;
@@ -48,19 +49,20 @@ macro_rules! columns {
     }};
 }
 
-/// The columns of a product with AVX-512, whose permutations pick from two vectors. So the signs
-/// are flipped once, and each column picks from the vector and its negative.
+/// Computes [`PackedDualQuat::columns`] with AVX-512, whose permutations pick lanes from two
+/// vectors. So all signs are flipped once, and each column picks lanes from the vector and from its
+/// negative.
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl")]
 fn picked_columns(v: __m256) -> [__m256; 4] {
     let negative = _mm256_xor_ps(v, _mm256_set1_ps(-0.0));
-    // Numbers below 8 name lanes of `v`, the others lanes of its negative. The upper half is
-    // permuted like the lower one.
+    // Indices below 8 pick lanes of `v`, and indices from 8 on pick lanes of `negative`. The upper
+    // half is permuted like the lower half.
     let [y, z] = [[10, 3, 0, 9], [1, 8, 3, 10]].map(|[a, b, c, d]| {
         let mut from = _mm256_setr_epi32(a, b, c, d, a + 4, b + 4, c + 4, d + 4);
-        // The assembly hides the constant from the compiler, which would make two steps of the
-        // permutation and gain nothing.
-        // SAFETY: it has no instruction.
+        // The assembly hides the constant from the compiler, which would replace the permutation by
+        // two instructions and gain nothing (docs/measured.md, *Picked numbers*). SAFETY: the
+        // assembly is a comment without an instruction, so it changes no register or memory.
         unsafe {
             asm!("/* {0} */", inout(ymm_reg) from, options(pure, nomem, nostack, preserves_flags));
         }
@@ -70,20 +72,22 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
     [x, y, z, v]
 }
 
-/// Implements [`PackedDualQuat`] for lanes that hold all eight numbers in one register.
+/// Implements [`PackedDualQuat`] for lanes that hold all eight components in one register.
 macro_rules! packed {
     ($($name:ty, |$v:ident| $columns:expr, $times_epsilon:expr, |$from:ident| $twice:expr;)*) => {$(
         impl PackedDualQuat for $name {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
                 let $from = from.as_ptr();
-                // SAFETY: `level` proves the instructions, and the pointer is to four numbers.
+                // SAFETY: `level` proves that the CPU has the instructions, and `from` has the four
+                // elements that are read.
                 Self(unsafe { $twice }, level)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn columns(self) -> [Self; 4] {
                 let (level, $v) = (self.level(), self.0);
-                // SAFETY: `self` proves the instructions, and the pointers are to whole arrays.
+                // SAFETY: `self` proves that the CPU has the instructions, and each load reads one
+                // array of signs, which has the size of the register.
                 let [x, y, z, w] = unsafe { $columns };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
@@ -124,7 +128,8 @@ impl PackedDualQuat for Pair<avx2::F64x4> {
         let signs = const { signs_f64::<4>() };
         let mut columns = [[lower.0; 4]; 2];
         for (columns, half) in columns.iter_mut().zip([lower.0, upper.0]) {
-            // SAFETY: `self` proves the instructions, and the pointers are to whole arrays.
+            // SAFETY: `self` proves that the CPU has the instructions, and each load reads one
+            // array of signs, which has the size of the register.
             *columns = unsafe {
                 columns!(half, signs, _mm256_permute4x64_pd, _mm256_xor_pd, _mm256_loadu_pd)
             };

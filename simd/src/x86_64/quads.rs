@@ -1,8 +1,9 @@
-//! Transposes between records of four (or three) numbers in memory and vectors of their components.
+//! Transposes between records of four (or three) components in memory and vectors of one component
+//! each.
 //!
-//! A register is seen as groups that hold one record each: 128 bits for four `f32`, 256 bits for
-//! four `f64`. Each of four registers is filled with records, and then the four registers are
-//! transposed inside of each group. For eight `f32`:
+//! A register consists of groups that hold one record each: a group has 128 bits for four `f32`, or
+//! 256 bits for four `f64`. A load fills four registers with records and then transposes the four
+//! registers inside of each group. For eight `f32`:
 //!
 //! ```text
 //!             group 0          group 1
@@ -12,26 +13,27 @@
 //! register 3  x3 y3 z3 w3  |  x7 y7 z7 w7      w0 w1 w2 w3  |  w4 w5 w6 w7
 //! ```
 //!
-//! Shuffles inside of groups are quick, and no number has to cross from one group to another. The
-//! transpose is its own inverse, so a store is a load read backwards.
+//! Shuffles inside of groups are quick, and no component has to cross from one group to another.
+//! The transpose is its own inverse, so a store transposes first and then writes the records.
 //!
-//! These functions take registers and pointers, and prove nothing. The lanes that call them prove
-//! that the CPU has the instructions, and their callers that the memory is there.
+//! These functions take registers and pointers without any proof. The lane types that call them
+//! prove that the CPU has the instructions, and the callers of the lanes' `unsafe` methods
+//! guarantee the memory.
 #![allow(clippy::missing_safety_doc, reason = "stated once, below, for all functions")]
 
 use core::arch::x86_64::*;
 
-// # Safety, for all functions of this file: the CPU must have the instructions of the register's
-// type. For each lane there must be a record of four numbers (three for triples) in memory: a load
-// reads it `offset(lane)` numbers after `at`, a store writes it `lane · stride` numbers after
-// `at`.
+// Safety of all functions of this file: the CPU must have the instructions of the register's type.
+// For each lane there must be memory for a record of four components. A load reads the record from
+// `at + offset(lane)` on, a store writes it from `at + lane · stride` on, and a store of triples
+// writes three components from `at + 3 · lane` on.
 
-/// Defines the transpose of the 4 × 4 numbers in each 128-bit group of four registers.
+/// Defines the transpose of the 4 × 4 components in each 128-bit group of four registers.
 macro_rules! transpose_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident) => {
         #[cfg_attr(not(opt_level_0), inline(always))]
         unsafe fn $name([a, b, c, d]: [$register; 4]) -> [$register; 4] {
-            // SAFETY: the caller's CPU has the instructions.
+            // SAFETY: the caller guarantees that the CPU has the instructions of this register.
             unsafe {
                 let (ab, cd) = ($low(a, b), $low(c, d)); // a₀ b₀ a₁ b₁, c₀ d₀ c₁ d₁
                 let (ab_high, cd_high) = ($high(a, b), $high(c, d)); // a₂ b₂ a₃ b₃, …
@@ -49,13 +51,13 @@ transpose_singles! { transpose_f32x4, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, 
 transpose_singles! { transpose_f32x8, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps }
 transpose_singles! { transpose_f32x16, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps }
 
-/// Defines the sums of the four numbers in each 128-bit group: number `i` of a group is the sum of
-/// that group in register `i`.
+/// Defines the sums of the four lanes in each 128-bit group: lane `i` of a group of the result is
+/// the sum of that group in register `i`.
 macro_rules! sum_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident, $add:ident) => {
         #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $name([a, b, c, d]: [$register; 4]) -> $register {
-            // SAFETY: the caller's CPU has the instructions.
+            // SAFETY: the caller guarantees that the CPU has the instructions of this register.
             unsafe {
                 let ab = $add($low(a, b), $high(a, b)); // a₀+a₂ b₀+b₂ a₁+a₃ b₁+b₃
                 let cd = $add($low(c, d), $high(c, d));
@@ -68,8 +70,9 @@ sum_singles! { f32x4_sum, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, _mm_shuffle_
 sum_singles! { f32x8_sum, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps, _mm256_add_ps }
 sum_singles! { f32x16_sum, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps, _mm512_add_ps }
 
-/// Defines the loads and stores for a type of registers. `join` makes a register of the records of
-/// lanes i, i + 4, i + 8 …, which `get` loads, and `split` takes it apart into its groups again.
+/// Defines the loads and stores for a register type. `join` makes one register of the records of
+/// lanes i, i + 4, i + 8 and so on, each of which `get` loads. `split` takes a register apart into
+/// its groups.
 macro_rules! single_quads {
     (
         $load:ident, $store:ident, $triples:ident, $register:ident, $transpose:ident, $shuffle:ident;
@@ -81,7 +84,8 @@ macro_rules! single_quads {
             at: *const f32,
             offset: impl Fn(usize) -> usize,
         ) -> [$register; 4] {
-            // SAFETY: the caller's promise, above.
+            // SAFETY: the caller guarantees that the CPU has the instructions, and that the four
+            // components at the offset of each lane are readable.
             unsafe {
                 let mut rows = [core::mem::zeroed::<$register>(); 4];
                 for ($i, row) in rows.iter_mut().enumerate() {
@@ -97,7 +101,8 @@ macro_rules! single_quads {
         }
         #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $store(components: [$register; 4], at: *mut f32, stride: usize) {
-            // SAFETY: the caller's promise, above.
+            // SAFETY: the caller guarantees that the CPU has the instructions, and that the four
+            // components at the place of each lane are writable.
             unsafe {
                 for (i, &$whole) in $transpose(components).iter().enumerate() {
                     for (group, &record) in $split.iter().enumerate() {
@@ -108,7 +113,8 @@ macro_rules! single_quads {
         }
         #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $triples([x, y, z]: [$register; 3], at: *mut f32) {
-            // SAFETY: the caller's promise, above.
+            // SAFETY: the caller guarantees that the CPU has the instructions, and that three
+            // components per lane from `at` on are writable.
             unsafe {
                 let xy = $shuffle::<0b10_00_10_00>(x, y); // x₀ x₂ y₀ y₂
                 let yz = $shuffle::<0b11_01_11_01>(y, z); // y₁ y₃ z₁ z₃
@@ -152,10 +158,10 @@ single_quads! {
     ];
 }
 
-/// Transposes 4 × 4 numbers.
+/// Transposes the 4 × 4 components of four registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
-    // SAFETY: the caller's CPU has the instructions.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
     unsafe {
         let (ab, cd) = (_mm256_unpacklo_pd(a, b), _mm256_unpacklo_pd(c, d)); // a₀ b₀ a₂ b₂, …
         let (ab_odd, cd_odd) = (_mm256_unpackhi_pd(a, b), _mm256_unpackhi_pd(c, d));
@@ -168,10 +174,10 @@ unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
     }
 }
 
-/// Transposes the 4 × 4 numbers in each half.
+/// Transposes the 4 × 4 components in each half of four registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
-    // SAFETY: the caller's CPU has the instructions.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
     unsafe {
         let first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
         let second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
@@ -186,10 +192,11 @@ unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
     }
 }
 
-/// The sums of the numbers of each of four registers.
+/// Returns the sums of four registers: lane `i` of the result is the sum of the lanes of register
+/// `i`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
-    // SAFETY: the caller's CPU has the instructions.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
     unsafe {
         let [ac, bd] = [[a, c], [b, d]].map(
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -203,20 +210,22 @@ pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
     }
 }
 
-/// The sums of the numbers in each half of four registers.
+/// Returns the sums of the halves of four registers: lane `i` of a half of the result is the sum of
+/// that half of register `i`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_sum([a, b, c, d]: [__m512d; 4]) -> __m512d {
-    // SAFETY: the caller's CPU has the instructions.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
     unsafe {
         let [a, b, c, d] = transpose_f64x8([a, b, c, d]);
         _mm512_add_pd(_mm512_add_pd(a, c), _mm512_add_pd(b, d))
     }
 }
 
-/// Stores the first three numbers of a record of four.
+/// Stores the first three components of a record of four.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_triple(record: __m256d, at: *mut f64) {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: the caller guarantees that the CPU has AVX, and that the three components from `at`
+    // on are writable.
     unsafe {
         _mm_storeu_pd(at, _mm256_castpd256_pd128(record));
         _mm_store_sd(at.add(2), _mm256_extractf128_pd::<1>(record));
@@ -225,7 +234,8 @@ unsafe fn store_triple(record: __m256d, at: *mut f64) {
 
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m256d; 4] {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: the caller guarantees that the CPU has AVX, and that the four components at the
+    // offset of each lane are readable.
     unsafe {
         transpose_f64x4([
             _mm256_loadu_pd(at.add(offset(0))),
@@ -237,7 +247,8 @@ pub(super) unsafe fn f64x4_load(at: *const f64, offset: impl Fn(usize) -> usize)
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride: usize) {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: the caller guarantees that the CPU has AVX, and that the four components at the place
+    // of each lane are writable.
     unsafe {
         for (i, &record) in transpose_f64x4(components).iter().enumerate() {
             _mm256_storeu_pd(at.add(i * stride), record);
@@ -246,7 +257,8 @@ pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride:
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: the caller guarantees that the CPU has AVX, and that the three components at
+    // `at + 3i` are writable for each lane `i`.
     unsafe {
         for (i, &record) in transpose_f64x4([x, y, z, z]).iter().enumerate() {
             store_triple(record, at.add(3 * i));
@@ -256,7 +268,8 @@ pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) 
 
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m512d; 4] {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: the caller guarantees that the CPU has AVX-512 F, and that the four components at the
+    // offset of each lane are readable.
     unsafe {
         let mut rows = [_mm512_setzero_pd(); 4];
         for (i, row) in rows.iter_mut().enumerate() {
@@ -268,7 +281,8 @@ pub(super) unsafe fn f64x8_load(at: *const f64, offset: impl Fn(usize) -> usize)
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride: usize) {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: the caller guarantees that the CPU has AVX-512 F, and that the four components at the
+    // place of each lane are writable.
     unsafe {
         for (i, &records) in transpose_f64x8(components).iter().enumerate() {
             _mm256_storeu_pd(at.add(i * stride), _mm512_castpd512_pd256(records));
@@ -278,7 +292,8 @@ pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride:
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: the caller guarantees that the CPU has AVX-512 F, and that the three components at
+    // `at + 3i` are writable for each lane `i`.
     unsafe {
         for (i, &records) in transpose_f64x8([x, y, z, z]).iter().enumerate() {
             store_triple(_mm512_castpd512_pd256(records), at.add(3 * i));
@@ -289,7 +304,8 @@ pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) 
 
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m128d; 4] {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: every x86-64 CPU has SSE2, and the caller guarantees that the four components at the
+    // offset of each lane are readable.
     unsafe {
         let (a, b) = (at.add(offset(0)), at.add(offset(1)));
         let (xy_a, zw_a) = (_mm_loadu_pd(a), _mm_loadu_pd(a.add(2)));
@@ -304,7 +320,8 @@ pub(super) unsafe fn f64x2_load(at: *const f64, offset: impl Fn(usize) -> usize)
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], at: *mut f64, stride: usize) {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: every x86-64 CPU has SSE2, and the caller guarantees that the four components at the
+    // place of each lane are writable.
     unsafe {
         _mm_storeu_pd(at, _mm_unpacklo_pd(x, y));
         _mm_storeu_pd(at.add(2), _mm_unpacklo_pd(z, w));
@@ -314,7 +331,8 @@ pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], at: *mut f64, strid
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_store_triples([x, y, z]: [__m128d; 3], at: *mut f64) {
-    // SAFETY: the caller's promise, above.
+    // SAFETY: every x86-64 CPU has SSE2, and the caller guarantees that the six components from
+    // `at` on are writable.
     unsafe {
         _mm_storeu_pd(at, _mm_unpacklo_pd(x, y));
         _mm_store_sd(at.add(2), z);

@@ -1,52 +1,58 @@
-//! Interpolation between records of 16-bit numbers with AVX2 ([`crate::shorts`] has the formula).
+//! Interpolation between records of four 16-bit integers with AVX2. [`crate::shorts`] has the
+//! formula.
 
 use crate::shorts::Shorts;
 use core::arch::asm;
 use core::arch::x86_64::*;
 
-/// Loads records `a` and `b` of a lane into one register, the second after the first.
+/// Loads records `a` and `b` of a lane into one register: record `a` into the lower half, and
+/// record `b` into the upper half.
 ///
 /// # Safety
-/// Both records must be readable.
+/// The records `from + a` and `from + b` must be readable.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
 unsafe fn both(from: *const Shorts, [a, b]: [usize; 2]) -> __m128d {
-    // SAFETY: the caller guarantees that the records are readable, and the assembly leaves the
-    // address as it is.
+    // SAFETY: the caller guarantees that both records are readable, and the assembly is a comment
+    // without an instruction, so it does not change the address.
     unsafe {
-        // The assembly holds the address in a register. Without it the compiler computes the
-        // addresses of all lanes in vectors and extracts them again, which takes longer.
+        // The assembly makes the compiler hold the address in a general register. Without it, the
+        // compiler computes the addresses of all lanes in vector registers and extracts them again,
+        // which takes longer.
         let mut a = from.add(a);
         asm!("/* {0} */", inout(reg) a, options(pure, nomem, nostack, preserves_flags));
         _mm_loadh_pd(_mm_load_sd(a.cast()), from.add(b).cast())
     }
 }
 
-/// [`Lanes::between_shorts`](crate::Lanes::between_shorts) of eight lanes.
+/// Implements [`Lanes::between_shorts`](crate::Lanes::between_shorts) for eight lanes of `f32`.
 ///
 /// # Safety
-/// The same as there, and the CPU must have AVX2 and FMA.
+/// For each lane, the two records that `records(lane)` names must be readable after `from`, and the
+/// CPU must have AVX2.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f32x8_between(
     from: *const Shorts,
     records: impl Fn(usize) -> [usize; 2],
     t: __m256,
 ) -> [__m256; 4] {
-    // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are those of
-    // the code here.
+    // SAFETY: the caller guarantees that the CPU has AVX2, and that both records of each lane are
+    // readable, which `both` reads.
     unsafe {
-        // Both instructions return the second operand if the first is NaN, so NaN becomes 0.
+        // The minimum and the maximum return their second operand if the first is NaN, so NaN
+        // becomes 0.
         let t = _mm256_min_ps(_mm256_max_ps(t, _mm256_setzero_ps()), _mm256_set1_ps(1.0));
         // Each lane holds its two weights: 2¹⁴ − w in the lower 16 bits and w in the upper 16
-        // bits. The product is exact, so lanes that fuse nothing have the same bits and share this
-        // function.
+        // bits. The product t·2¹⁴ is exact, so a fused multiply-add would give the same bits,
+        // and fused and unfused lanes share this function.
         let to = _mm256_mul_ps(t, _mm256_set1_ps(16384.0));
         let to = _mm256_add_ps(to, _mm256_set1_ps(12_582_912.0));
         let to = _mm256_castps_si256(to);
         let from_a = _mm256_sub_epi16(_mm256_set1_epi32(16384), to);
         let weights = _mm256_blend_epi16::<0xAA>(from_a, _mm256_slli_epi32::<16>(to));
-        // Brings a₀a₁a₂a₃ b₀b₁b₂b₃ to a₀b₀ a₁b₁ a₂b₂ a₃b₃, for lane
-        // i in the lower half and lane i + 4 in the upper one.
+        // The shuffle `pair` brings a₀a₁a₂a₃ b₀b₁b₂b₃ to a₀b₀ a₁b₁ a₂b₂
+        // a₃b₃, for lane i in the lower half of the register and for lane i + 4 in the upper
+        // half.
         let pair = _mm256_set_epi8(
             15, 14, 7, 6, 13, 12, 5, 4, 11, 10, 3, 2, 9, 8, 1, 0, //
             15, 14, 7, 6, 13, 12, 5, 4, 11, 10, 3, 2, 9, 8, 1, 0,
@@ -75,19 +81,21 @@ pub(super) unsafe fn f32x8_between(
     }
 }
 
-/// [`Lanes::between_shorts`](crate::Lanes::between_shorts) of sixteen lanes, eight at a time,
-/// because AVX-512 F, VL and DQ have no such product of 512 bits.
+/// Implements [`Lanes::between_shorts`](crate::Lanes::between_shorts) for sixteen lanes of `f32`,
+/// eight lanes at a time. AVX-512 F, VL and DQ have no instruction that multiplies 16-bit integers
+/// in 512 bits and adds the products in pairs.
 ///
 /// # Safety
-/// The same as there, and the CPU must have AVX-512 F and DQ.
+/// For each lane, the two records that `records(lane)` names must be readable after `from`, and the
+/// CPU must have AVX2 and AVX-512 F and DQ.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f32x16_between(
     from: *const Shorts,
     records: impl Fn(usize) -> [usize; 2],
     t: __m512,
 ) -> [__m512; 4] {
-    // SAFETY: the caller keeps the conditions of this function under `# Safety`, which are those of
-    // the code here.
+    // SAFETY: the caller guarantees that the CPU has AVX2 and AVX-512 F and DQ, and that both
+    // records of each of the sixteen lanes are readable.
     unsafe {
         let [x, y, z, w] = f32x8_between(from, &records, _mm512_castps512_ps256(t));
         let upper = f32x8_between(

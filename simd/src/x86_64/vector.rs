@@ -1,10 +1,11 @@
-//! The macro that makes a lane type of a register and the instructions that compute with it.
+//! The macro that defines a lane type by its register and its instructions.
 
-/// Defines `$name`: a vector of `[$real; $lanes]` in a `$register`, with the proof `$level`.
+/// Defines the lane type `$name`: the lanes `[$real; $lanes]` in a `$register`, with a `$level`,
+/// which proves that the CPU has the instructions.
 ///
-/// It is a macro because the lane types differ in the names of their instructions, and an
-/// instruction is no type that a trait could have. Comparisons and `select` are given as code,
-/// because AVX2 and AVX-512 differ in more than names there.
+/// This is a macro because the lane types differ in the names of their intrinsics, which a generic
+/// `impl` cannot take as parameters. Comparisons and `select` are given as expressions, because
+/// AVX2 and AVX-512 have different types of masks.
 macro_rules! vector {
     (
         $(#[$doc:meta])*
@@ -40,17 +41,19 @@ macro_rules! vector {
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn splat(level: $level, value: $real) -> Self {
-                // SAFETY: `level` proves the instructions.
+                // SAFETY: `level` proves that the CPU has the instruction.
                 Self(unsafe { $splat(value) }, level)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load(level: $level, from: &[$real; $lanes]) -> Self {
-                // SAFETY: `level` proves the instructions, and the pointer is to a whole array.
+                // SAFETY: `level` proves that the CPU has the instruction, which reads as many
+                // elements as `from` has.
                 Self(unsafe { $load(from.as_ptr()) }, level)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn store(self, to: &mut [$real; $lanes]) {
-                // SAFETY: `self` proves the instructions, and the pointer is to a whole array.
+                // SAFETY: `self` proves that the CPU has the instruction, which writes as many
+                // elements as `to` has.
                 unsafe { $store(to.as_mut_ptr(), self.0) }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -59,8 +62,9 @@ macro_rules! vector {
                 if at.addr() % size_of::<$register>() != 0 {
                     return self.store(to);
                 }
-                // SAFETY: `self` proves the instructions, and the pointer is to a whole array and
-                // aligned. The caller promises the fence.
+                // SAFETY: `self` proves that the CPU has the instruction, which writes as many
+                // elements as `to` has. `at` is aligned to the register, as checked above, and the
+                // caller guarantees a fence before other code uses `to`.
                 unsafe { $stream(at.cast(), self.0) }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -69,18 +73,21 @@ macro_rules! vector {
                 from: *const $real,
                 offset: impl Fn(usize) -> usize,
             ) -> [Self; 4] {
-                // SAFETY: `level` proves the instructions, and the caller promises the rest.
+                // SAFETY: `level` proves that the CPU has the instructions, and the caller
+                // guarantees four readable components at the offset of each lane.
                 let [x, y, z, w] = unsafe { $load_quads(from, offset) };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut $real, stride: usize) {
-                // SAFETY: the lanes prove the instructions, and the caller promises the rest.
+                // SAFETY: the vectors prove that the CPU has the instructions, and the caller
+                // guarantees four writable components at the place of each lane.
                 unsafe { $store_quads([x.0, y.0, z.0, w.0], to, stride) }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut $real) {
-                // SAFETY: the lanes prove the instructions, and the caller promises the rest.
+                // SAFETY: the vectors prove that the CPU has the instructions, and the caller
+                // guarantees three writable components per lane from `to` on.
                 unsafe { $store_triples([x.0, y.0, z.0], to) }
             }
             $(
@@ -91,7 +98,8 @@ macro_rules! vector {
                     records: impl Fn(usize) -> [usize; 2],
                     t: Self,
                 ) -> [Self; 4] {
-                    // SAFETY: `level` proves the instructions, and the caller promises the rest.
+                    // SAFETY: `level` proves that the CPU has the instructions, and the caller
+                    // guarantees that both records of each lane are readable.
                     let [x, y, z, w] = unsafe { $between(from, records, t.0) };
                     [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
                 }
@@ -104,15 +112,15 @@ macro_rules! vector {
                     records: impl Fn(usize) -> [usize; 2],
                     t: Self,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller keeps the conditions of this function under `# Safety`,
-                    // which are those of the code here.
+                    // SAFETY: `one_by_one` reads the two records that `records` names for each
+                    // lane, which the caller guarantees to be readable.
                     unsafe { crate::shorts::$one_by_one(level, from, records, t) }
                 }
             )?
             $(
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {
-                    // SAFETY: the lanes prove the instructions.
+                    // SAFETY: the vectors prove that the CPU has the instructions.
                     Self(unsafe { $sum_quads([a.0, b.0, c.0, d.0]) }, a.1)
                 }
             )?
@@ -165,7 +173,7 @@ macro_rules! vector {
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn select($m: $mask, $yes: Self, $no: Self) -> Self {
-                // SAFETY: the lanes prove the instructions.
+                // SAFETY: the vectors prove that the CPU has the instructions.
                 Self(unsafe { $select }, $yes.1)
             }
         }
