@@ -4,8 +4,8 @@ mod list;
 
 use std::collections::BTreeSet;
 
-/// An open fault: on s390x, under QEMU 7.2 and with optimised code, these two rows have other hashes,
-/// although the numbers that are written out one by one are those of x86-64.
+/// An open fault: on s390x, under QEMU 7.2 and with optimised code, these two rows have other
+/// hashes, although the numbers that are written out one by one are those of x86-64.
 fn is_open(line: &str) -> bool {
     cfg!(target_arch = "s390x")
         && line.starts_with("f32\ttrajectory\t")
