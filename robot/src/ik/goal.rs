@@ -1,5 +1,5 @@
-//! [`Goal`], what a link should reach, and [`ReachError`], the error of goals and limits for which
-//! there can be no search.
+//! [`Goal`], the components of a link's pose that should reach a target, and [`ReachError`], the
+//! error of goals and limits for which there can be no search.
 
 use dq8::Real;
 use dq8::internal::errors;

@@ -1,21 +1,22 @@
 //! Inverse kinematics of mechanisms: values that bring links to their targets.
 //!
-//! | item | what it is |
+//! | item | meaning |
 //! |---|---|
 //! | [`Goal`] | a link, and the components of its target that count |
 //! | [`Reach`], [`Freedom`] | goals of a mechanism, checked once, in memory of the caller |
-//! | `OwnedReach` | the same with memory of its own (feature `alloc`) |
+//! | `OwnedReach` | a [`Reach`] that owns its memory (feature `alloc`) |
 //! | [`ReachJob`] | searches for many configurations |
 //! | [`Options`], [`Tracking`] | tolerances, limits and weights of a search |
 //! | [`Report`], [`Outcome`] | the end of a search |
-//! | [`Reach::rates`], [`ReachJob::sequence`] | velocities; clips of frames |
+//! | [`Reach::rates`] | the rates that give links their velocities |
+//! | [`ReachJob::sequence`] | searches for clips of frames |
 //! | [`SixAxisArm`], [`Solutions`] | all solutions of an arm of six hinges for a target |
 
 // A call passes through these files in this order:
 //
 // - `goal.rs`, `freedom.rs`, `problem.rs`: goals, the values that may change, and a mechanism with
 //   both, checked once;
-// - `job.rs`, with `report.rs`: calls for one configuration, many, and clips;
+// - `job.rs`, with `report.rs`: calls for one configuration, for many, and for clips;
 // - `search.rs`: the loop over rounds and its decisions, in the memory of `scratch.rs`;
 // - `model.rs`: poses, errors and the Jacobian;
 // - `step.rs`, or `tree.rs` for many goals: damped least squares.

@@ -37,7 +37,7 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
 /// The weights of posture and start while tracking.
 #[derive(Clone, Copy)]
 pub(super) struct PostureWeights<L> {
-    /// Returns `true` if steps solve the normal equations that are sparse like the tree.
+    /// `true` if steps solve the normal equations that are sparse like the tree.
     uses_tree: bool,
     /// `has_weights` is `true` if one of the two weights is not zero. The other fields are the
     /// squares of the weights.
@@ -401,7 +401,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let (mut position, mut screw) = (0, 0);
         while let Some(step) = reach.mechanism.steps.get(position) {
-            // A branch of the tree without a goal is skipped whole. Its screws have no memory.
+            // A branch of the tree without a goal is skipped whole: `twists` has none of its
+            // screws.
             if !reach.moves_goal(position) {
                 position += step.size as usize;
                 continue;
@@ -445,12 +446,13 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             let mut twist = twist;
             // Joints are visited from the base up, so the sum so far is the sum in the brackets of
-            // the formula above. Each goal has its own sum, because other joints carry it.
+            // the formula of `linearize`. Each goal has its own sum, because other joints carry it.
             if second_order && goal.is_pose() {
                 let moved = self.add_to_sum(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
             }
-            // Everything in the system is in radians.
+            // All unknowns of the equations are in radians, so a slide counts by its length per
+            // radian.
             if freedom.is_slide() {
                 twist = twist.scale(self.scales.length);
             }
@@ -483,7 +485,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let mut angular = twist.angular;
         let mut linear = vector::cross_onto(angular, end, twist.linear);
         if goal.asks_part_of_rotation() {
-            // The error is a rotation vector, which changes by the inverse of the right Jacobian.
+            // The error is a rotation vector. Its rate is the inverse of the right Jacobian times
+            // the angular velocity.
             let nowhere = [half[0].constant(0.0); 3];
             let turn = self.scratch.goals.record(level, first + POSE);
             let at = Twist { angular: turn, linear: nowhere };
@@ -554,7 +557,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         if freedom.is_slide() {
             way = way * self.scales.radians_per_length;
         }
-        // A difference that overflows is ignored.
+        // A difference that overflows counts as zero.
         L::select(vector::is_finite(way), way, zero)
     }
 

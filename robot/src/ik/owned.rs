@@ -52,7 +52,7 @@ impl<R: Real> OwnedReach<R> {
     /// Makes a problem as [`Reach::new`] does.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`Reach::new`].
     pub fn new(
         mechanism: OwnedMechanism<R>,
         goals: impl Into<Vec<Goal<R>>>,
@@ -74,7 +74,7 @@ impl<R: Real> OwnedReach<R> {
     /// Returns this problem with a preferred configuration, as [`Reach::with_posture`] does.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`Reach::with_posture`].
     pub fn with_posture(self, values: impl Into<Vec<R>>) -> Result<Self, ReachError> {
         let values = values.into();
         self.view().with_posture(&values)?;
@@ -107,7 +107,7 @@ where
     /// Solves one configuration as [`Reach::solve`] does. The first call allocates the scratch.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`Reach::solve`].
     pub fn solve(
         &mut self,
         targets: &[DualQuat<R>],
@@ -120,7 +120,7 @@ where
     /// Follows a target as [`Reach::follow`] does, with its own scratch.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`Reach::follow`].
     pub fn follow(
         &mut self,
         targets: &[DualQuat<R>],
@@ -133,7 +133,7 @@ where
     /// Tracks targets as [`Reach::track`] does, with its own scratch.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`Reach::track`].
     pub fn track(
         &mut self,
         targets: &[DualQuat<R>],
@@ -146,7 +146,7 @@ where
     /// Solves for rates as [`Reach::rates`] does, with its own scratch.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`Reach::rates`].
     pub fn rates(
         &mut self,
         values: &[R],
@@ -219,7 +219,7 @@ impl<R: Real> OwnedSixAxisArm<R> {
     /// Makes an arm as [`SixAxisArm::new`] does.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`SixAxisArm::new`].
     pub fn new(reach: OwnedReach<R>) -> Result<Self, SolutionsError> {
         let SixAxisArm { geometry, .. } = SixAxisArm::new(reach.view())?;
         Ok(Self { reach, geometry })
@@ -258,7 +258,7 @@ where
     /// searches.
     ///
     /// # Errors
-    /// The errors of the method of the same name that borrows its memory.
+    /// The errors of [`SixAxisArm::solutions`].
     pub fn solutions(
         &self,
         target: DualQuat<R>,

@@ -7,8 +7,8 @@
 //! tree that carries these bodies, by the composite-rigid-body algorithm from the leaves to the
 //! base (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 6), and Jᵀe are the joint
 //! forces of the bodies' forces. Hᵢⱼ is only nonzero if joint i carries joint j or is carried
-//! by it, and the factorisation LᵀDL from the leaves fills no other entries (ch. 8). 15 goals of
-//! a humanoid of 35 rates are 341 entries instead of the 1,485 of JJᵀ, of which each takes 35
+//! by it, and the factorisation LᵀDL from the leaves fills no other entries (ch. 8). For 15
+//! goals of a humanoid of 35 rates H has 341 entries; JJᵀ would have 1,485, each a sum of 35
 //! products.
 //!
 //! ```text
@@ -52,7 +52,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let zero = L::splat(level, L::Real::default());
         self.scratch.bodies.fill(zero);
         for freedom in reach.freedoms.iter().filter(|freedom| freedom.is_slide()) {
-            // Everything in the system is in radians.
+            // All unknowns of the equations are in radians, so a slide counts by its length per
+            // radian.
             let at = freedom.twist_row as usize;
             let twist = Twist::from_array(self.scratch.twists.record(level, at));
             self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
