@@ -48,7 +48,7 @@ const PARALLEL_SLACK: f64 = 32.0;
 /// roundoff.
 const SINGULAR_SLACK: f64 = 4096.0;
 
-/// The four limits of the constants above as registers, the first two as lengths.
+/// The limits `REACH_SLACK` to `SINGULAR_SLACK` on lanes. `reach` and `merge` are lengths.
 #[derive(Clone, Copy)]
 struct Slack<L> {
     reach: L,
@@ -57,7 +57,7 @@ struct Slack<L> {
     singular: L,
 }
 
-/// One of the eight solutions.
+/// One of the eight solutions, in each lane for the target of that lane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Branch<L: Lanes> {
     /// The six angles, as complex numbers of any length.
@@ -73,7 +73,7 @@ pub(super) struct Branch<L: Lanes> {
 
 impl<L: Lanes> Branch<L> {
     /// Returns the rounding error of this branch's angles, at most `most`. `rounding` is the
-    /// rounding error of an angle that nothing amplifies.
+    /// rounding error of an angle in branches whose `error_gain` is zero.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rounding(&self, rounding: L, most: L) -> L {
         let rounding = rounding * (most.constant(1.0) + self.error_gain);
@@ -81,7 +81,7 @@ impl<L: Lanes> Branch<L> {
     }
 }
 
-/// An arm and its targets on lanes.
+/// An arm, and a target in each lane.
 pub(super) struct Arm<'s, L: Lanes> {
     level: L::Level,
     geometry: &'s Geometry<L::Real>,
@@ -90,7 +90,7 @@ pub(super) struct Arm<'s, L: Lanes> {
     /// The angles of the start, which are taken where any angle is a solution.
     start: [Complex<L>; 6],
     slack: Slack<L>,
-    /// The second axis, and the two directions that span the plane of the elbow across it.
+    /// The second axis, and two directions at right angles to it that span the plane of the elbow.
     normal: [L; 3],
     plane: [[L; 3]; 2],
 }
@@ -284,8 +284,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Returns the two first angles. After turning back by such an angle, the wrist is at its
-    /// height along the second axis.
+    /// Returns the two solutions for the first angle. When the arm is turned back by either of
+    /// them, the wrist is at its height along the second axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shoulder(&self, to_wrist: [L; 3]) -> Fork<L> {
         let axis = self.axis(0);
@@ -300,7 +300,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let Slack { reach, merge, singular, .. } = self.slack;
         let root = positive(gap * (radius + height.abs())).sqrt();
         let is_free = radius.le(reach);
-        // With the wrist on the axis, both heights are zero.
+        // If the wrist is on the first axis, any angle solves the equation, so one solution is
+        // kept.
         let is_double = gap.le(merge) | is_free;
         let size = self.number(self.geometry.size);
         let mut fork =
@@ -309,7 +310,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         fork
     }
 
-    /// Returns the two angles between the two links for a distance of their end (Heron's formula).
+    /// Returns the two solutions for the elbow, whose angle puts the end of the lower arm at a
+    /// `distance` from the second axis, or from the crossing of the first two (Heron's formula).
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn elbow(&self, distance: L) -> Fork<L> {
         let [shortest, longest] = self.geometry.elbow_reach;
@@ -321,9 +323,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let mut root = positive(inner * inner_too * (outer * outer_too)).sqrt();
         let mut is_double = inner.le(merge) | outer.le(merge);
         if self.geometry.crosses {
-            // At the edge of the reach the root is set to zero. It would be the square root of a
-            // rounding error, which is large enough to turn the end of the arm in a wrong
-            // direction.
+            // At the edge of the reach the root is set to zero. Otherwise it would be the square
+            // root of a rounding error, which is large enough to turn the end of the arm in a
+            // wrong direction.
             is_double = inner.le(reach) | outer.le(reach);
             root = L::select(is_double, root.constant(0.0), root);
         }
@@ -343,10 +345,10 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
     }
 
-    /// Returns the two fifth angles, which bring the last axis to its angle with `against`, and the
-    /// lanes in which these axes are parallel. The slack for parallel axes grows with the error of
-    /// the angles before: a nearly stretched elbow amplifies rounding, and then the direction in
-    /// which nearly parallel axes differ has no meaning.
+    /// Returns the two solutions for the fifth angle, which brings the last axis to its angle with
+    /// `against`, and the lanes in which these axes are parallel. The slack for parallel axes grows
+    /// with the error of the angles before: a nearly stretched elbow amplifies rounding, and then
+    /// the direction in which nearly parallel axes differ has no meaning.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3], error_gain: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.wrist_reference);
@@ -486,7 +488,7 @@ pub(super) struct Fork<L: Lanes> {
 }
 
 impl<L: Lanes> Fork<L> {
-    /// Returns the angles of base·(re ± i·im), where none of the complex numbers needs length 1.
+    /// Returns the angles of base·(re ± i·im). These complex numbers may have any length.
     /// The solutions are singular if im² is less than `part` of the squared length. `re` is
     /// rounded like a number as large as `size`.
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -514,7 +516,7 @@ fn root_of_epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { 1.0 / 2048.0 } else { 1.0 / 67_108_864.0 }
 }
 
-/// The angle between two unit vectors.
+/// The angle between two unit vectors, as its cosine, its sine and the square of its sine.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Separation<L: Lanes> {
     cosine: L,
@@ -542,8 +544,8 @@ impl<L: Lanes> Separation<L> {
         let both = one * other;
         let base =
             Complex { re: vector::dot(to, v) - both, im: vector::dot(to, vector::cross(axis, v)) };
-        // 1 − cos² − a² − b² + 2ab cos for the cosines a and b to the axis, without its
-        // rounding where the sine is small and they are alike.
+        // `left` is 1 − cos² − a² − b² + 2ab cos, where a and b are the cosines to the
+        // axis. This form keeps its digits where the sine is small and a and b are alike.
         let is_back = cosine.lt(sine.constant(0.0));
         let (away, other) = (both + both, L::select(is_back, -other, other));
         let away = L::select(is_back, -away, away) * square / (sine.constant(1.0) + cosine.abs());

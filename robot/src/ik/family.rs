@@ -1,8 +1,8 @@
 //! [`Geometry`], the family, axes and lengths of an arm of six hinges, which are computed once, and
 //! the errors of joints that are no such arm.
 //!
-//! Both families, where all values are zero. An `o` is an axis toward the reader, a `*` a point.
-//! The page is the *plane of the elbow*, across axis 2.
+//! The drawing shows both families where all values are zero. An `o` is an axis toward the reader,
+//! a `*` a point. The page is the *plane of the elbow*, across axis 2.
 //!
 //! ```text
 //!  spherical wrist                            three parallel axes
@@ -21,10 +21,10 @@
 //!
 //! Axis 1 need not be in the page, nor meet axis 2. The *shoulder* is the angle about axis 1 that
 //! brings the wrist to its `height` along axis 2, which no other angle of the arm changes. The
-//! *elbow* is the angle about axis 3, from the distance between axis 2 and the end of the lower arm
-//! (the wrist, or axis 4), which is within `elbow_reach`. The *wrist* is the angle about axis 5,
-//! from the angle that axis 6 makes with `wrist_reference`: axis 4, or of three parallel axes
-//! axis 2.
+//! *elbow* is the angle about axis 3. It follows from the distance between axis 2 and the end of
+//! the lower arm (the wrist, or axis 4), which is within `elbow_reach`. The *wrist* is the angle
+//! about axis 5. It follows from the angle between axis 6 and `wrist_reference`, which is axis 4,
+//! or axis 2 of an arm with three parallel axes.
 //!
 //! A third kind of arm counts as a spherical wrist: axes 1 and 2 cross in `base`, and axis 3 has
 //! any direction (`crosses`). Then the elbow follows from the distance between `base` and the
@@ -58,7 +58,7 @@ errors! {
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     SolutionsError {
-        /// Lengths that do not fit.
+        /// Slices whose lengths do not fit, or too little scratch.
         Shape(error: ShapeError) => "{error}";
         /// More goals than one.
         Goals { goals: usize = "The number of goals." } => "expected one goal, got {goals}";
@@ -69,7 +69,7 @@ errors! {
             => "joint {joint} carries the link: expected a hinge with a value of its own, or a fixed joint";
         /// More or fewer hinges than six that carry the link.
         Hinges { hinges: usize = "The number of hinges." } => "{hinges} hinges carry the link, not six";
-        /// A target with a number that is not finite.
+        /// A target with a component that is not finite.
         Target { index: usize = "The target.", value: f64 = "The number in it." }
             => "target {index} is not finite: it has the number {value}";
         /// A target that is farther than 10⁻³ from a unit motion.
@@ -81,7 +81,8 @@ errors! {
     }
 }
 
-/// The axes, points and lengths in the drawing, in the frame of the base where all values are zero.
+/// The axes, points and lengths of an arm whose values are all zero, in the frame of the base. The
+/// drawing of this module shows them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Geometry<R> {
     pub(super) family: Family,
@@ -89,7 +90,8 @@ pub(super) struct Geometry<R> {
     /// The inverse of the tool's pose where all values are zero. The product of a target and this
     /// inverse is the product of the turns about the six axes.
     pub(super) home_inverse: DualQuat<R>,
-    /// `true` if the first two axes cross, in `base`, and the elbow is not in a plane.
+    /// `true` if the first two axes cross in `base` and the formulas for links in a plane do not
+    /// fit the arm.
     pub(super) crosses: bool,
     /// A point of the first axis.
     pub(super) base: [R; 3],
@@ -119,7 +121,8 @@ pub(super) struct Geometry<R> {
     /// between the first two axes.
     pub(super) height: R,
     pub(super) tilt: R,
-    /// The direction against which the fifth angle turns the last axis.
+    /// The direction whose angle with the last axis determines the fifth angle: axis 4, or axis 2
+    /// of an arm with three parallel axes.
     pub(super) wrist_reference: [R; 3],
     /// Two directions at right angles to the last axis.
     pub(super) across_last: [[R; 3]; 2],
@@ -130,8 +133,8 @@ pub(super) struct Geometry<R> {
     pub(super) tolerance: R,
 }
 
-/// Returns the tolerance for axes that are parallel or meet. Values that were written with nine
-/// decimals, and chains of rounded turns, miss it by less.
+/// Returns the tolerance for axes that are parallel or meet. Axes from values with nine decimals,
+/// or from chains of rounded turns, deviate by less.
 pub(super) fn exact_tolerance<R: Real>() -> R {
     if R::EPSILON > R::from(1e-10) { R::from(1e-5) } else { R::from(1e-8) }
 }
@@ -206,7 +209,7 @@ impl<R: Real> Geometry<R> {
         let in_plane = |v| plane.map(|direction| dot(direction, v));
         let last = any_across(axes[5]);
 
-        // The point where the last two axes meet, if they do.
+        // This is the point where the last two axes meet, if `meets` is `true`.
         let wrist = meeting([points[4], points[5]], [axes[4], axes[5]]);
         let meets = !parallel(4, 5) && !is_off(wrist, 4) && !is_off(wrist, 5);
         let is_wrist = meets && !is_off(wrist, 3) && !parallel(3, 4);
@@ -255,8 +258,8 @@ impl<R: Real> Geometry<R> {
         geometry
     }
 
-    /// Makes the point where the first two axes cross the new `base`. Returns `true` if the third
-    /// axis changes the distance between this point and the wrist.
+    /// Sets `base` to the point at which the first two axes cross, and the lengths that follow from
+    /// it. Returns `true` if the third axis changes the distance between `base` and the wrist.
     fn cross(&mut self, crossing: [R; 3], elbow: [R; 3]) -> bool {
         let (upper, lower, axis) = (sub(elbow, crossing), sub(self.wrist, elbow), self.axes[2]);
         let (a, b) = (cross(axis, upper), cross(axis, lower));
