@@ -76,9 +76,9 @@ pub struct SixAxisArm<'a, R> {
 }
 
 impl<'a, R: Real> SixAxisArm<'a, R> {
-    /// Makes the arm of a problem. Axes count as parallel if they miss it by at most 10⁻⁸
-    /// radians (`f32`: 10⁻⁵), and as meeting if they miss it by at most that part of the arm's
-    /// size. The posture of the problem is ignored.
+    /// Makes the arm of a problem. Axes count as parallel if their lines differ by at most
+    /// 10⁻⁸ radians (`f32`: 10⁻⁵), and as meeting if their distance is at most that part of
+    /// the arm's size. The posture of the problem is ignored.
     ///
     /// # Errors
     /// If there is not exactly one goal, if it is not for a whole pose, or if the joints that carry
@@ -276,8 +276,8 @@ impl<R: Scalar> SolutionsJob<'_, R> {
     /// time.
     ///
     /// # Errors
-    /// The errors of [`SixAxisArm::solutions`], and an error if the numbers of targets, starts and
-    /// places for solutions differ. Nothing is written then.
+    /// The errors of [`SixAxisArm::solutions`], and an error if there are not as many
+    /// starts and places for solutions as targets. Nothing is written then.
     #[cfg(feature = "alloc")]
     pub fn solutions(
         &self,
@@ -466,7 +466,7 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
         let (level, arm, start) = (self.level, self.arm, self.start);
         let zero = L::splat(level, L::Real::ZERO);
         // Searches improve solutions of formulas that fit only nearly, and keep them within the
-        // limits. So these may lie beyond a limit by the tolerance.
+        // limits. So a solution of such formulas may lie beyond a limit by the tolerance.
         let margin = if arm.geometry.is_exact() { zero } else { L::splat(level, arm.tolerance()) };
         let mut exists = branch.exists;
         let (mut values, mut square) = ([zero; 6], zero);
@@ -622,9 +622,9 @@ impl<R: Scalar> Starts<'_, R> {
                 let value = values.get(freedom.value as usize).copied().unwrap_or_default();
                 let [value, to] =
                     [value, start].map(|value| R::Lanes::<Portable>::splat(Portable, value));
-                let tolerance =
+                let wrapped =
                     freedom.range.wrap(value, freedom.range.wrap(to, freedom.range.clamp(to)));
-                *slot = tolerance.to_array().as_ref().first().copied().unwrap_or_default();
+                *slot = wrapped.to_array().as_ref().first().copied().unwrap_or_default();
                 solution.distance += (*slot - start) * (*slot - start);
             }
             solution.distance = solution.distance.sqrt();
