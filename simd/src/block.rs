@@ -29,7 +29,7 @@ pub struct Block<A, const C: usize>(
 );
 
 // SAFETY: `Zeroable` needs zero bytes to be a valid value. `A: Row` implies `A: Pod`, so zeros are
-// a valid row, and padding after few rows may have any bytes.
+// a valid row. The padding that the alignment adds after the rows may have any bytes.
 unsafe impl<A: Row, const C: usize> Zeroable for Block<A, C> {}
 
 /// Implements `Pod` for blocks without padding, so that they can be cast to slices of `f32` or

@@ -95,8 +95,8 @@ pub trait Lanes:
         self.store(to);
     }
 
-    /// Loads the first elements of `from`, at most `LANES`. If `from` is shorter than that, the
-    /// remaining lanes are `padding`.
+    /// Loads the first elements of `from`, at most `LANES`. If `from` has fewer than `LANES`
+    /// elements, the remaining lanes are `padding`.
     #[inline(always)]
     fn load_partial(level: Self::Level, from: &[Self::Real], padding: Self::Real) -> Self {
         let mut array = Self::Array::zeroed();
@@ -138,8 +138,8 @@ pub trait Lanes:
         let mut rows = [Self::Array::zeroed(); 4];
         for lane in 0..Self::LANES {
             for (c, row) in rows.iter_mut().enumerate() {
-                // SAFETY: `c` is below four, and the caller guarantees that the four components at
-                // the offset of each lane are readable.
+                // SAFETY: `c` is below four, and the caller guarantees that the four components
+                // from `from + offset(lane)` on are readable for each lane.
                 row.as_mut()[lane] = unsafe { *from.add(offset(lane) + c) };
             }
         }
@@ -287,7 +287,7 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
 ) {
     for (c, component) in components.into_iter().enumerate() {
         for (lane, &number) in component.to_array().as_ref().iter().enumerate() {
-            // SAFETY: `lane` is below `LANES` and `c` below `C`, so this is one of the components
+            // SAFETY: `lane` is below `LANES` and `c` below `C`, so this write goes to a component
             // that the caller guarantees to be writable and unused by other threads.
             unsafe { *to.add(lane * stride + c) = number };
         }

@@ -69,9 +69,9 @@ where
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: lane `i` of the upper half is lane `L::LANES + i` of the pair, at whose offset it
-        // reads. The caller guarantees four readable components at the offset of every lane of the
-        // pair.
+        // SAFETY: lane `i` of the upper half reads at the offset of lane `L::LANES + i` of the
+        // pair. The caller guarantees four readable components at the offset of every lane of the
+        // pair, so both halves read only these components.
         let [a, b] = unsafe {
             [
                 L::load_quads(level, from, &offset),
@@ -93,8 +93,9 @@ where
         records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: lane `i` of the upper half is lane `L::LANES + i` of the pair, whose records it
-        // reads. The caller guarantees that the records of every lane of the pair are readable.
+        // SAFETY: lane `i` of the upper half reads the records of lane `L::LANES + i` of the pair.
+        // The caller guarantees that the records of every lane of the pair are readable, so both
+        // halves read only these records.
         let [a, b] = unsafe {
             [
                 L::between_shorts(level, from, &records, t.0),
@@ -112,7 +113,7 @@ where
     }
     #[inline(always)]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the upper half begins at the place of lane `L::LANES` of the pair. The caller
+        // SAFETY: the upper half begins at the address of lane `L::LANES` of the pair. The caller
         // guarantees that the four components of every lane of the pair are writable and unused by
         // other threads.
         unsafe {
@@ -122,7 +123,7 @@ where
     }
     #[inline(always)]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: the upper half begins at the place of lane `L::LANES` of the pair. The caller
+        // SAFETY: the upper half begins at the address of lane `L::LANES` of the pair. The caller
         // guarantees that the three components of every lane of the pair are writable and unused by
         // other threads.
         unsafe {

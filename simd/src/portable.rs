@@ -162,8 +162,9 @@ macro_rules! wide_lanes {
                 ) -> [Self; 4] {
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
-                        // SAFETY: the caller guarantees four readable components at the offset of
-                        // each lane, and an array has the alignment of its elements.
+                        // SAFETY: the caller guarantees four readable components from
+                        // `from + offset(i)` on for each lane `i`, and an array has the alignment
+                        // of its elements.
                         *row = Self::new(unsafe { *from.add(offset(i)).cast::<[$real; $lanes]>() });
                     }
                     Self::$transpose(rows)
@@ -171,8 +172,9 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     for (i, row) in Self::$transpose(components).iter().enumerate() {
-                        // SAFETY: the caller guarantees four writable components at the place of
-                        // each lane, and an array has the alignment of its elements.
+                        // SAFETY: the caller guarantees four writable components from
+                        // `to + i · stride` on for each lane `i`, and an array has the alignment
+                        // of its elements.
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
                 }
@@ -189,14 +191,16 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller guarantees four readable components at the offset of each
-                    // lane, and NEON's function reads no others.
+                    // SAFETY: the caller guarantees four readable components from
+                    // `from + offset(i)` on for each lane `i`, and `load_quads` reads only these
+                    // components.
                     unsafe { aarch64::$quads::load_quads(from, offset) }
                 }
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
-                    // SAFETY: the caller guarantees four writable components at the place of each
-                    // lane, and NEON's function writes no others.
+                    // SAFETY: the caller guarantees four writable components from
+                    // `to + i · stride` on for each lane `i`, and `store_quads` writes only these
+                    // components.
                     unsafe { aarch64::$quads::store_quads(components, to, stride) }
                 }
             )?
@@ -204,7 +208,7 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_triples(components: [Self; 3], to: *mut $real) {
                     // SAFETY: the caller guarantees three writable components per lane from `to`
-                    // on, and NEON's function writes no others.
+                    // on, and `store_triples` writes only these components.
                     unsafe { aarch64::$neon::store_triples(components, to) }
                 }
                 #[inline(always)]
@@ -213,7 +217,7 @@ macro_rules! wide_lanes {
                     to: *mut $real,
                 ) -> bool {
                     // SAFETY: the caller guarantees `C` writable components per lane from `to` on,
-                    // and NEON's function writes no others.
+                    // and `store_adjoining` writes only these components.
                     unsafe { aarch64::$neon::store_adjoining(components, to) }
                 }
                 #[inline(always)]
@@ -222,7 +226,7 @@ macro_rules! wide_lanes {
                     from: *const $real,
                 ) -> Option<[Self; C]> {
                     // SAFETY: the caller guarantees `C` readable components per lane from `from`
-                    // on, and NEON's function reads no others.
+                    // on, and `load_adjoining` reads only these components.
                     unsafe { aarch64::$neon::load_adjoining::<C>(from) }
                 }
             )?
@@ -233,9 +237,9 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: lane `i` of the upper half is lane `$lanes / 2 + i` of this vector.
-                    // The caller guarantees four readable components at the offset of every lane of
-                    // this vector.
+                    // SAFETY: lane `i` of the upper half reads at the offset of lane
+                    // `$lanes / 2 + i` of this vector. The caller guarantees four readable
+                    // components at the offset of every lane of this vector.
                     let [[a, b, c, d], [e, f, g, h]] = unsafe {
                         let upper = |lane| offset($lanes / 2 + lane);
                         [$half::load_quads(level, from, &offset), $half::load_quads(level, from, upper)]
@@ -245,9 +249,9 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     let halves = components.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
-                    // SAFETY: the upper half begins at the place of lane `$lanes / 2` of this
-                    // vector. The caller guarantees four writable components at the place of every
-                    // lane of this vector.
+                    // SAFETY: the upper half begins at the address of lane `$lanes / 2` of this
+                    // vector. The caller guarantees four writable components from
+                    // `to + i · stride` on for every lane `i` of this vector.
                     unsafe {
                         $half::store_quads(halves.map(|half| half[0]), to, stride);
                         let upper = to.add($lanes / 2 * stride);

@@ -21,11 +21,11 @@
 //! ```
 //!
 //! 1. If `C` is not a multiple of four, the last two transposes overlap: components 0 to 6 are read
-//!    as 0 to 3 and 3 to 6. So nothing outside of the record is read. The overlap costs no time,
+//!    as 0 to 3 and 3 to 6. So no load reads outside of the record. The overlap costs no time,
 //!    because a transpose of three components takes as long as a transpose of four.
-//! 2. Of a record of three components, a fourth component is read after the record and dropped. The
-//!    slice must contain it, so the cold function loads the vector that ends with the last record
-//!    of a slice.
+//! 2. A load of records of three components also reads the component after each record, and drops
+//!    it. The slice must contain this fourth component, so the cold function loads the vector that
+//!    ends with the last record of a slice.
 //! 3. The cold function takes and returns arrays, not vectors, so the loop around the call keeps
 //!    its vectors in registers.
 
@@ -129,7 +129,7 @@ pub trait Records: Lanes {
         }
         let all = match stride {
             Some(stride) if const { C >= 4 } => has_all::<Self, C>(from.len(), stride),
-            // After a record of three components a fourth component is read.
+            // A load of records of three components also reads the component after each record.
             _ => flat.len() >= reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } }),
         };
         if const { C < 3 } || !all {

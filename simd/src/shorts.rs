@@ -31,7 +31,8 @@ pub(crate) fn numbers(record: Shorts) -> [i16; 4] {
 /// Interpolates one component of one lane after the other, for any lanes.
 ///
 /// # Safety
-/// For each lane, the two records that `records(lane)` names must be readable after `from`.
+/// For each lane, the records `from + a` and `from + b` with `[a, b] = records(lane)` must be
+/// readable.
 #[inline(always)]
 pub(crate) unsafe fn one_by_one<L: Lanes>(
     level: L::Level,
@@ -47,7 +48,8 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     let weights = t.mul_add(t.constant(16384.0), in_last_bits).to_array();
     let mut rows = [L::Array::zeroed(); 4];
     for lane in 0..L::LANES {
-        // SAFETY: the caller guarantees that the records of each lane are readable.
+        // SAFETY: `record` is one of the two of `records(lane)`, and the caller guarantees that
+        // both are readable after `from`.
         let [a, b] = records(lane).map(|record| numbers(unsafe { *from.add(record) }));
         let sum = weights.as_ref()[lane];
         let weight =
@@ -70,7 +72,8 @@ pub(crate) use one_by_one as four_at_once;
 /// Interpolates four lanes at once, by products of 16-bit integers that are added in pairs.
 ///
 /// # Safety
-/// For each lane, the two records that `records(lane)` names must be readable after `from`.
+/// For each lane, the records `from + a` and `from + b` with `[a, b] = records(lane)` must be
+/// readable.
 #[cfg(target_endian = "little")]
 #[inline(always)]
 pub(crate) unsafe fn four_at_once(
@@ -93,7 +96,8 @@ pub(crate) unsafe fn four_at_once(
     // a₂a₃ b₀b₁ b₂b₃.
     let mut rows = [f32x4::ZERO; 4];
     for (lane, row) in rows.iter_mut().enumerate() {
-        // SAFETY: the caller guarantees that the records of each lane are readable.
+        // SAFETY: `record` is one of the two of `records(lane)`, and the caller guarantees that
+        // both are readable after `from`.
         *row = bytemuck::cast(records(lane).map(|record| unsafe { *from.add(record) }));
     }
     let [a01, a23, b01, b23]: [u32x4; 4] = bytemuck::cast(f32x4::transpose(rows));

@@ -82,15 +82,15 @@ impl<L: Lanes> Lanes for Unfused<L> {
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: the caller guarantees four readable components at the offset of each lane, and
-        // `L` has the same lanes.
+        // SAFETY: the caller guarantees four readable components from `from + offset(i)` on for
+        // each lane `i`, and `L` has the same lanes.
         let [x, y, z, w] = unsafe { L::load_quads(level.0, from, offset) };
         [Self(x), Self(y), Self(z), Self(w)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the caller guarantees four writable components at the place of each lane, and `L`
-        // has the same lanes.
+        // SAFETY: the caller guarantees four writable components from `to + i · stride` on for
+        // each lane `i`, and `L` has the same lanes.
         unsafe { L::store_quads([x.0, y.0, z.0, w.0], to, stride) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -19,7 +19,7 @@ pub(crate) unsafe fn store_triples(components: [f32x4; 3], to: *mut f32) {
 }
 
 /// Implements [`Lanes::store_adjoining`](crate::Lanes::store_adjoining) for records of two
-/// components. Those of three are stored by [`store_triples`].
+/// components. Records of three components are stored by [`store_triples`].
 ///
 /// # Safety
 /// The `4 · C` floats from `to` on must be writable, and no other thread may use them during the

@@ -55,7 +55,7 @@ pub(crate) unsafe fn store_triples(components: [f64x2; 3], to: *mut f64) {
 }
 
 /// Implements [`Lanes::store_adjoining`](crate::Lanes::store_adjoining) for records of two
-/// components. Those of three are stored by [`store_triples`].
+/// components. Records of three components are stored by [`store_triples`].
 ///
 /// # Safety
 /// The `2 · C` floats from `to` on must be writable, and no other thread may use them during the
@@ -72,7 +72,7 @@ pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f64x2; C], to:
 }
 
 /// Implements [`Lanes::load_adjoining`](crate::Lanes::load_adjoining). Records of four components
-/// load as quickly by shuffles, so they return `None`.
+/// load as quickly by shuffles, so the function returns `None` for them.
 ///
 /// # Safety
 /// The `2 · C` floats from `from` on must be readable.

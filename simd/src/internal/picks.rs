@@ -117,8 +117,8 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     #[inline(always)]
     #[must_use]
     pub fn row(self, row: usize) -> &'a [J] {
-        // Only whole rows have been checked, so a row that the end of the slice cuts off does not
-        // count.
+        // `new` has checked only whole rows, so a row that the end of the slice cuts off counts as
+        // missing.
         let from = row.checked_mul(self.stride).and_then(|from| self.indices.get(from..));
         from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
@@ -175,8 +175,8 @@ impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
     #[must_use]
     pub fn records(&self, row: usize) -> Option<[&'t [R; C]; RECORDS_PER_LANE]> {
         let &row = self.rows.get(row)?;
-        // SAFETY: `all_in_place` makes this type, whose indices are all below a bound. It has
-        // checked that the table has at least as many records as the bound.
+        // SAFETY: only `all_in_place` makes this type, from indices that are all below a bound. It
+        // has checked that the table has at least as many records as the bound.
         Some(unsafe { records(row, self.table) })
     }
 }
@@ -307,8 +307,8 @@ impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
     #[inline(always)]
     #[must_use]
     pub fn records(&self, lane: usize) -> [&'t [R; C]; RECORDS_PER_LANE] {
-        // SAFETY: each index is 0 or below a bound. `PickRows::of` makes this type, and it has
-        // checked that the table is not empty and has at least as many records as the bound.
+        // SAFETY: each index is 0 or below a bound. Only `PickRows::of` makes this type, after it
+        // has checked that the table is not empty and has at least as many records as the bound.
         unsafe { records(self.rows[lane], self.table) }
     }
 

@@ -1,5 +1,5 @@
-//! [`pod!`](crate::pod!): generic structs whose fields are all of one number type `T`, as
-//! `bytemuck::Pod`.
+//! [`pod!`](crate::pod!): generic structs, all of whose fields consist of values of one element
+//! type `T`, as `bytemuck::Pod`.
 //!
 //! `bytemuck` derives `Pod` for a generic struct only if the struct has one field. The macro here
 //! proves at compile time that a struct of several fields has no padding, from two facts:
@@ -46,8 +46,9 @@ pub const fn check_padding<P>(size_of_fields: usize) {
     assert!(size_of::<P>() == size_of_fields, "an attribute gives this struct padding");
 }
 
-/// Defines a struct that is generic over its number type, and implements `bytemuck::Pod` for it.
-/// All fields must be numbers, arrays of numbers, or structs that this macro defined.
+/// Defines a struct that is generic over its element type, and implements `bytemuck::Pod` for it.
+/// All fields must be values of the element type, arrays of such values, or structs that this macro
+/// defined.
 ///
 /// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. It accepts
 /// documentation, `must_use`, derives and, behind a feature, derives and `serde` attributes. It
@@ -127,14 +128,16 @@ macro_rules! pod {
             $crate::internal::pod::check_padding::<$name<$crate::internal::pod::Byte>>(size_of_fields(&plain));
         };
         // SAFETY: `size_of_fields` compiles, so the finished struct has exactly the fields above,
-        // and each consists of numbers. So all fields have the alignment of a number, and there is
-        // no padding between or after them. An attribute that added padding or an alignment would
-        // add it to the struct of bytes too, and `check_padding` finds none there.
+        // and each consists of values of the type `$number`. So all fields have the alignment of
+        // `$number`, and there is no padding between or after them. An attribute that added padding
+        // or an alignment would add it to the struct of bytes too, and `check_padding` finds none
+        // there.
         unsafe impl<$number> $crate::internal::pod::Numbers<$number> for $name<$number> {}
-        // SAFETY: all fields consist of numbers, so zero bytes are valid if they are a valid
-        // number.
+        // SAFETY: all fields consist of values of the type `$number`, for which zero bytes are
+        // valid.
         unsafe impl<$number: $crate::internal::pod::Zeroable> $crate::internal::pod::Zeroable for $name<$number> {}
-        // SAFETY: the struct consists of numbers without padding, and any bits are a valid number.
+        // SAFETY: the struct consists of values of the type `$number` without padding, and any bits
+        // are a valid `$number`.
         unsafe impl<$number: $crate::internal::pod::Pod> $crate::internal::pod::Pod for $name<$number> {}
     };
     (@without_padding C) => {};
@@ -159,8 +162,9 @@ pub type Size = usize;
 /// with padding or with an unspecified layout. Earlier versions of the macro accepted them. The
 /// package `tests/attributes` has more such programs, which define attributes.
 ///
-/// These programs define the struct outside of the macro, of which earlier versions took the name
-/// only. The programs then shadow the `align_of` or the `assert!` that the macro used:
+/// These programs define the struct outside of the macro. Earlier versions of the macro took only
+/// the names of the struct and of its fields. The programs then shadow the `align_of` or the
+/// `assert!` that the macro used:
 ///
 /// ```compile_fail
 /// mod a {

@@ -11,7 +11,7 @@ pub(crate) const VECTORS: bool = cfg!(any(
     target_feature = "simd128"
 ));
 
-/// Returns √`value`, correctly rounded. It is NaN if `value` is below zero.
+/// Returns √`value`, correctly rounded. The root is NaN if `value` is below zero.
 #[inline(always)]
 #[must_use]
 pub fn f32(value: f32) -> f32 {
@@ -22,7 +22,7 @@ pub fn f32(value: f32) -> f32 {
     wide::f32x4::splat(value).sqrt().to_array()[0]
 }
 
-/// Returns √`value`, correctly rounded. It is NaN if `value` is below zero.
+/// Returns √`value`, correctly rounded. The root is NaN if `value` is below zero.
 #[inline(always)]
 #[must_use]
 pub fn f64(value: f64) -> f64 {

@@ -2,8 +2,8 @@
 //! file.
 //!
 //! The crate `dq8` defines the file and parses its head. This module has the three tables of the
-//! file that a loop reads without checks, and so it also has the checks that make these reads
-//! sound:
+//! file that a loop reads without checks, so the module also makes the checks without which these
+//! reads would be unsound:
 //!
 //! ```text
 //! keys                 four 16-bit numbers each
@@ -45,7 +45,7 @@ type Entry = [u8; 2];
 
 /// The count of keys in a cache line.
 const KEYS_PER_LINE: usize = 8;
-/// The count of keys from which on their table, of 1 MiB and more, is not expected to fit into the
+/// The least count of keys whose table, of 1 MiB or more, is expected not to fit into the
 /// second-level cache.
 const BEYOND_CACHE: usize = 1 << 17;
 
@@ -55,7 +55,7 @@ const BEYOND_CACHE: usize = 1 << 17;
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
-    /// The first key of each clip, its number of frames, its step and its row.
+    /// The first key of each clip, its count of frames, its step and its row.
     clips: &'a [[Word; 4]],
     /// The entries of all rows, row by row.
     rows: &'a [Entry],
@@ -265,8 +265,8 @@ impl<'a> PlacedTracks<'a, '_> {
         }
         // SAFETY: `lanes` has at least as many places as there are lanes. By the invariant of
         // `places`, `place.row` is the first entry of a row, which has `columns` entries, and
-        // `column` is less. `Tracks::new` has checked that the entry leads to keys that exist at
-        // every frame.
+        // `column` is less than `columns`. `Tracks::new` has checked that the entry leads to keys
+        // that exist at every frame.
         Some(unsafe {
             L::between_shorts(
                 level,
@@ -407,7 +407,7 @@ impl OwnedTracks {
         Ok(Self { bytes, ranges, columns })
     }
 
-    /// Returns all bytes, with those outside of the tables.
+    /// Returns all bytes, including the bytes outside of the tables.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         &self.bytes

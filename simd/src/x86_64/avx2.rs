@@ -60,7 +60,7 @@ impl Level for Avx2 {
             align_frame();
             kernel()
         }
-        // SAFETY: `self` proves that the CPU has AVX2 and FMA.
+        // SAFETY: only `detect` makes `self`, after it has found AVX2 and FMA.
         unsafe { with_avx2(kernel) }
     }
 }

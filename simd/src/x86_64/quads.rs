@@ -33,7 +33,8 @@ macro_rules! transpose_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident) => {
         #[cfg_attr(not(opt_level_0), inline(always))]
         unsafe fn $name([a, b, c, d]: [$register; 4]) -> [$register; 4] {
-            // SAFETY: the caller guarantees that the CPU has the instructions of this register.
+            // SAFETY: the caller guarantees that the CPU has the instructions of this register, and
+            // they access no memory.
             unsafe {
                 let (ab, cd) = ($low(a, b), $low(c, d)); // a₀ b₀ a₁ b₁, c₀ d₀ c₁ d₁
                 let (ab_high, cd_high) = ($high(a, b), $high(c, d)); // a₂ b₂ a₃ b₃, …
@@ -57,7 +58,8 @@ macro_rules! sum_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident, $add:ident) => {
         #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $name([a, b, c, d]: [$register; 4]) -> $register {
-            // SAFETY: the caller guarantees that the CPU has the instructions of this register.
+            // SAFETY: the caller guarantees that the CPU has the instructions of this register, and
+            // they access no memory.
             unsafe {
                 let ab = $add($low(a, b), $high(a, b)); // a₀+a₂ b₀+b₂ a₁+a₃ b₁+b₃
                 let cd = $add($low(c, d), $high(c, d));
@@ -85,7 +87,7 @@ macro_rules! single_quads {
             offset: impl Fn(usize) -> usize,
         ) -> [$register; 4] {
             // SAFETY: the caller guarantees that the CPU has the instructions, and that the four
-            // components at the offset of each lane are readable.
+            // components from `at + offset(lane)` on are readable for each lane.
             unsafe {
                 let mut rows = [core::mem::zeroed::<$register>(); 4];
                 for ($i, row) in rows.iter_mut().enumerate() {
@@ -102,7 +104,7 @@ macro_rules! single_quads {
         #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $store(components: [$register; 4], at: *mut f32, stride: usize) {
             // SAFETY: the caller guarantees that the CPU has the instructions, and that the four
-            // components at the place of each lane are writable.
+            // components from `at + lane · stride` on are writable for each lane.
             unsafe {
                 for (i, &$whole) in $transpose(components).iter().enumerate() {
                     for (group, &record) in $split.iter().enumerate() {
@@ -161,7 +163,8 @@ single_quads! {
 /// Transposes the 4 × 4 components of four registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
-    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register, and they
+    // access no memory.
     unsafe {
         let (ab, cd) = (_mm256_unpacklo_pd(a, b), _mm256_unpacklo_pd(c, d)); // a₀ b₀ a₂ b₂, …
         let (ab_odd, cd_odd) = (_mm256_unpackhi_pd(a, b), _mm256_unpackhi_pd(c, d));
@@ -177,7 +180,8 @@ unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
 /// Transposes the 4 × 4 components in each half of four registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
-    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register, and they
+    // access no memory.
     unsafe {
         let first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
         let second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
@@ -196,7 +200,8 @@ unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
 /// `i`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
-    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register, and they
+    // access no memory.
     unsafe {
         let [ac, bd] = [[a, c], [b, d]].map(
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -214,7 +219,8 @@ pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
 /// that half of register `i`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_sum([a, b, c, d]: [__m512d; 4]) -> __m512d {
-    // SAFETY: the caller guarantees that the CPU has the instructions of this register.
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register, and they
+    // access no memory.
     unsafe {
         let [a, b, c, d] = transpose_f64x8([a, b, c, d]);
         _mm512_add_pd(_mm512_add_pd(a, c), _mm512_add_pd(b, d))
@@ -234,8 +240,8 @@ unsafe fn store_triple(record: __m256d, at: *mut f64) {
 
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m256d; 4] {
-    // SAFETY: the caller guarantees that the CPU has AVX, and that the four components at the
-    // offset of each lane are readable.
+    // SAFETY: the caller guarantees that the CPU has AVX, and that the four components from
+    // `at + offset(lane)` on are readable for each lane.
     unsafe {
         transpose_f64x4([
             _mm256_loadu_pd(at.add(offset(0))),
@@ -247,8 +253,8 @@ pub(super) unsafe fn f64x4_load(at: *const f64, offset: impl Fn(usize) -> usize)
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride: usize) {
-    // SAFETY: the caller guarantees that the CPU has AVX, and that the four components at the place
-    // of each lane are writable.
+    // SAFETY: the caller guarantees that the CPU has AVX, and that the four components from
+    // `at + lane · stride` on are writable for each lane.
     unsafe {
         for (i, &record) in transpose_f64x4(components).iter().enumerate() {
             _mm256_storeu_pd(at.add(i * stride), record);
@@ -268,8 +274,8 @@ pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) 
 
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m512d; 4] {
-    // SAFETY: the caller guarantees that the CPU has AVX-512 F, and that the four components at the
-    // offset of each lane are readable.
+    // SAFETY: the caller guarantees that the CPU has AVX-512 F, and that the four components from
+    // `at + offset(lane)` on are readable for each lane.
     unsafe {
         let mut rows = [_mm512_setzero_pd(); 4];
         for (i, row) in rows.iter_mut().enumerate() {
@@ -281,8 +287,8 @@ pub(super) unsafe fn f64x8_load(at: *const f64, offset: impl Fn(usize) -> usize)
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride: usize) {
-    // SAFETY: the caller guarantees that the CPU has AVX-512 F, and that the four components at the
-    // place of each lane are writable.
+    // SAFETY: the caller guarantees that the CPU has AVX-512 F, and that the four components from
+    // `at + lane · stride` on are writable for each lane.
     unsafe {
         for (i, &records) in transpose_f64x8(components).iter().enumerate() {
             _mm256_storeu_pd(at.add(i * stride), _mm512_castpd512_pd256(records));
@@ -304,8 +310,8 @@ pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) 
 
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_load(at: *const f64, offset: impl Fn(usize) -> usize) -> [__m128d; 4] {
-    // SAFETY: every x86-64 CPU has SSE2, and the caller guarantees that the four components at the
-    // offset of each lane are readable.
+    // SAFETY: every x86-64 CPU has SSE2, and the caller guarantees that the four components from
+    // `at + offset(lane)` on are readable for each lane.
     unsafe {
         let (a, b) = (at.add(offset(0)), at.add(offset(1)));
         let (xy_a, zw_a) = (_mm_loadu_pd(a), _mm_loadu_pd(a.add(2)));
@@ -320,8 +326,8 @@ pub(super) unsafe fn f64x2_load(at: *const f64, offset: impl Fn(usize) -> usize)
 }
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], at: *mut f64, stride: usize) {
-    // SAFETY: every x86-64 CPU has SSE2, and the caller guarantees that the four components at the
-    // place of each lane are writable.
+    // SAFETY: every x86-64 CPU has SSE2, and the caller guarantees that the four components from
+    // `at + lane · stride` on are writable for each lane.
     unsafe {
         _mm_storeu_pd(at, _mm_unpacklo_pd(x, y));
         _mm_storeu_pd(at.add(2), _mm_unpacklo_pd(z, w));

@@ -28,8 +28,8 @@ unsafe fn both(from: *const Shorts, [a, b]: [usize; 2]) -> __m128d {
 /// Implements [`Lanes::between_shorts`](crate::Lanes::between_shorts) for eight lanes of `f32`.
 ///
 /// # Safety
-/// For each lane, the two records that `records(lane)` names must be readable after `from`, and the
-/// CPU must have AVX2.
+/// For each lane, the records `from + a` and `from + b` with `[a, b] = records(lane)` must be
+/// readable, and the CPU must have AVX2.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f32x8_between(
     from: *const Shorts,
@@ -86,8 +86,8 @@ pub(super) unsafe fn f32x8_between(
 /// in 512 bits and adds the products in pairs.
 ///
 /// # Safety
-/// For each lane, the two records that `records(lane)` names must be readable after `from`, and the
-/// CPU must have AVX2 and AVX-512 F and DQ.
+/// For each lane, the records `from + a` and `from + b` with `[a, b] = records(lane)` must be
+/// readable, and the CPU must have AVX2 and AVX-512 F and DQ.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f32x16_between(
     from: *const Shorts,

@@ -41,7 +41,7 @@ macro_rules! vector {
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn splat(level: $level, value: $real) -> Self {
-                // SAFETY: `level` proves that the CPU has the instruction.
+                // SAFETY: only detection makes `level`, so the CPU has the instruction.
                 Self(unsafe { $splat(value) }, level)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -74,14 +74,14 @@ macro_rules! vector {
                 offset: impl Fn(usize) -> usize,
             ) -> [Self; 4] {
                 // SAFETY: `level` proves that the CPU has the instructions, and the caller
-                // guarantees four readable components at the offset of each lane.
+                // guarantees four readable components from `from + offset(i)` on for each lane `i`.
                 let [x, y, z, w] = unsafe { $load_quads(from, offset) };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut $real, stride: usize) {
                 // SAFETY: the vectors prove that the CPU has the instructions, and the caller
-                // guarantees four writable components at the place of each lane.
+                // guarantees four writable components from `to + i · stride` on for each lane `i`.
                 unsafe { $store_quads([x.0, y.0, z.0, w.0], to, stride) }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -120,33 +120,39 @@ macro_rules! vector {
             $(
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {
-                    // SAFETY: the vectors prove that the CPU has the instructions.
+                    // SAFETY: each vector holds a `$level`, which only detection makes, so the CPU
+                    // has the instructions.
                     Self(unsafe { $sum_quads([a.0, b.0, c.0, d.0]) }, a.1)
                 }
             )?
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 Self(unsafe { $mul_add(self.0, factor.0, addend.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 Self(unsafe { $neg_mul_add(self.0, factor.0, addend.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn sqrt(self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 Self(unsafe { $sqrt(self.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn abs(self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 Self(unsafe { $and_not($splat(-0.0), self.0) }, self.1)
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn copysign(self, sign: Self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 let joined = unsafe {
                     let bit = $splat(-0.0);
                     $or($and_not(bit, self.0), $and(bit, sign.0))
@@ -156,24 +162,28 @@ macro_rules! vector {
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn lt(self, other: Self) -> $mask {
                 let ($la, $lb) = (self, other);
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 unsafe { $less }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn le(self, other: Self) -> $mask {
                 let ($ea, $eb) = (self, other);
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 unsafe { $less_equal }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn eq(self, other: Self) -> $mask {
                 let ($qa, $qb) = (self, other);
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 unsafe { $equal }
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn select($m: $mask, $yes: Self, $no: Self) -> Self {
-                // SAFETY: the vectors prove that the CPU has the instructions.
+                // SAFETY: each vector holds a `$level`, which only detection makes, so the CPU has
+                // the instructions.
                 Self(unsafe { $select }, $yes.1)
             }
         }
@@ -187,7 +197,8 @@ macro_rules! vector {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn neg(self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 Self(unsafe { $xor(self.0, $splat(-0.0)) }, self.1)
             }
         }
@@ -201,7 +212,8 @@ macro_rules! operator {
             type Output = Self;
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn $method(self, other: Self) -> Self {
-                // SAFETY: `self` proves that the CPU has the instructions.
+                // SAFETY: `self` holds a `$level`, which only detection makes, so the CPU has the
+                // instructions.
                 Self(unsafe { $instruction(self.0, other.0) }, self.1)
             }
         }
