@@ -190,7 +190,7 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     fails(() => dq8.packedClip([]), /at byte 0$/);
     fails(() => skeleton.localToModel(walk.sample(at), four), /^each frame of the clip holds 21 elements where 2 are needed$/);
     fails(() => skeleton.localToModel(walk.sample(at, dq8.floats(1)), four), /^clips holds 1 element where 2 are needed$/);
-    for (const clip of [1, -1, 0.5, NaN]) fails(() => skeleton.localToModel(walk.sample(at, dq8.floats([0, clip])), four), /^instance 1 lies at a place of other clips/);
+    for (const clip of [1, -1, 0.5, NaN]) fails(() => skeleton.localToModel(walk.sample(at, dq8.floats([0, clip])), four), /^instance 1 is sampled at a place in other clips/);
     fails(() => skeleton.localToModel(walk.sample(at, 1), four), /^instance 0 is sampled at a place in other clips/);
     fails(() => skeleton.localToModel(walk.sample(at, -1), four), /^clips is -1, not a whole number$/);
     const wrong = { jointCount: 2, influences: 1, joints: [0, 2], weights: [1, 1] };
