@@ -1,4 +1,5 @@
-//! local(j) = model(parent(j))* · model(j); and locals of any form, written to memory as motions.
+//! The computation of locals from models, local(j) = model(parent(j))* · model(j), and the loop
+//! that writes locals of any form to memory as motions.
 
 use super::locals::{Locals, Pass};
 use super::plain::MANY;
@@ -39,7 +40,7 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
 }
 
 impl<E: Element<8>> Backward<'_, '_, E> {
-    /// Computes the locals, on the threads of the backend.
+    /// Computes the locals on the threads of the backend.
     #[inline]
     pub(super) fn on_threads(self) {
         #[cfg(feature = "rayon")]
@@ -102,15 +103,15 @@ impl<E: Element<8>> Run<'_, E> {
         let root = self.root_of(instance);
         let lanes = E::Layout::records::<V>();
         let nothing = root.unwrap_or(identity());
-        // Both copies are halves of one array. Of two arrays with the same initial values, the
-        // compiler would copy one from the other by a function call.
+        // Both copies are halves of one array. If they were two arrays with the same initial
+        // values, the compiler would initialise the second by a call of `memcpy` from the first.
         let mut both = [nothing; 2 * MAX_LANES];
         let (own, parents) = both.split_at_mut(MAX_LANES);
         let mut end = self.joints.end;
         while end > self.joints.start {
             let start = end.saturating_sub(lanes).max(self.joints.start);
-            // The models of the joints and of their parents are copied before any local is written:
-            // in place, a parent may be among these joints.
+            // The models of the joints and of their parents are copied before any local is written,
+            // because in place a local overwrites the model of a joint that may be a parent here.
             let Some(from) = E::plain(models.or(locals)) else { return };
             for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut *parents)) {
                 let (Some(model), Some(&of)) = (from.get(joint), self.parents.get(joint)) else {
@@ -134,11 +135,11 @@ impl<E: Element<8>> Run<'_, E> {
 }
 
 /// The loop that writes locals as motions: poses(j) = local(j). In blocks, and for plain instances
-/// whose locals are computed, lanes are instances: clips and layers are faster for a batch of
-/// joints at a time, and the joints of a small skeleton would fill few registers, the last of them
-/// partly. For locals that lie in memory, and for instances left over, lanes are joints of one
-/// instance: here no joint waits for another, and joints side by side are not strided. The results
-/// have the same bits.
+/// whose locals are computed, lanes are instances. This is because clips and layers compute a batch
+/// of joints at a time, and because the joints of a small skeleton would fill few registers, the
+/// last one only partly. For locals in memory, and for the last instances, which do not fill all
+/// lanes, lanes are joints of one instance. No joint waits for another here, and joints that adjoin
+/// need no strided access. Both ways give the same bits.
 pub(super) struct Write<'r, 's, E: Element<8>, L> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
@@ -148,7 +149,8 @@ pub(super) struct Write<'r, 's, E: Element<8>, L> {
 impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE || L::COMPUTED;
-    // AVX-512 takes a fifth to a quarter less time on CPUs that shuffle 512 bits as quickly as 256.
+    // On CPUs that shuffle 512 bits as quickly as 256 bits, AVX-512 takes a fifth to a quarter less
+    // time than AVX2.
     const SHUFFLES: bool = !E::Layout::WIDE && L::COMPUTED;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -190,7 +192,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
 }
 
 impl<E: Element<8>, L: Locals<E>> Write<'_, '_, E, L> {
-    /// Writes the poses, on the threads of the backend.
+    /// Writes the poses on the threads of the backend.
     #[inline]
     pub(super) fn on_threads(self) {
         #[cfg(feature = "rayon")]

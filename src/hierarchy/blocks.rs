@@ -1,5 +1,5 @@
-//! model(j) = model(parent(j)) · local(j) for blocks, in whose memory the lanes are instances
-//! already.
+//! The computation of models from locals, model(j) = model(parent(j)) · local(j), for blocks,
+//! whose lanes are instances.
 
 use super::locals::{BATCH, InPlace, LocalBatch, Locals, Pass, Registers};
 use super::run::{Epilogue, Forward, JointSlot};
@@ -8,29 +8,30 @@ use crate::storage::{Element, Layout, Register, Tile, motions};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
 
-/// `true` on CPUs that execute other instructions while one waits for its operands.
-/// Microcontrollers do not, and they have little memory for code.
+/// `true` on CPUs that execute out of order: they run later instructions while an earlier one waits
+/// for its operands. Microcontrollers execute in order, and they have little memory for code.
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
 
-/// The bytes that the models of instances side by side may fill: the size of the first-level cache,
-/// or less.
+/// The number of bytes that the models of two blocks, computed in turns, may fill. It is at most
+/// the size of the first-level cache.
 const CACHE: usize = 32 << 10;
 
-/// The number of joints that the loop prefetches ahead. In place, 1024 skeletons of 64 joints take
-/// a tenth less time with AVX2 and a twentieth less with AVX-512; one block of 16 lanes, which
-/// stays in the first-level cache, takes a twentieth more. Prefetching farther ahead is not faster,
-/// and from 8 joints on it is slower.
+/// The number of joints that the loop prefetches ahead. With it, 1024 skeletons of 64 joints in
+/// place take a tenth less time with AVX2, and a twentieth less with AVX-512. One block of 16
+/// lanes, which stays in the first-level cache, takes a twentieth more. A greater distance is not
+/// faster, and from 8 joints on it is slower.
 const PREFETCH_DISTANCE: usize = 2;
 
 /// The loop over blocks, parents first. Three measures keep it at the speed of its multiplications:
 ///
-/// - A child waits for its parent, and that takes as long as eight products. So two instance
-///   blocks, or the registers of one block, are computed in turns: while one waits for a parent,
-///   the other multiplies. Two blocks that do not fit the first-level cache together would evict
-///   each other's parents; they are computed one after the other.
-/// - Compiler fences keep the turns apart. Without them the compiler mixes two products and runs
-///   out of registers.
+/// - A child waits for its parent's product, in the time of which eight independent products could
+///   begin. So two instance blocks, or the registers of one block, are computed in turns: while the
+///   product of the first waits for a parent, the second multiplies. Two blocks that do not fit
+///   into the first-level cache together would evict each other's models, so they are computed one
+///   after the other.
+/// - Compiler fences keep the turns apart. Without them the compiler interleaves the instructions
+///   of two products and spills registers.
 /// - The loop prefetches the joint that it computes two steps later.
 pub(super) struct Blocks<'r, 's, E: Element<8>, L, X>(pub(super) Forward<'r, 's, E, L, X>);
 
@@ -97,8 +98,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                 for register in 0..E::Layout::registers::<V>() {
                     let slot = slot(joint, *block, register);
                     // The bounds check of this load also tells roots from children, so that the
-                    // loop compares once. *One source* (docs/measured.md): the model goes to memory
-                    // on both paths.
+                    // loop compares once. Both paths store the model, and the code below reads it
+                    // back (*One source*, docs/measured.md).
                     let parent = Tile::at(parent as usize, register);
                     if let Some(parent) = motions(level, models, parent) {
                         let Some(local) = self.local_of_block(models, slot) else { return };
@@ -112,8 +113,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     if !renormalize && const { !X::ACTIVE } {
                         continue;
                     }
-                    // *One source*: the model is read back from memory, whichever path stored it;
-                    // it is in the first-level cache.
+                    // The model is read back from memory, where both paths have stored it (*One
+                    // source*, docs/measured.md). Otherwise the compiler would move registers to
+                    // join the paths.
                     let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
                     if renormalize {
                         model = model.normalize();
@@ -127,8 +129,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         }
     }
 
-    /// Computes the model of a joint without a parent. *Kept apart* (docs/measured.md): inlined,
-    /// this function would take registers from the loop over children.
+    /// Computes the model of a joint without a parent. The function is not inlined, because it
+    /// would take registers from the loop over children (*Kept apart*, docs/measured.md).
     #[cold]
     #[inline(never)]
     fn root_of_block(self, block: usize, models: &mut [E], slot: JointSlot) {
@@ -147,7 +149,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         );
     }
 
-    /// Loads the local of a slot. Computed locals were written where the models will be.
+    /// Loads the local of a slot. Computed locals have been written to the memory of the models,
+    /// and are read from there.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn local_of_block(self, models: &[E], slot: JointSlot) -> Option<Registers<E, V>> {
         if const { L::COMPUTED } {

@@ -1,6 +1,6 @@
-//! Chains: the product of all links up to each link. Also the product of two motions that every
-//! loop over a hierarchy uses, with one motion in a register ([`packed_product`]) or one motion in
-//! each lane ([`product_in_lanes`]).
+//! Products of chains: for each link, the product of all links up to it. Also the product of two
+//! motions for all loops over a hierarchy, with one motion in a register ([`packed_product`]) or
+//! one motion in each lane ([`product_in_lanes`]).
 
 use crate::backend::{Backend, Kernel};
 use crate::batch;
@@ -17,13 +17,13 @@ impl Backend {
     /// Computes the models of a chain from its locals:
     /// `products[i] = links[0] · links[1] ⋯ links[i]`.
     ///
-    /// Each product needs the product before it, so that one motion at a time would leave lanes
-    /// empty. But products are associative. So the chain is cut into segments of equal length, one
-    /// in each lane. The first pass computes the products of whole segments, on all lanes at once.
-    /// The second pass multiplies these totals, so that each segment knows the product of all links
-    /// before it. The third pass computes every product, on all lanes again. That takes two
-    /// multiplications for each link, and is still twice as fast as one link after the other.
-    /// Results differ in the last bits from those of one after the other, because the
+    /// Each product needs the product before it, so a loop over the links has one motion at a time
+    /// and no work for other lanes. But products are associative, so the chain is cut into segments
+    /// of equal length, one in each lane. The first pass computes the products of whole segments,
+    /// on all lanes at once. The second pass multiplies these totals, so that each segment knows
+    /// the product of all links before it. The third pass computes every product, on all lanes
+    /// again. This takes two multiplications for each link, and is still twice as fast as a loop
+    /// over the links. Its results differ from those of the loop in the last bits, because the
     /// multiplications are in another order.
     ///
     /// Links are `[DualQuat<R>]` in order, or `[Block<R, N>]` with a segment in each lane, which is
@@ -64,7 +64,8 @@ impl Backend {
     }
 }
 
-/// A scan in three passes: totals of the segments, a scan over those totals, and the products.
+/// A scan in three passes: the total of each segment, a scan over these totals, and the product of
+/// each link.
 struct Scan<'s, E> {
     links: Source<'s, E>,
     products: &'s mut [E],
@@ -76,8 +77,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
-        // A chain in blocks was cut into segments when it was packed: the last segment is filled up
-        // with identities.
+        // A chain in blocks was cut into segments when it was packed, and the last segment was
+        // filled with identities.
         if const { E::Layout::THINGS > 1 } {
             scan(InBlocks { level, links, products });
             return;
@@ -86,13 +87,13 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
             Source::Slice(links) => E::plain(links).map(Source::Slice),
             Source::Output => Some(Source::Output),
         };
-        // In place, the third pass overwrites a link with its product just after it has read the
-        // link, and the first pass, which reads all links, has ended before that.
+        // The loop may work in place: the third pass overwrites a link with its product just after
+        // it has read the link, and the first pass, which reads all links, ends before.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
             // On targets without SIMD, where a register holds a single value, segments are computed
-            // one after the other. Eight segments at once would not fit the registers, and would be
-            // much code.
+            // one after the other, because the values of eight segments would not fit the
+            // registers.
             let mut before = if const {
                 <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native::LANES == 1
             } {
@@ -115,8 +116,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     }
 }
 
-/// A chain in segments, one in each lane. If the segments need several registers, each register is
-/// a part.
+/// A chain in segments, with a segment in each lane. If the segments need several registers, a part
+/// is the segments of one register.
 trait Segments {
     type Lanes: Lanes<Real: Scalar>;
     fn level(&self) -> <Self::Lanes as Lanes>::Level;
@@ -136,12 +137,12 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
     // First pass, on all lanes: the product of each segment.
     //
-    // Totals without a segment stay at the identity, which changes no product.
+    // Totals to which no segment belongs stay at the identity, which changes no product.
     let mut totals = [identity(); MAX_SEGMENTS];
     for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
         let mut total = batch::DualQuat::identity(level);
         for step in (1..steps).step_by(2) {
-            // Two links are multiplied with each other first, because that product need not wait
+            // Two links are multiplied with each other first, because their product need not wait
             // for `total`.
             let Some(first) = segments.load(part, step - 1) else { break };
             let Some(second) = segments.load(part, step) else { break };
@@ -165,7 +166,7 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     }
     // Third pass, on all lanes: each segment is multiplied again, beginning with the product of all
     // segments before it. The links are read a second time. Keeping the partial products of the
-    // first pass instead would take a store and a load for each.
+    // first pass instead would take a store and a load for each product.
     for (part, starts) in totals.chunks_exact(lanes).take(parts).enumerate() {
         let mut model = batch::DualQuat::load_records(level, starts);
         for step in 0..steps {
@@ -182,7 +183,7 @@ type Packed<S> = <<<S as Segments>::Lanes as Lanes>::Real as Float>::Packed<
     <<S as Segments>::Lanes as Lanes>::Level,
 >;
 
-/// A chain in blocks, in which every lane is a segment already.
+/// A chain in blocks, in which every lane holds a segment.
 struct InBlocks<'s, V, E> {
     level: V,
     links: Source<'s, E>,
@@ -216,8 +217,8 @@ impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
 /// The number of segments of a chain of plain motions.
 const PLAIN_SEGMENTS: usize = 8;
 
-/// A chain of plain motions. Its eight segments lie one after the other, and their links are
-/// transposed in registers.
+/// A chain of plain motions. Its eight segments lie one after the other in memory, so links are
+/// loaded at a stride and transposed in registers.
 struct Strided<'s, V, R, L> {
     level: V,
     steps: usize,
@@ -232,7 +233,7 @@ impl<'s, V, R, L> Strided<'s, V, R, L> {
         Self { level, steps, links, products, lanes: PhantomData }
     }
 
-    /// Returns the place of link `step` of each segment of a part; the stride is the length of a
+    /// Returns the tile of link `step` of each segment of a part; its stride is the length of a
     /// segment.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile(&self, part: usize, step: usize) -> Tile
@@ -271,17 +272,18 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
     }
 }
 
-/// Computes left · right, where one register holds the left factor and each component of the right
-/// factor fills a register in turn.
+/// Computes left · right. One register holds the left factor, and each component of the right
+/// factor is broadcast to all lanes of a register of its own.
 ///
-/// In left · (p + εq), the product left · q is multiplied by ε, and the term with ε² dropped:
-/// this takes eight multiplications of vectors. The last sum adds −0 to the real part, which
-/// keeps every bit of it; +0 would lose the sign of a zero, which [`product_in_lanes`] keeps.
+/// With right = p + εq, the result is left · p + ε(left · q), where terms with ε² are
+/// dropped. This takes eight multiplications of vectors. The last sum adds −0 to the real part,
+/// which keeps its bits. Adding +0 would turn −0 into +0, and the result would differ from that
+/// of [`product_in_lanes`].
 ///
-/// Three other ways were measured on a skeleton of 64 joints and are slower: signs by alternating
-/// multiply-adds, although they save three instructions (a sixth slower); the left factor read
-/// component by component (a sixth); and joints of one level in the lanes, gathered and scattered
-/// (a twentieth).
+/// Three other ways were measured on a skeleton of 64 joints and are slower. Signs by alternating
+/// multiply-adds and subtractions take a sixth longer, although they save three instructions.
+/// Broadcasting the components of the left factor takes a sixth longer. Joints of equal depth in
+/// the lanes, gathered and scattered, take a twentieth longer.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
@@ -301,11 +303,11 @@ pub(super) fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R
     model
 }
 
-/// The product of two motions in each lane. It has the sums of [`packed_product`] in the same
-/// order, with the same signs of zeros. So the result of an instance depends neither on the number
-/// of instances that are computed together nor on the width of the lanes. (The product of
-/// [`batch::DualQuat`](crate::batch::DualQuat) accumulates both halves of the dual part in one sum,
-/// which saves four additions.)
+/// Computes the product of two motions in each lane. It adds in the same order as
+/// [`packed_product`], with the same signs of zeros. So the result of an instance depends neither
+/// on the number of instances that are computed together nor on the lane count. (The product of
+/// [`batch::DualQuat`](crate::batch::DualQuat) adds both terms of the dual part in one chain of
+/// multiply-adds, which saves four additions but has other bits.)
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn product_in_lanes<L: Lanes>(left: [L; 8], right: [L; 8]) -> [L; 8] {
     let [px, py, pz, pw, qx, qy, qz, qw] = left;
@@ -318,7 +320,8 @@ pub(super) fn product_in_lanes<L: Lanes>(left: [L; 8], right: [L; 8]) -> [L; 8] 
     [x, y, z, w, ex + dx, ey + dy, ez + dz, ew + dw]
 }
 
-/// The quaternion product pq, summed by the components of p: w first, then x, y and z.
+/// Returns the quaternion product pq, where `[px, py, pz, pw]` is p and `[x, y, z, w]` is q. The
+/// terms with the components w, x, y and z of q are added in this order.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn hamilton<L: Lanes>([px, py, pz, pw]: [L; 4], [x, y, z, w]: [L; 4]) -> [L; 4] {
     [

@@ -1,6 +1,6 @@
-//! [`Clip`]: key frames of plain numbers. [`Sampled`] plays a clip, or any other [`Keys`], for many
-//! instances. `pose` and `between` play a single joint, such as the root of a character for its
-//! root motion.
+//! [`Clip`]: key frames that are plain floats. [`Sampled`] plays a clip, or any other [`Keys`], for
+//! many instances. [`Clip::pose`] and [`Clip::between`] sample a single joint, such as the root of
+//! a character for its root motion.
 
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
@@ -56,8 +56,8 @@ impl<'c, K> Clip<'c, K> {
         Self { timing: self.timing.with_rate(frames_per_second), ..self }
     }
 
-    /// Makes the clip begin again where it ends: a time before its begin or after its end lies in
-    /// another round.
+    /// Makes the clip begin again after its end. A time outside of the clip then lies in an earlier
+    /// or later round.
     pub fn looping(self) -> Self {
         Self { timing: self.timing.looping(), ..self }
     }
@@ -81,7 +81,7 @@ impl<'c, K> Clip<'c, K> {
         self.timing.rate
     }
 
-    /// `true` if the clip begins again where it ends.
+    /// `true` if the clip begins again after its end.
     #[must_use]
     pub fn loops(&self) -> bool {
         self.timing.loops
@@ -109,9 +109,10 @@ impl<'c, K> Clip<'c, K> {
     }
 }
 
-/// The timing of a clip: the number of its frames, its frames a second, and `loops` if it begins
-/// again where it ends. Times are computed in the type `T`. For a [`Clip`] that is `f64`; for
-/// packed clips it is the caller's type, because on microcontrollers `f64` is slow.
+/// The timing of a clip: the number of its frames, its rate in frames a second, and `loops`, which
+/// is `true` if it begins again after its end. Times are computed in the type `T`, which is `f64`
+/// for a [`Clip`]. For packed clips it is the caller's type, because `f64` is slow on
+/// microcontrollers.
 #[derive(Clone, Copy)]
 pub(super) struct Timing<T> {
     pub(super) frames: usize,
@@ -137,8 +138,8 @@ impl<T: Scalar> Timing<T> {
         T::from_i32(i32::try_from(self.frames.saturating_sub(1)).unwrap_or(i32::MAX))
     }
 
-    /// Returns the frame before the time `at` and the part of the way to the next frame:
-    /// [`Clip::place`].
+    /// Returns the frame before the time `at` and the part of the way to the next frame, as
+    /// [`Clip::place`] does.
     pub(super) fn place<R: Scalar>(self, at: R) -> (u32, R) {
         self.place_in_round(Real::from_f64(self.round(at).1.into()))
     }
@@ -196,8 +197,8 @@ impl<T: Scalar> Timing<T> {
     }
 }
 
-/// Rounds toward zero; `trunc` needs std. From 2²³ on all values of `f32` are integers, and from
-/// 2⁵² on those of `f64`.
+/// Rounds toward zero, because the method `trunc` needs std. All `f32` from 2²³ on, and all `f64`
+/// from 2⁵² on, are integers already.
 #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "in range")]
 fn truncate<R: Scalar>(number: R) -> R {
     if R::SINGLE {
@@ -227,7 +228,7 @@ where
     }
 }
 
-/// A clip with a frame for each instance, each of which another frame follows.
+/// A clip with a frame for each instance. No frame is the last frame of the clip.
 #[derive(Clone, Copy)]
 pub struct Frames<'s, K, R> {
     clip: Clip<'s, K>,
@@ -257,7 +258,7 @@ where
         let keys = K::plain(self.clip.keys)?;
         let (joint, next) = (slot.joint(), slot.joint() + self.clip.joints);
         let [a, b] = if slot.lanes_are_joints() {
-            // Lanes are joints of one instance, whose keys already lie side by side.
+            // If lanes are joints of one instance, their keys adjoin in memory.
             let frame = *self.frames.frames().get(slot.instance())? as usize * self.clip.joints;
             let keys = keys.get(frame..)?;
             [
@@ -307,8 +308,8 @@ where
     }
 }
 
-/// Key frames of a skeleton, with `C` numbers of type `R` for each joint: a [`Clip`](super::Clip)
-/// or [`PackedClips`](super::PackedClips). Sealed.
+/// Key frames of a skeleton, with `C` components of type `R` for each joint: a
+/// [`Clip`](super::Clip) or [`PackedClips`](super::PackedClips). The trait is sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no keys of {C} numbers of `{R}` for each joint",
     note = "packed clips have 7 numbers of `f32` for each joint, a rotation and a translation: the law `NlerpLerp` plays them, in \
@@ -316,9 +317,10 @@ where
     note = "a `Clip` has 7 for `NlerpLerp`, or 8, a motion, for `Nlerp` and `Sclerp`"
 )]
 pub trait Keys<'s, R, const C: usize>: Copy + Sealed {
-    /// The place of an instance in the keys: the index of a frame, or a clip and a frame.
+    /// The place of an instance in the keys: the index of a frame for a clip, or a clip and its
+    /// frame for packed clips.
     type Place;
-    /// The keys with a place for each instance, which has been checked.
+    /// The type of these keys with a checked place for each instance.
     #[doc(hidden)]
     type Placed: KeysAt<R, C>;
     /// Attaches a place for each instance to these keys.
@@ -329,12 +331,13 @@ pub trait Keys<'s, R, const C: usize>: Copy + Sealed {
     fn placed(self, places: &'s [Self::Place]) -> Result<Self::Placed, ShapeError>;
 }
 
-/// Keys with a place for each instance; `C` numbers of type `R` are a pose.
+/// Keys with a place for each instance. A pose has `C` components of type `R`.
 #[doc(hidden)]
 pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
     /// The number of joints.
     fn joints(self) -> usize;
-    /// Interpolates the poses of a slot, `t` of the way from the key at its place to the next one.
+    /// Interpolates the poses of a slot: each lane is the part `t` of the way from the key at its
+    /// place to the next key.
     fn pose<L: Lanes<Real = R>, W: Law<C>>(
         self,
         level: L::Level,
@@ -360,7 +363,7 @@ pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
             |slot| self.pose(level, law, slot, t),
         )
     }
-    /// The keys and places of a range of instances.
+    /// Returns the keys with the places of a range of instances.
     #[must_use]
     fn part(self, instances: Range<usize>) -> Self;
 }
@@ -368,8 +371,9 @@ pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
 /// Locals of many instances, each at its own place in the same clip: all joints of instance i are
 /// `t[i]` of the way from frame `frames[i]` to the next frame. These [locals](super::Locals) are
 /// computed during the run, for sixteen joints at a time and as many instances as there are lanes:
-/// keys are loaded and interpolated, then multiplied onto the parents. `W` is the law of
-/// interpolation, `P` the keys with their places.
+/// keys are loaded and interpolated, then multiplied onto the models of the parents. `W` is the law
+/// of interpolation, `P` the type of the keys with their places, `R` the element type, and `C` the
+/// number of components of a pose.
 ///
 /// Instances that play different clips can share one call in two ways. One way is
 /// [`PackedClips`](super::PackedClips). In the other, the keys of all clips lie in one array, one
@@ -406,15 +410,15 @@ brief!([W: Debug, P: Debug, R, const C: usize] Sampled<'_, W, P, R, C>: Sampled 
 });
 
 impl<'s, W: Law<C>, P: KeysAt<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P, R, C> {
-    /// Makes locals of many instances from a place and a `t` for each. In a [`Clip`](super::Clip),
-    /// a place is the index of a frame; in packed clips it is the result of
+    /// Makes locals of many instances from a place and a parameter `t` for each instance. In a
+    /// [`Clip`](super::Clip), a place is the index of a frame; in packed clips it is the result of
     /// [`PackedClips::place`](super::PackedClips::place). Values of `t` outside [0, 1] extrapolate
     /// beyond the two frames of a `Clip`; packed clips clamp them to [0, 1]. NaN makes poses of
     /// NaN.
     ///
     /// # Errors
     /// If `places` and `t` differ in length, a frame is not in the clip or is its last, which no
-    /// frame follows, or a place is from other packed clips.
+    /// frame follows, or a place was made by other packed clips.
     pub fn new<K: Keys<'s, R, C, Placed = P>>(
         law: W,
         clip: K,
@@ -474,9 +478,9 @@ locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |po
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}
 
 impl<K> Clip<'_, K> {
-    /// Returns the local pose of a joint at the time `at`, as [`place`](Self::place) takes it, by
-    /// the law `law`; `None` if there is no such joint. For whole skeletons there are
-    /// [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
+    /// Returns the local pose of a joint at the time `at`, which counts as in
+    /// [`place`](Self::place), by the law `law`; `None` if there is no such joint. For whole
+    /// skeletons use [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
     #[must_use]
     pub fn pose<W, R: Scalar, const C: usize>(
         &self,
@@ -492,8 +496,8 @@ impl<K> Clip<'_, K> {
     }
 
     /// Returns the motion of a joint from one time to another, in the joint's frame at the first
-    /// time: pose(from)* · pose(to). For the root this is the root motion of a character. It
-    /// continues where a [looping](Self::looping) clip begins again: if r rounds lie between the
+    /// time: pose(from)* · pose(to). For the root this is the root motion of a character. It stays
+    /// continuous where a [looping](Self::looping) clip begins again: if r rounds lie between the
     /// times, and a round moves the joint by c = pose(first)* · pose(last), then the motion is
     /// pose(from)* · pose(first) · cʳ · pose(first)* · pose(to). `None` if there is no such
     /// joint.
@@ -536,7 +540,7 @@ impl<K> Clip<'_, K> {
         W: Law<C>,
         K: Element<C, Layout = Aos<R>>,
     {
-        // The only frame of a clip is its own next frame.
+        // In a clip of one frame, this frame is also the next frame.
         let last = self.timing.frames.saturating_sub(1);
         let key = |frame: usize| {
             let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
@@ -548,7 +552,7 @@ impl<K> Clip<'_, K> {
     }
 }
 
-/// The instructions for single poses, which give the same bits on every target.
+/// The level for single poses. Its lanes do not fuse, so poses have the same bits on every target.
 pub(super) type Single = Unfused<Portable>;
 pub(super) const SINGLE: Single = Unfused(Portable);
 

@@ -1,4 +1,4 @@
-//! [`Crowd`]: owned blocks for many instances of one skeleton.
+//! [`Crowd`]: blocks that own their memory, for many instances of one skeleton.
 
 use crate::backend::Backend;
 use crate::macros::brief;
@@ -10,9 +10,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use dq8_simd::Row;
 
-/// Records of many instances of one skeleton, in blocks of `N` lanes, where each instance has a
-/// lane. A record has `C` components of type `R`: 8 for a pose (the default), 4 for a rotation, 7
-/// for a rotation and a translation, 12 for a matrix (see [`storage`](crate::storage)).
+/// Records of many instances of one skeleton, in blocks of `N` lanes. Each instance has a lane. A
+/// record has `C` components of type `R`: 8 for a pose (the default), 4 for a rotation, 7 for a
+/// rotation and a translation, 12 for a matrix (see [`storage`](crate::storage)).
 ///
 /// ```
 /// use dq8::{Crowd, DualQuat, Hierarchy, Quat, hierarchy::Bones};
@@ -106,7 +106,7 @@ where
     }
 
     /// The blocks as `[instance block][joint]`, to be written. Lanes beyond the last instance hold
-    /// the identity; what you write to them must be finite.
+    /// the identity; values that you write to these lanes must be finite.
     #[must_use]
     pub fn blocks_mut(&mut self) -> &mut [Block<R, N, C>] {
         &mut self.blocks

@@ -1,5 +1,5 @@
-//! Models of whole instances: the loop for their layout is chosen, and run on one thread or on
-//! several.
+//! The computation of the models of whole instances: the choice of the loop for their layout, and
+//! of the threads that run it.
 
 use super::blocks::Blocks;
 use super::locals::Locals;
@@ -26,8 +26,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
 
     #[inline]
     fn on_this_thread(self) {
-        // The condition is a constant, so that a program compiles the loops for its layout alone;
-        // code for both layouts would be twice as much.
+        // The condition is a constant, so that a program compiles the loops for its layout alone,
+        // which is half of the code.
         if const { E::Layout::THINGS > 1 } {
             self.run.backend.run(Blocks(self));
         } else {
@@ -80,8 +80,9 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
         }
     }
 
-    /// Computes the palette of all instances. Each task has its part of `scratch`, which must hold
-    /// the models of at least one group of instances; this limits the number of tasks.
+    /// Computes the palette of all instances. Each task gets a part of `scratch` that holds the
+    /// models of at least one group of instances. So the size of `scratch` limits the number of
+    /// tasks.
     #[cfg(feature = "rayon")]
     fn on_threads(self) {
         let Self { run, locals, instances, scratch, epilogue } = self;
@@ -99,7 +100,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> PaletteOnly<'_, '_, E, L, X> {
     }
 }
 
-/// The models of whole instances, and the epilogue that computes its output from them.
+/// The models of whole instances, and the epilogue that computes an output, such as a palette, from
+/// them.
 #[cfg(feature = "rayon")]
 struct Models<'s, E, X> {
     models: &'s mut [E],
@@ -121,7 +123,7 @@ impl<E: Element<8>, X: Epilogue<E>> Outputs for Models<'_, E, X> {
     }
 }
 
-/// A palette, and the scratch memory that holds the models on the way to it.
+/// A palette, and the scratch memory for the models from which its entries are computed.
 #[cfg(feature = "rayon")]
 struct Entries<'s, E, X> {
     epilogue: X,

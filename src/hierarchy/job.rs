@@ -1,5 +1,5 @@
-//! [`Job`]: the options of a run over a hierarchy, and the methods that run it. They compute
-//! models, palettes, locals from models, or locals of any form as motions.
+//! [`Job`]: the options of a run over a hierarchy, and the methods that run it. These compute
+//! models or palettes from locals, locals from models, or motions from locals of any form.
 
 use super::Hierarchy;
 use super::backward::{Backward, Write};
@@ -16,7 +16,7 @@ use crate::storage::{Element, MatrixOrder, Number, PaletteEntry, Source};
 use core::ops::{Bound, Range, RangeBounds};
 
 /// A run over a hierarchy and its options, such as a root transform or a range of joints. `S` is
-/// the type of the base of root joints, and `P` is a plan or [`NoPlan`].
+/// the type of the base onto which root joints are multiplied, and `P` is [`Plan`] or [`NoPlan`].
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy};
@@ -70,8 +70,8 @@ impl<'a> Hierarchy<'a> {
         self.job().local_to_model(locals, models)
     }
 
-    /// Begins a run, with a default for each option. The element type is chosen by the method that
-    /// runs the job, so one job serves `f32` and `f64`, plain slices and blocks.
+    /// Makes a job with a default for each option. The methods that run the job choose the element
+    /// type, so one job serves `f32` and `f64`, plain slices and blocks.
     #[inline]
     pub fn job(&self) -> Job<'a> {
         Job {
@@ -87,9 +87,9 @@ impl<'a> Hierarchy<'a> {
 }
 
 impl<'a, P> Job<'a, NoRoot, P> {
-    /// Multiplies every root joint onto `root`, the same for all instances:
-    /// model(j) = root · local(j). A job has either this base or [`roots`](Self::roots). Setting
-    /// both does not compile, because one of them would be ignored:
+    /// Sets `root` as the base of root joints in all instances: model(j) = root · local(j). A job
+    /// has either this base or [`roots`](Self::roots). Setting both does not compile, because the
+    /// job would ignore one base:
     ///
     /// ```compile_fail,E0599
     /// # use dq8::{DualQuat, Hierarchy};
@@ -102,13 +102,13 @@ impl<'a, P> Job<'a, NoRoot, P> {
         self.with(root)
     }
 
-    /// Multiplies the root joints of each instance onto a motion of its own: `roots` has one
-    /// element for each instance or block of instances.
+    /// Sets a base of root joints for each instance: `roots` has one element for each instance or
+    /// block of instances.
     pub fn roots<E>(self, roots: &'a [E]) -> Job<'a, &'a [E], P> {
         self.with(roots)
     }
 
-    /// Multiplies root joints onto a base whose form is chosen at run time.
+    /// Sets a base of root joints whose form is chosen at run time.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, hierarchy::Root};
@@ -139,8 +139,8 @@ impl<'a, S, P> Job<'a, S, P> {
     }
 
     /// Limits the run to a range of joints; no other joint is written. A joint whose parent is
-    /// outside the range is multiplied onto the parent's pose in `models`, which must be there
-    /// already.
+    /// outside the range is multiplied onto the parent's pose in `models`, which must have been
+    /// computed before.
     pub fn joints(mut self, joints: impl RangeBounds<usize>) -> Self {
         let start = match joints.start_bound() {
             Bound::Included(&start) => start,
@@ -156,8 +156,8 @@ impl<'a, S, P> Job<'a, S, P> {
         self
     }
 
-    /// Sets the order of components in the matrices of a palette. The default is rows, which
-    /// [skins](crate::skinning::Linear) read.
+    /// Sets the order of entries in the matrices of a palette. The default is row by row, as
+    /// [skins](crate::skinning::Linear) read them.
     pub fn matrix_order(mut self, order: MatrixOrder) -> Self {
         self.order = order;
         self
@@ -183,8 +183,8 @@ impl<'a, S, P> Job<'a, S, P> {
         /// ```
     }
 
-    /// Computes single instances in the order of a plan. The job of a [`Skeleton`](super::Skeleton)
-    /// has the skeleton's plan already.
+    /// Sets the plan that orders the joints of a single instance. The job of a
+    /// [`Skeleton`](super::Skeleton) already has the skeleton's plan.
     #[inline]
     pub fn plan(self, plan: &Plan<'a>) -> Job<'a, S, Plan<'a>> {
         Job {
@@ -302,11 +302,11 @@ impl<S, P: Plans> Job<'_, S, P> {
 
 impl<S, P: Plans> Job<'_, S, P> {
     /// Computes models and their skinning palette in one pass, for callers who need both;
-    /// [`palette`](Self::palette) keeps no models. `models` are those of
+    /// [`palette`](Self::palette) keeps no models. `models` has the results of
     /// [`locals_to_model`](Self::locals_to_model). `palette[j]` = model(j) · `inverse_binds[j]`
-    /// takes a vertex from the mesh in its rest pose to where joint j has moved it. `inverse_binds`
-    /// has one motion for each joint, for all instances. An entry of the palette is a motion, a
-    /// 3×4 matrix or a 4×4 matrix: see [`PaletteEntry`].
+    /// takes a vertex of the mesh in its rest pose to its place in the posed mesh. `inverse_binds`
+    /// has one motion for each joint, which serves all instances. An entry of the palette is a
+    /// motion, a 3×4 matrix or a 4×4 matrix: see [`PaletteEntry`].
     ///
     /// # Errors
     /// If lengths or the range of joints do not fit; `models` and `palette` are untouched.
@@ -349,10 +349,9 @@ impl<S, P: Plans> Job<'_, S, P> {
 
     /// Computes the skinning palette without models;
     /// [`palette_and_models`](Self::palette_and_models) keeps them. `scratch` has memory for the
-    /// models of some whole instances, and is used again for the next. Best is memory for 16
-    /// plain instances, or for two blocks, for each thread: that fills the lanes, and stays in the
-    /// first-level cache. After the call the contents of `scratch` have no meaning; models of plain
-    /// motions lie there in the order of registers.
+    /// models of some whole instances, which the run reuses for later instances. Memory for 16
+    /// plain instances, or for two blocks, for each thread is fastest: it fills the lanes and stays
+    /// in the first-level cache. After the call the contents of `scratch` have no meaning.
     ///
     /// # Errors
     /// If lengths or the range of joints do not fit, `scratch` is too small for one instance, or a
@@ -385,9 +384,9 @@ impl<S, P: Plans> Job<'_, S, P> {
         L: Locals<E>,
         M: PaletteEntry<C, Layout = E::Layout>,
     {
-        // *Settled* (docs/measured.md): the order is copied before the checks get a reference to
-        // the job. So a compiler that sees which order the caller has set compiles the stores of
-        // that order alone.
+        // The order is copied before the checks get a reference to the job (*Settled*,
+        // docs/measured.md). So a compiler that sees which order the caller has set compiles the
+        // stores for that order only.
         let order = self.order;
         let run = self.check(locals.shape(self.parents.len(), palette.len())?, palette.len())?;
         let joints = run.parents.len();

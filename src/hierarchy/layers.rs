@@ -1,5 +1,5 @@
-//! [`PoseSource`]: poses of joints in their parents, stored or computed. Sources nest: [`Layered`]
-//! blends the poses of two sources, and [`Either`] is one of two sources.
+//! [`PoseSource`]: local poses of joints, which are stored or computed. Sources nest: [`Layered`]
+//! blends the poses of two sources, and [`Either`] holds one of two types of sources.
 
 use super::locals::sealed::Sealed;
 use super::locals::{
@@ -19,7 +19,7 @@ use dq8_simd::{Lanes, Level};
 
 /// Poses of whole instances with `C` components each, which are loaded into registers of the layout
 /// `M`. They are stored ([`Poses`], [`RotationsTranslations`], [`Tracks`]), sampled from a clip
-/// ([`Sampled`](super::Sampled)), or [`Layered`]. Sealed.
+/// ([`Sampled`](super::Sampled)), or [`Layered`]. The trait is sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no poses of {C} numbers each",
     note = "layers have the numbers of their law, and poses of 7 numbers and of 8 do not mix: 7, a rotation and a translation, are \
@@ -36,8 +36,8 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// each other.
     #[doc(hidden)]
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// Returns the number of instances, or `None` if the source does not know it: a slice of blocks
-    /// does not tell in how many lanes of its last block there is an instance.
+    /// Returns the number of instances, or `None` if the source does not know it. A slice of
+    /// blocks, for example, does not tell how many lanes of its last block hold an instance.
     #[doc(hidden)]
     fn instances(&self) -> Option<usize> {
         None
@@ -71,7 +71,7 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
             },
         )
     }
-    /// The poses of a range of instances (or blocks); an instance has `joints` elements.
+    /// Returns the poses of a range of instances (or blocks); an instance has `joints` elements.
     #[doc(hidden)]
     #[must_use]
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
@@ -178,9 +178,10 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
     }
 }
 
-/// Poses of `base` with a second source of poses, `layer`, blended over or added to them. Each
-/// instance has a weight, which a mask multiplies by a factor for each joint. `W` is the [`Law`],
-/// `A` and `B` are the types of the two sources, and `ADDS` is `true` if the layer is added.
+/// Poses of a source `base`, over which the poses of a second source `layer` are blended, or to
+/// which they are added. Each instance has a weight, and an optional mask multiplies it by a factor
+/// for each joint. `W` is the [`Law`], `A` and `B` are the types of the two sources, and `ADDS` is
+/// `true` if the layer is added.
 ///
 /// In debug builds each nested layer needs [stack](crate::guide::firmware#stack).
 ///
@@ -235,8 +236,8 @@ impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C
         Self { mask: Some(mask), ..self }
     }
 
-    /// Computes the weight of each lane of a slot: the weight of its instance times the mask of its
-    /// joint.
+    /// Computes the weight of each lane of a slot: the weight of the lane's instance times the mask
+    /// of its joint.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn weight<L: Lanes<Real = R>>(&self, level: L::Level, slot: JointSlot) -> Option<L>
     where
@@ -278,8 +279,8 @@ where
         if let Some(mask) = self.mask {
             same_length("mask", mask.len(), joints)?;
         }
-        // In blocks there may be fewer weights than lanes, because lanes of the last block may have
-        // no instance.
+        // There may be fewer weights than lanes in all blocks, because some lanes of the last block
+        // may hold no instance.
         let blocks = length.checked_div(joints).unwrap_or(0);
         if self.weights.len().div_ceil(M::THINGS) != blocks {
             same_length("weights", self.weights.len(), blocks.saturating_mul(M::THINGS))?;
@@ -335,10 +336,11 @@ locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, 
 
 impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}
 
-/// Rotations and translations of one of two forms, chosen at run time: for instance a plain clip or
-/// a [packed](super::PackedClips) clip, or one clip or [layers](super::Layered). Forms nest. The
-/// kernel is compiled once for both forms, and each source of poses once, as a function that the
-/// kernel calls. In firmware the kernel contains the code of both sources.
+/// Rotations and translations from a source of one of two types, chosen at run time: for instance a
+/// plain clip or a [packed](super::PackedClips) clip, or a clip or [layers](super::Layered). The
+/// types may be `Either` again. The kernel is compiled once for both types, and calls a function
+/// that computes the poses of the chosen source. In firmware the code of both sources is inlined
+/// into the kernel.
 ///
 /// ```
 /// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};
@@ -362,13 +364,13 @@ impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Either<A, B> {
-    /// Locals of the first form.
+    /// Locals of the first type.
     One(A),
-    /// Locals of the second form.
+    /// Locals of the second type.
     Other(B),
 }
 
-/// Evaluates an expression for the form of locals that `$either` holds.
+/// Evaluates an expression for the locals that `$either` holds, of either type.
 macro_rules! match_either {
     ($either:ident, $locals:ident => $made:expr) => {
         match $either {

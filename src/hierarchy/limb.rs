@@ -1,4 +1,5 @@
-//! Two-bone inverse kinematics: new locals of three joints, which take the last joint to a target.
+//! Two-bone inverse kinematics: the computation of new locals of three joints, which take the last
+//! joint to a target.
 
 use super::plan::Plans;
 use super::run::{Roots, Run, grain};
@@ -13,22 +14,23 @@ use dq8_simd::{Lanes, Level};
 
 impl<S, P: Plans> Job<'_, S, P> {
     /// Takes the end of a limb to a target in each instance, by new locals of the limb's three
-    /// joints. The rotations are those of [`TwoBone::reach`](crate::ik::TwoBone::reach), with the
-    /// limb's root where the models of its parent put it and the lengths of its locals. The knee
-    /// bends to the side of the pole. The end keeps its rotation in model space, and translations
-    /// stay as they are. If the target is out of reach, the limb is stretched or folded toward it.
+    /// joints. The rotations are those of [`TwoBone::reach`](crate::ik::TwoBone::reach), for the
+    /// root position that the model of the limb's parent gives, and for the bone lengths that its
+    /// locals give. The knee bends to the side of the pole. The end keeps its rotation in model
+    /// space, and translations stay as they are. If the target is out of reach, the limb is
+    /// stretched or folded toward it.
     ///
     /// `models` are the models of `locals`; only the models of the limb's parent and of its end are
     /// read. There is one target and one pole for each instance (or block of instances), in model
     /// space. After the call, the models of the limb and of its descendants are outdated: run a job
-    /// on those [`joints`](Self::joints) to compute them again. This call ignores the job's own
-    /// range of joints.
+    /// on their range of [`joints`](Self::joints) to compute them again. This call ignores the
+    /// job's own range of joints.
     ///
     /// # Errors
-    /// If lengths do not fit, the joints are no limb, or a limb cannot be bent because its root, a
-    /// length, its target or its pole is not finite; the error has the index of the first such
-    /// instance. `locals` are then untouched. (Values of the end's model that are not finite are no
-    /// error: they reach the new local of the end alone.)
+    /// If the lengths of slices do not fit, the joints are no limb, or a limb cannot be bent
+    /// because its root, a bone length, its target or its pole is not finite; the error has the
+    /// index of the first such instance. `locals` are then untouched. (Values of the end's model
+    /// that are not finite are no error, because only the new local of the end depends on them.)
     ///
     /// ```
     /// use dq8::ik::Limb;
@@ -66,8 +68,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         let parent =
             |joint: usize| run.parents.get(joint).filter(|&&parent| parent != Hierarchy::ROOT);
         limb.check(|joint| parent(joint).map(|&parent| parent as usize))?;
-        // A limb has at least three joints, so `max` changes nothing. It tells the compiler that no
-        // division by zero, which would panic, can happen.
+        // A limb has at least three joints, so `max` changes nothing. It shows the compiler that no
+        // division by zero, which would panic, is possible.
         let joints = run.parents.len().max(1);
         same_length("locals", locals.len(), models.len())?;
         for (what, length) in [("targets", targets.len()), ("poles", poles.len())] {
@@ -154,7 +156,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
         Tile::at(tile.element * joints + joint, tile.register).strided(joints)
     }
 
-    /// The limbs of a range of instances (or blocks).
+    /// Returns the limbs of a range of instances (or blocks).
     fn part<'p>(&'p self, run: &'p Run<'p, E>, instances: Range<usize>) -> Limbs<'p, E, T> {
         let joints = run.parents.len();
         let models = instances.start * joints..instances.end * joints;
@@ -200,8 +202,8 @@ struct Reach<'s, E: Element<8>, T> {
 
 impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Kernel for Reach<'_, E, T> {
     type Output = ();
-    // AVX-512 pays for plain limbs too: square roots and divisions take most of the time, and the
-    // transposes little.
+    // AVX-512 is quicker for plain limbs too, because most of the time goes to square roots and
+    // divisions, and little to transposes.
     const WIDE: bool = true;
 
     #[cfg_attr(not(opt_level_0), inline(always))]

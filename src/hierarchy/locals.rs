@@ -1,6 +1,6 @@
-//! [`Locals`]: the poses of joints in their parents, in any form in memory. Computed locals, such
-//! as those of a clip, are computed for a group of joints at a time and [`Stored`] in a
-//! [`LocalBatch`].
+//! [`Locals`]: the poses of joints relative to their parents, in any form in memory. Computed
+//! locals, such as the poses of a clip, are computed for a batch of joints at a time and stored in
+//! a [`LocalBatch`].
 
 use super::run::{JointSlot, Run};
 use crate::batch;
@@ -12,13 +12,13 @@ use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// The local pose of each lane, with a register for each component. A motion has eight components.
-/// A rotation with a translation has seven, and the last register is not read.
+/// The local poses of all lanes, with a register for each component. A motion has eight components.
+/// A rotation with a translation has seven, and then the last register is not read.
 pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
 /// [`Tracks`], [`Bones`], [`Sampled`](super::Sampled), [`Layered`](super::Layered) or
-/// [`Either`](super::Either). Sealed.
+/// [`Either`](super::Either). The trait is sealed. `E` is the element type of the models.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no locals for models of `{E}`",
     note = "see the list of implementors: `Poses(&motions)`, `RotationsTranslations(&seven_numbers)`, \
@@ -28,7 +28,7 @@ pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
 )]
 pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     /// Returns the name of the locals for error texts, and the number of their elements. The
-    /// skeleton has `joints` joints, and the caller wants `models` elements of models.
+    /// skeleton has `joints` joints, and the slice of models has `models` elements.
     ///
     /// # Errors
     /// If a slice that all instances share, such as the offsets, does not have one element per
@@ -36,14 +36,15 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
-    /// Loads the locals of a slot. `models` are the models of its instances, in which those of
-    /// earlier joints have been computed; locals in place are read from there.
+    /// Loads the locals of a slot. `models` holds the models of the slot's instances, which have
+    /// been computed for all earlier joints. Locals in place are read from there.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Registers<E, V>>;
 
-    /// `true` if the locals are computed, such as those of a clip. A kernel then calls
-    /// [`load_batch`](Self::load_batch). Inlined into the kernel, the computation would take
-    /// registers from it, and would repeat for each joint the work that is the same for all joints.
+    /// `true` if the locals are computed, such as the poses of a clip. A kernel then calls
+    /// [`load_batch`](Self::load_batch) for several joints at once. If the computation were inlined
+    /// into the kernel, it would take registers from the kernel, and would repeat the work that all
+    /// joints share for each joint.
     #[doc(hidden)]
     const COMPUTED: bool = false;
 
@@ -84,7 +85,7 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     fn motions(&self) -> Option<Source<'_, E>> {
         None
     }
-    /// The locals of a range of instances (or blocks); an instance has `joints` elements.
+    /// Returns the locals of a range of instances (or blocks); an instance has `joints` elements.
     #[doc(hidden)]
     #[must_use]
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
@@ -116,7 +117,7 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     }
 }
 
-/// Motions that lie in the memory of the models, and are overwritten by the models.
+/// Locals that are motions in the memory of the models, which overwrite them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InPlace;
 
@@ -137,8 +138,8 @@ impl<E: Element<8>> Locals<E> for InPlace {
     }
 }
 
-/// Rotations r with translations t, for the motions r + ½εtr. They take an eighth less memory
-/// than motions, and no more operations.
+/// Rotations r with translations t, which stand for the motions r + ½εtr. They take an eighth
+/// less memory than motions, and models take no more operations.
 #[derive(Clone, Copy)]
 pub struct RotationsTranslations<'s, T>(
     /// One element for each joint of each instance:
@@ -177,7 +178,7 @@ brief!([Q, T] Tracks<'_, Q, T>: Tracks |it| {
 });
 
 /// Rotations of each joint, and the offset of each joint from its parent, which is the same for all
-/// instances. It is the form of many animation clips, and takes half the memory of motions.
+/// instances. Many animation clips have this form, which takes half the memory of motions.
 #[derive(Clone, Copy)]
 pub struct Bones<'s, Q: Element<4>> {
     /// One rotation for each joint of each instance.
@@ -215,7 +216,7 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
 }
 
 /// Returns the elements of a range of instances in a slice with `count` elements for each instance.
-/// If the slice ends before, they are fewer.
+/// If the slice ends within the range, the result ends there too.
 pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
     let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
     slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()
@@ -231,16 +232,16 @@ pub(super) mod sealed {
     impl<Q: Element<4>> Sealed for Bones<'_, Q> {}
 }
 
-/// The poses or motions of the lanes in memory, as registers hold them: a row for each component.
-/// Poses of seven components leave the last row as it is.
+/// The poses or motions of all lanes in memory, not transposed: a row of lanes for each component.
+/// Poses of seven components leave the last row unchanged.
 pub(super) type Stored<L> = [<L as Lanes>::Array; 8];
 
-/// The number of slots in a batch. It is so large that the cost of calling each source hardly
-/// counts, and so small that the batch stays in the first-level cache.
+/// The number of slots in a batch. It is large enough that the calls of sources take little time,
+/// and small enough that the batch stays in the first-level cache.
 pub(super) const BATCH: usize = 16;
 
 /// `true` if computed locals are computed in batches. Firmware has little memory for code and
-/// stack, and computes the locals of each slot alone.
+/// stack, so it computes the locals of one slot at a time.
 pub(super) const BATCHES: bool = cfg!(not(target_os = "none"));
 
 /// Fills `to` with the poses of a slot and of the slots after it, by a call of `pose` for each.
@@ -256,7 +257,7 @@ pub(super) fn each<L: Lanes, const C: usize>(
     Some(())
 }
 
-/// Loads the first `C` rows into registers.
+/// Loads the first `C` rows of `from` into registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Stored<L>) -> [L; C] {
     let mut registers = [L::splat(level, L::Real::default()); C];
@@ -266,7 +267,7 @@ pub(super) fn load<L: Lanes, const C: usize>(level: L::Level, from: &Stored<L>) 
     registers
 }
 
-/// Stores registers to the first `C` rows.
+/// Stores registers to the first `C` rows of `to`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Stored<L>) {
     for (register, row) in registers.iter().zip(to) {
@@ -278,7 +279,7 @@ pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Stored
 /// of its first element, and are never read.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) -> [L; B] {
-    // This is a loop and not a closure, because a closure in an inlined kernel would be compiled
+    // This is a loop and not a closure, because a closure that is not inlined would be compiled
     // without the kernel's instructions (AVX2, AVX-512).
     let mut to = [from[0]; B];
     for (to, &from) in to.iter_mut().zip(&from) {
@@ -287,13 +288,13 @@ pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) ->
     to
 }
 
-/// Memory for a batch of computed locals; `None` if locals are loaded.
+/// Memory for a batch of computed locals, or `None` if the locals are loaded from memory.
 pub(super) struct LocalBatch<E: Element<8>, V: Level>(Option<[Stored<Register<E, V, 8>>; BATCH]>);
 
-/// The data that every loop over joints reads; each loop is a method. Loops copy the fields that
-/// they read into variables before the first joint, and get each slice that they write as a
-/// parameter. Otherwise the compiler must assume that a store changes whatever a reference or field
-/// leads to, and loads the fields again for every joint.
+/// The data that every loop over joints reads. Each loop is a method, which copies the fields that
+/// it reads into variables before the first joint, and takes each slice that it writes as a
+/// parameter. Otherwise the compiler must assume that a store may change the fields, and loads them
+/// again for every joint.
 pub(super) struct Pass<'r, E: Element<8>, L, V> {
     pub(super) level: V,
     pub(super) run: &'r Run<'r, E>,
@@ -309,14 +310,14 @@ impl<E: Element<8>, L: Copy, V: Copy> Clone for Pass<'_, E, L, V> {
 impl<E: Element<8>, L: Copy, V: Copy> Copy for Pass<'_, E, L, V> {}
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// Makes the memory for a batch, if the locals are computed.
+    /// Makes the memory for a batch if the locals are computed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn batch(self) -> LocalBatch<E, V> {
         LocalBatch(if const { L::COMPUTED } { Some([Zeroable::zeroed(); BATCH]) } else { None })
     }
 
     /// Returns the local of a slot. At the first slot of a batch it computes the whole batch, so
-    /// slots must come in the order of joints, and none may be left out.
+    /// the caller must pass all slots in the order of joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn local(
         &self,
@@ -339,7 +340,7 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 
     /// Computes the locals of a slot and of the joints after it, no more than a batch, and stores
-    /// them where their models will be.
+    /// them in the memory of their models.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(
         &self,

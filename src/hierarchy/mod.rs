@@ -1,6 +1,7 @@
-//! Joint hierarchies: local poses become poses in model space, and back.
+//! Joint hierarchies: the computation of model poses from local poses, and of local poses from
+//! model poses.
 //!
-//! | item | |
+//! | item | contents |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Skeleton`] | a hierarchy that owns its parents and its plan (feature `alloc`) |
@@ -11,7 +12,7 @@
 //! | [`OwnedClip`] | a clip that owns its keys (feature `alloc`) |
 //! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes for each frame of each moving track |
 //! | [`Plan`], [`PlanScratch`] | the order that computes one instance fastest, without a heap |
-//! | [`Renormalize`] | the choice of when a run normalizes its products |
+//! | [`Renormalize`] | the joints whose models a run normalizes |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //!
 //! # Layout
@@ -19,8 +20,8 @@
 //! One instance has one element for each joint. Several instances follow each other in one slice,
 //! `[instance][joint]`. Plain elements are transposed in registers, for as many instances at a time
 //! as there are lanes. In blocks, `[instance block][joint][component][lane]`, each instance has one
-//! lane. A child finds its parent in the same lane of another block, so that nothing is shuffled,
-//! which is the fastest way. See [`storage`](crate::storage).
+//! lane. The parent of a joint is in the same lane of another block, so no lanes are shuffled. This
+//! is the fastest way. See [`storage`](crate::storage).
 
 // The best order to read these files is: parents, skeleton, job; run, locals, layers, clip,
 // packed_clips, packed_clip; forward, blocks, plain, plan, backward, chain, limb; crowd.
@@ -63,8 +64,8 @@ pub use run::{Renormalize, Root};
 #[cfg(feature = "alloc")]
 pub use skeleton::{JointOrder, ParentIndex, Skeleton};
 
-/// Types and traits that public signatures name but users do not: hidden, and free to change.
-/// Packages of this project that name them depend on this exact version of the crate.
+/// Hidden types and traits, which public signatures name but users need not. They may change in any
+/// release, so packages of this project that name them depend on this exact version of the crate.
 #[doc(hidden)]
 pub use {
     clip::{Frames, Keys, KeysAt},

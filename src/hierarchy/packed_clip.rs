@@ -1,5 +1,5 @@
-//! [`PackedClip`]: packed clips that own their bytes, the packing of frames, and the error of
-//! packing.
+//! [`PackedClip`]: packed clips that own their bytes, the packing of frames, and the measurement of
+//! the error that packing causes.
 
 use super::clip::{Clip, Timing};
 use super::locals::RotationsTranslations;
@@ -60,14 +60,14 @@ brief!([] PackedClip: PackedClip |it| {
     joints: it.clips().joints(), clips: it.clips().clips(), bytes: it.as_bytes().len(),
 });
 
-/// The greatest change of a track of a clip for which the track is kept as a single key.
+/// The change of a track within a clip up to which packing keeps the track as a single key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// An angle in radians, by default 2·10⁻⁵, which is less than the error of a key of 16
-    /// bits.
+    /// The angle of a rotation track in radians, by default 2·10⁻⁵, which is less than the
+    /// error of a key of 16 bits.
     pub angle: f32,
-    /// A length in the unit of the translations, by default 10⁻⁵: with metres, a hundredth of a
-    /// millimetre.
+    /// The length of a translation track in the unit of translations, by default 10⁻⁵. In
+    /// metres this is a hundredth of a millimetre.
     pub length: f32,
 }
 
@@ -77,11 +77,11 @@ impl Default for Tolerance {
     }
 }
 
-/// The error of packing: statistics of the distances of points that are fixed to joints from where
-/// they were before packing.
+/// The error of packing: statistics of the distances by which packing displaces points that are
+/// fixed to joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
-    /// The greatest distance.
+    /// The greatest of these distances.
     pub worst: f64,
     /// The distance that 99 of 100 points do not exceed.
     pub p99: f64,
@@ -90,14 +90,14 @@ pub struct Deviation {
 impl PackedClip {
     /// Packs one clip of rotations and translations, which are
     /// [`RotationTranslation`](crate::representation::RotationTranslation) or
-    /// `[x, y, z, w, tx, ty, tz]`, with the clip's rate and its looping. If a joint turns by 60°
-    /// or more from one frame to the next, each step of the clip is divided by inserted frames, at
-    /// most three, so that no joint turns by 60° in one step. The inserted frames are those that
-    /// [`NlerpLerp`] plays.
+    /// `[x, y, z, w, tx, ty, tz]`, and takes over the clip's rate and its looping. If a joint turns
+    /// by 60° or more from one frame to the next, each step of the clip is divided by inserted
+    /// frames, at most three, so that no joint turns by 60° in one step. The inserted frames are
+    /// those that [`NlerpLerp`] plays.
     ///
     /// # Errors
     /// If a rotation is not unit or a translation is not finite; the error has the joint and the
-    /// frame. If the rate is not a positive number.
+    /// frame. Also if the rate is not positive.
     pub fn new<K: Element<7, Layout = Aos<f32>>>(
         clip: Clip<'_, K>,
         tolerance: Tolerance,
@@ -146,8 +146,8 @@ impl PackedClip {
             let long = |&column: &usize| tracks[column].len() > 1;
             let moving: Vec<_> = ordered().filter(long).collect();
             let still: Vec<_> = ordered().filter(|&column| tracks[column].len() == 1).collect();
-            // A joint that no clip translates has no key. Its place stays 0; whatever key is read
-            // there is multiplied by the step, which is 0.
+            // A joint that no clip translates has no key, and its entry stays 0. The key that is
+            // read by this entry is multiplied by the joint's step, which is 0.
             let mut row = vec![0; 2 * joints];
             for (place, &column) in still.iter().chain(&moving).enumerate() {
                 let entry = u16::try_from(2 * place + usize::from(long(&column)));
@@ -219,8 +219,8 @@ impl PackedClip {
     }
 
     /// Measures the error of packing a clip. Three points are fixed to each joint, one on each axis
-    /// at the distance `distance`; their distances in model space from where the given `frames` put
-    /// them are measured, at the frames but not between them.
+    /// at the distance `distance`; their distances in model space from the points that the given
+    /// `frames` yield are measured, at the frames but not between them.
     ///
     /// # Errors
     /// If there is no such clip, or it was packed from another number of frames, or the hierarchy
@@ -276,14 +276,14 @@ fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     bytemuck::must_cast(words.map(u32::to_le_bytes))
 }
 
-/// The number of pieces that a turn is cut into, with the least cosine of half its angle: one piece
-/// up to 59.8°, two up to 119.6°, three up to 154.6°, otherwise four, so that each piece is less
-/// than 60°. Normalized means go fastest in the middle, so the longest of n pieces is there. For a
-/// distance φ between the quaternions it is 2 atan(tan(φ/2)/n) if n is odd, and atan(2
-/// tan(φ/2)/n) if n is even.
+/// The number of pieces into which a turn is cut, with the least cosine of half the turn's angle:
+/// one piece up to 59.8°, two up to 119.6°, three up to 154.6°, otherwise four. So each piece
+/// turns by less than 60°. Normalized means turn fastest in the middle, so a middle piece is the
+/// longest of n pieces. If φ is the angle between the quaternions, this piece has the angle 2
+/// atan(tan(φ/2)/n) if n is odd, and atan(2 tan(φ/2)/n) if n is even.
 const PIECES: [(u16, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
 
-/// Returns the number of pieces that every step of a clip is cut into, so that no joint turns by
+/// Returns the number of pieces into which every step of a clip is cut, so that no joint turns by
 /// 60° or more in one piece.
 fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError> {
     let mut most = 1;
@@ -305,8 +305,8 @@ fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError
     Ok(most)
 }
 
-/// Cuts each step between frames into `pieces`, by inserting the frames that [`NlerpLerp`] plays
-/// there.
+/// Cuts each step between frames into `pieces` pieces, by inserting frames that [`NlerpLerp`]
+/// interpolates.
 fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     if pieces == 1 {
         return frames.into();
@@ -323,8 +323,9 @@ fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     finer.chain(last.iter().copied()).collect()
 }
 
-/// Returns the middle of the box in which a joint moves in all clips, and 2⁻¹⁴ of a step of
-/// its translations. The step is 0 if no side of the box is longer than the tolerance.
+/// Returns the middle of the box in which a joint moves in all clips, and 2⁻¹⁴ times the step
+/// of its translations, the unit in which keys count. The step is 0 if no side of the box is longer
+/// than the tolerance.
 fn rest(
     clips: &[&[Key]],
     joints: usize,
@@ -348,8 +349,9 @@ fn rest(
     Ok([x, y, z, if longest > tolerance.length { longest / (65534.0 * 16384.0) } else { 0.0 }])
 }
 
-/// Returns the keys of a column: a key for each frame, a single key if the track stays within the
-/// tolerance, or none for the translations of a joint that no clip translates.
+/// Returns the keys of a column (the rotation or the translation of a joint): a key for each frame,
+/// a single key if the track stays within the tolerance, or no key for the translation of a joint
+/// that no clip translates.
 fn track(
     frames: &[Key],
     joints: usize,
@@ -389,7 +391,7 @@ fn track(
         // The sign is chosen so that the key lies in the hemisphere of the key before.
         let dots = keys.last().map_or(1.0, |last| dot(last.map(f64::from), exact));
         let unit = exact.map(|c| c.copysign(c * dots) / norm);
-        // The distance between two unit quaternions is about half of the angle between the
+        // The distance between two unit quaternions is about half of the angle between their
         // rotations.
         let first = *before.get_or_insert(unit);
         let chord: [f64; 4] = core::array::from_fn(|i| unit[i] - first[i]);
@@ -400,9 +402,9 @@ fn track(
     keys
 }
 
-/// Returns the key whose direction is nearest to that of a unit quaternion. It tries lengths a
-/// little below 32767, because the length of a key has no meaning and some lengths round with half
-/// the error.
+/// Returns the key whose direction is nearest to that of a unit quaternion. It tries several
+/// lengths a little below 32767: the length of a key has no meaning, and the best of them has half
+/// the rounding error of the direction.
 fn nearest(unit: [f64; 4]) -> [i16; 4] {
     let key = |turn: u8| unit.map(|c| round((ONE - 0.1875 * f64::from(turn)) * c));
     let off = |key: [i16; 4]| {
@@ -416,7 +418,8 @@ fn nearest(unit: [f64; 4]) -> [i16; 4] {
 
 #[allow(clippy::cast_possible_truncation, reason = "saturates")]
 fn round(number: f64) -> i16 {
-    // Rounds half away from zero without the standard library; the conversion truncates.
+    // The conversion truncates, so adding half rounds to nearest, away from zero in a tie. No
+    // function of the standard library is needed.
     (number + 0.5_f64.copysign(number)) as i16
 }
 

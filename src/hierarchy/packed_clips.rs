@@ -17,13 +17,13 @@ use dq8_simd::{Lanes, MAX_LANES, Mask, Records};
 
 /// The integer that stands for 1 in a key of a rotation.
 pub(super) const ONE: f64 = 32767.0;
-/// 32767² cos 30°, the least dot product of neighbouring keys: rotations less than 60° apart are
-/// quaternions less than 30° apart.
+/// 32767² cos 30°, the least dot product of the rotation keys of neighbouring frames: rotations
+/// less than 60° apart have quaternions less than 30° apart.
 const NEAREST: i64 = 929_830_942;
 
-/// The rest of a joint: the position x, y, z in its parent from which the steps of its translations
-/// count, and 2⁻¹⁴ of a step, which is 0 if no clip translates the joint. It is four `f32`
-/// with the lowest byte first.
+/// The rest record of a joint: the position x, y, z in its parent from which keys of translations
+/// count, and 2⁻¹⁴ times the step, the unit in which these keys count. The step is 0 if no
+/// clip translates the joint. The record is four `f32` with the lowest byte first.
 pub(super) type Rest = [u8; 16];
 
 /// The timing of a clip as bytes: its rate in frames a second as a sum of two `f32`; 1 if it loops;
@@ -35,9 +35,9 @@ pub(super) type PackedTiming = [u8; 12];
 /// [`Sampled`](super::Sampled) plays them, and each instance may play another clip.
 ///
 /// A key is four integers of 16 bits. A track is the rotation or the translation of one joint in
-/// one clip. A track that stays the same has one key; any other has a key for each frame. The
-/// translation of a joint that no clip translates has no key. [The guide](crate::guide::clips) says
-/// which memory and time this costs and how exact it is; [`PackedClip`](super::PackedClip) packs
+/// one clip. A track that does not change has one key; any other track has a key for each frame.
+/// The translation of a joint that no clip translates has no key. [The guide](crate::guide::clips)
+/// tells its cost in memory and time, and its errors. [`PackedClip`](super::PackedClip) packs
 /// clips.
 ///
 /// # Bytes
@@ -45,23 +45,23 @@ pub(super) type PackedTiming = [u8; 12];
 /// All numbers have the lowest byte first. The bytes need no alignment, but loads are faster if
 /// they begin at a cache line.
 ///
-/// | bytes | what |
+/// | bytes | contents |
 /// |---|---|
 /// | 8 | `dq8clips` |
 /// | 6 · `u32` | version 3, joints J, clips N, keys K, rows R, 0 |
 /// | K · 4 · `i16` | keys: rotations x, y, z, w, 32767 for 1; translations x, y, z, 0 in steps |
-/// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
+/// | J · 4 · `f32` | rests: x, y, z, and 2⁻¹⁴ times the step |
 /// | N · 4 · `u32` | the first key, the number of frames, the keys per frame, and the row |
-/// | N · (`f32`, `f32`, `u16`, `u16`) | the rate and its rounding error; loops; 1 to 4 |
+/// | N · (`f32`, `f32`, `u16`, `u16`) | the rate, its rounding error, loops, pieces |
 /// | R · 2J · `u16` | places of keys: J rotations, then J translations |
 ///
-/// The rest of a joint is the position from which the steps of its translations count. The rate of
-/// a clip is the sum of two `f32`, the rounded rate in frames a second and its rounding error; it
-/// is 1 if times are in frames. The first `u16` after the rate is 1 for a clip that loops,
-/// otherwise 0. The second is the number of pieces, 1 to 4, into which packing has cut each step
-/// between frames of the clip. A place of keys is twice the distance from the first
-/// key of the clip to the first key of the track, plus 1 if the track has a key for each frame.
-/// Clips in which the same tracks move share one row of places.
+/// The rest of a joint is the position from which its keys of translations count, in units of the
+/// step. The rate of a clip is the sum of two `f32`, the rounded rate in frames a second and its
+/// rounding error; it is 1 if times are in frames. The first `u16` after the rate is 1 for a clip
+/// that loops, otherwise 0. The second is the number of pieces, 1 to 4, into which packing has cut
+/// each step between frames of the clip. A place of keys is twice the distance from the first key
+/// of the clip to the first key of the track, plus 1 if the track has a key for each frame. Clips
+/// in which the same tracks move share one row of places.
 #[derive(Clone, Copy)]
 pub struct PackedClips<'a> {
     pub(super) tracks: Tracks<'a>,
@@ -75,7 +75,8 @@ pub(super) const MAGIC: &[u8; 8] = b"dq8clips";
 pub(super) const VERSION: u32 = 3;
 const HEAD: usize = 32;
 
-/// Returns the byte ranges of keys, rests, clips, timings and rows, and the number of joints.
+/// Returns the byte ranges of the tables of keys, rests, clips, timings and rows, and the number of
+/// joints.
 pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 5], usize), PackedError> {
     let wrong = |offset, what| PackedError::Bytes { offset, what };
     if bytes.first_chunk() != Some(MAGIC) {
@@ -111,8 +112,8 @@ fn word(bytes: &[u8], index: usize) -> Option<u32> {
     bytes.as_chunks().0.get(index).map(|&word| u32::from_le_bytes(word))
 }
 
-/// Returns `true` if both keys are unit rotations, and near enough that normalizing their mean by a
-/// polynomial of third order is exact to `f32`; see [`unit()`].
+/// Returns `true` if both keys are unit rotations less than 60° apart. Then the polynomial of
+/// [`unit()`] normalizes their mean with an error of the order of rounding to `f32`.
 pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     let dot = |a: [i16; 4], b: [i16; 4]| -> i64 {
         a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum()
@@ -123,7 +124,7 @@ pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     unit(a) && unit(b) && dot(a, b) >= NEAREST
 }
 
-/// The fault of bytes in which several tracks share keys.
+/// The error text for bytes in which several tracks share keys.
 const SHARED: &str = "clips have more tracks and frames than there are keys";
 
 impl<'a> PackedClips<'a> {
@@ -137,9 +138,8 @@ impl<'a> PackedClips<'a> {
         let (ranges, joints) = parts(bytes)?;
         let [keys, rests, clips, timings, rows] =
             ranges.clone().map(|range| bytes.get(range).unwrap_or_default());
-        // Each rotation has at least one key of its own in each clip. This bounds the checks for
-        // each joint of each clip by the number of keys, so that hostile bytes cannot make them
-        // take long.
+        // Each rotation has at least one key of its own in each clip. So the number of keys limits
+        // the number of clips times joints, and the checks of hostile bytes cannot take long.
         let own = (clips.len() / 16).saturating_mul(joints);
         if own > keys.len() / 8 {
             return Err(PackedError::Bytes { offset: ranges[2].start, what: SHARED });
@@ -152,8 +152,8 @@ impl<'a> PackedClips<'a> {
         Ok(packed)
     }
 
-    /// Checks that the file has as many keys as its clips name. No key belongs to two clips, so
-    /// that the checks read each key once.
+    /// Checks that the file has as many keys as its clips refer to, and that no key belongs to two
+    /// clips. So later checks read each key once.
     fn check_counts(&self, ranges: &[Range<usize>; 5], keys: usize) -> Result<(), PackedError> {
         let mut left = keys;
         for clip in 0..self.clips() {
@@ -225,7 +225,7 @@ impl<'a> PackedClips<'a> {
         Some((self.own_frames(clip)? - 1) / self.pieces(clip)? + 1)
     }
 
-    /// The number of frames of a clip in the file, with the inserted ones.
+    /// The number of frames of a clip in the file, including the inserted frames.
     fn own_frames(&self, clip: usize) -> Option<usize> {
         self.tracks.frames(clip).map(|frames| frames as usize)
     }
@@ -233,7 +233,8 @@ impl<'a> PackedClips<'a> {
     /// The number of pieces into which packing has cut each step between frames of the clip.
     pub(super) fn pieces(&self, clip: usize) -> Option<usize> {
         let [_, pieces] = loops_and_pieces(self.timings.get(clip)?);
-        // The number was checked and is at least 1, but the compiler does not know that.
+        // The number was checked to be at least 1. `max` shows this to the compiler, which then
+        // needs no code for a division by zero.
         Some(pieces.max(1) as usize)
     }
 
@@ -258,7 +259,7 @@ impl<'a> PackedClips<'a> {
         Some(rate + rest)
     }
 
-    /// Returns `true` if a clip begins again where it ends. `None` if there is no such clip.
+    /// Returns `true` if a clip begins again after its end. `None` if there is no such clip.
     #[must_use]
     pub fn loops(&self, clip: usize) -> Option<bool> {
         Some(self.timing::<f32>(clip)?.loops)
@@ -273,16 +274,17 @@ impl<'a> PackedClips<'a> {
 
     /// Returns the frame of a clip before the time `at`, and the part of the way to the next frame,
     /// from 0 to 1, like [`Clip::place`](super::Clip::place). Times are in seconds if the clip has
-    /// a rate; in a clip that loops, `at` may lie in any round. All is computed in the type `R`:
-    /// after an hour, an `f32` is wrong by half a hundredth of a frame. For NaN the part is NaN.
-    /// `None` if there is no such clip.
+    /// a rate; in a clip that loops, `at` may lie in any round. The place is computed in the type
+    /// `R`: after an hour, an `f32` is wrong by half a hundredth of a frame. For NaN the part is
+    /// NaN. `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
         let (frame, t) = self.timing::<R>(clip)?.place(at);
         Some((self.tracks.place(clip, frame)?, t))
     }
 
-    /// The timing of a clip by its frames in the file.
+    /// Returns the timing of a clip, which counts the frames in the file, including the inserted
+    /// frames.
     pub(super) fn timing<T: Scalar>(&self, clip: usize) -> Option<Timing<T>> {
         let timing = self.timings.get(clip)?;
         let [rate, rest] = rate(timing).map(T::from);
@@ -293,8 +295,9 @@ impl<'a> PackedClips<'a> {
 }
 
 impl PackedClips<'_> {
-    /// Returns the local pose of a joint of a clip at the time `at`, as [`place`](Self::place)
-    /// takes it; `None` if there is no such clip or joint. See [`Clip::pose`](super::Clip::pose).
+    /// Returns the local pose of a joint of a clip at the time `at`, which counts as in
+    /// [`place`](Self::place); `None` if there is no such clip or joint. See
+    /// [`Clip::pose`](super::Clip::pose).
     #[must_use]
     pub fn pose<R: Scalar>(&self, clip: usize, joint: usize, at: R) -> Option<DualQuat<R>> {
         self.pose_at(clip, joint, self.timing::<R>(clip)?.place(at))
@@ -402,8 +405,8 @@ pub struct Playback<'s> {
 brief!([] Playback<'_>: Playback |it| { joints: it.rests.len() });
 
 impl Playback<'_> {
-    /// Interpolates a column of tracks for the lanes of a slot: columns are the rotations of all
-    /// joints, then their translations.
+    /// Interpolates a column for the lanes of a slot. Column j is the rotation of joint j, and
+    /// column J + j its translation, where J is the number of joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(
         self,
@@ -445,8 +448,8 @@ impl Playback<'_> {
     }
 }
 
-/// Returns rests (x, y, z and a step) as arrays of `R` without a copy, if `R` is `f32` in the byte
-/// order of the target and the bytes are aligned.
+/// Returns rests (x, y, z and a step) as arrays of `R` without a copy. Returns `None` if `R` is not
+/// `f32`, the target is not little-endian, or the bytes are not aligned.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn as_they_lie<R: Scalar>(rests: &[Rest]) -> Option<&[[R; 4]]> {
     let same = R::SINGLE && cfg!(target_endian = "little");
@@ -481,8 +484,8 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
             let last = slot.joint() + 1 == self.rests.len();
             self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint(), last);
         }
-        // The rest position is loaded first. Loaded after the interpolation, it would make the
-        // interpolated rotation wait in memory.
+        // The rest position is loaded first. If it were loaded after the interpolation, the
+        // compiler would spill the interpolated rotation to the stack.
         let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
         let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?, t);
         if moves {
@@ -496,11 +499,11 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
     }
 }
 
-/// Normalizes the mean of two keys of rotations. Neighbours are less than 60° apart, so the
-/// squared length 1 − e is near that of 1, and (1 − e)^(−½) is a polynomial of e without
+/// Normalizes the mean of two keys of rotations. Neighbouring keys are less than 60° apart, so the
+/// squared length 1 − e of the mean is near 1, and (1 − e)^(−½) is a polynomial of e without
 /// root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005,
-/// 0.068]). The result is NaN if `t` is NaN; the weights of the mean are integers and would lose a
-/// NaN.
+/// 0.068]). The result is NaN if `t` is NaN. This needs code of its own, because the weights of the
+/// mean are integers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);
@@ -521,9 +524,9 @@ errors! {
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     PackedError {
-        /// The number of keys does not fit the number of joints.
+        /// The number of keys is not a multiple of the number of joints.
         Shape(error: ShapeError) => "{error}";
-        /// A rotation that is not unit, or not finite.
+        /// A rotation is not unit, or not finite.
         NotUnit {
             clip: usize = "The clip.",
             frame: usize = "The frame.",
@@ -531,11 +534,11 @@ errors! {
             length: f64 = "The length of its quaternion."
         }
             => "joint {joint} in frame {frame} of clip {clip} has a rotation of length {length}, not 1";
-        /// A clip whose rate in frames a second is not a positive number.
+        /// The rate of a clip in frames a second is not a positive number.
         Rate { clip: usize = "The clip.", rate: f64 = "Its frames a second." }
             => "clip {clip} has {rate} frames a second, which must be a positive number that `f32` holds";
-        /// A translation with a value that is not finite, or differs from the values of other
-        /// frames by more than `f32` holds.
+        /// A component of a translation is not finite, or differs from that of another frame by
+        /// more than `f32` holds.
         Beyond {
             clip: usize = "The clip.",
             frame: usize = "The frame.",
@@ -543,9 +546,9 @@ errors! {
             value: f32 = "The number."
         }
             => "joint {joint} in frame {frame} of clip {clip} is at {value}, which no range of translations holds";
-        /// More keys than 32 bits count, or more tracks than 15 bits.
+        /// There are more keys than 32 bits count, or more tracks than 15 bits count.
         TooLarge => "the clips have more keys than 32 bits count, or more tracks than 15 bits";
-        /// Bytes that are not a packed clip file of this version.
+        /// The bytes are not a packed clip file of this version.
         Bytes { offset: usize = "The first byte that is wrong.", what: &'static str = "What is wrong." }
             => "not a packed clip file: {what} at byte {offset}";
     }

@@ -39,8 +39,8 @@ impl<'a> Hierarchy<'a> {
     ///
     /// # Errors
     /// If a parent is not a joint, or does not come before its child (a forward reference or a
-    /// cycle). The error names the first such joint and its parent. Also if there are more joints
-    /// than a `u32` can count.
+    /// cycle). The error names the first such joint and its parent. There is an error too if there
+    /// are more joints than a `u32` can count.
     ///
     /// ```
     /// use dq8::{Hierarchy, hierarchy::HierarchyError};
@@ -67,7 +67,7 @@ impl<'a> Hierarchy<'a> {
         Ok(Self { parents })
     }
 
-    /// Makes a hierarchy of parents that have been checked already.
+    /// Makes a hierarchy of parents that [`new`](Self::new) has checked before.
     #[cfg(feature = "alloc")]
     pub(super) const fn of_checked(parents: &'a [u32]) -> Self {
         Self { parents }
@@ -101,14 +101,14 @@ impl<'a> Hierarchy<'a> {
 
     /// Lists the joints whose parent is `joint`, in rising order.
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
-        // `ROOT` and values above it are no joints. The search for their children begins behind the
-        // last joint, so that it finds none.
+        // `ROOT` is no joint, although root joints have it as their parent. For `ROOT`, and for
+        // larger indices, the search begins behind the last joint, so that it finds no children.
         let parent = u32::try_from(joint).unwrap_or(Self::ROOT);
         let after = if parent == Self::ROOT { usize::MAX } else { joint.saturating_add(1) };
         of_parent(self.parents(), after, parent)
     }
 
-    /// Lists the ancestors of a joint: its parent, the parent of that, and so on up to the root.
+    /// Lists the ancestors of a joint: its parent, its grandparent, and so on up to the root.
     /// The list is empty if there is no such joint.
     ///
     /// ```
@@ -173,7 +173,7 @@ impl<'a> Hierarchy<'a> {
             if let Some(name) = name(joint) {
                 write!(f, " {name}")?;
             }
-            // The indent shows the parent only if the joint of the line before is the parent or a
+            // The indent shows the parent only if the joint of the previous line is the parent or a
             // descendant of the parent. Otherwise the line names the parent.
             if let (Some(parent), Some(before)) = (self.parent(joint), joint.checked_sub(1))
                 && parent != before
@@ -206,10 +206,10 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     HierarchyError {
-        /// The parent of a joint does not come before it: a forward reference or a cycle.
+        /// The parent of a joint does not come before the joint: a forward reference or a cycle.
         ParentNotBefore { joint: usize = "The joint.", parent: u32 = "Its parent." }
             => "joint {joint} {}", NotBefore { joint: *joint, parent: *parent };
-        /// The parent of a joint is not a joint at all.
+        /// The parent of a joint is not the index of a joint.
         ParentOutOfRange {
             joint: usize = "The joint.",
             parent: i128 = "Its parent, as it was written: a number of any type.",
@@ -219,7 +219,7 @@ errors! {
             Signed(*parent), Count(*joints, "joint");
         /// A joint is its own ancestor.
         Cycle { joint: usize = "The joint." } => "joint {joint} is its own ancestor";
-        /// There is no such joint.
+        /// A caller asked for a joint that the hierarchy does not have.
         NoJoint { joint: usize = "The joint asked for.", joints: usize = "The number of joints." }
             => "there is no joint {joint} among {}, counted from 0", Count(*joints, "joint");
         /// A joint and its descendants are not in one range.
@@ -232,10 +232,10 @@ errors! {
         /// The number of names differs from the number of joints.
         Names { names: usize = "The number of names.", joints: usize = "The number of joints." }
             => "{} for {}: each needs one", Count(*names, "name"), Count(*joints, "joint");
-        /// A joint has the name of an earlier one.
+        /// A joint has the name of an earlier joint.
         SameName { joint: usize = "The joint.", earlier: usize = "The earlier one." }
             => "joint {joint} has the name of joint {earlier}";
-        /// More joints than a `u32` can number.
+        /// There are more joints than a `u32` can count.
         TooManyJoints { joints: usize = "The number of joints." } => "{joints} joints are more than a u32 can count";
     }
 }

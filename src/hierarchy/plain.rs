@@ -1,4 +1,5 @@
-//! model(j) = model(parent(j)) · local(j) for plain motions, which are transposed in registers.
+//! The computation of models from locals, model(j) = model(parent(j)) · local(j), for plain
+//! motions, which are transposed in registers.
 //!
 //! # The algorithm
 //!
@@ -10,16 +11,17 @@
 //!
 //! # Reasons
 //!
-//! - *A ring of recent models.* A parent is needed as the registers held it, and transposing it a
-//!   second time would cost as much as the product. Most parents are a few joints back, so the last
-//!   [`RECENT`] models stay in memory as the registers held them. Only a parent that lies farther
-//!   back is transposed again, in a function that is not inlined.
-//! - *One source* (`docs/measured.md`, *What keeps loops in registers*). Roots, near parents and
-//!   far parents all end as a place in the ring, from which every product reads its left factor.
-//! - *The same operations in the same order* for instances in lanes and one by one: the model of an
-//!   instance is the same to the last bit, however many other instances are in the call.
-//! - *A prefetch before a strided store*, once the models exceed the second-level cache: the
-//!   hardware prefetcher does not follow so many streams.
+//! - *A ring of recent models.* A product needs the parent's model with a register for each
+//!   component, and transposing it a second time would cost as much as the product. Most parents
+//!   are a few joints back, so the last [`RECENT`] models also stay in memory without a transpose,
+//!   in a ring buffer. Only a parent that lies farther back is transposed again, in a function that
+//!   is not inlined.
+//! - *One source* (`docs/measured.md`, *What keeps loops in registers*). The models of near and far
+//!   parents are all elements of the ring, from which every product reads its left factor.
+//! - *The same operations in the same order* for instances in lanes and for single instances. So
+//!   the bits of a model do not depend on the number of instances in the call.
+//! - *A prefetch before a strided store* if the models exceed the second-level cache. Each instance
+//!   is a stream of its own, and the hardware prefetcher does not follow that many streams.
 
 use super::chain::{product, product_in_lanes};
 use super::locals::{BATCH, LocalBatch, Locals, Pass, Registers, Stored, load, store};
@@ -31,7 +33,7 @@ use crate::storage::{Element, Layout, Motions, Register, Source, Tile, identity,
 use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
-/// The number of models that stay in memory as registers held them, for their children. Parents
+/// The number of recent models that stay in memory without a transpose, for their children. Parents
 /// farther back are transposed again. More models would fill the first-level cache, which also
 /// holds the locals and models of the instances.
 const RECENT: usize = 16;
@@ -65,8 +67,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
     }
 }
 
-/// The loop whose lanes are instances, strided in memory. It computes groups of as many instances
-/// as there are lanes, and returns the number of elements in these groups.
+/// The loop whose lanes are instances, which lie at a stride in memory. It computes groups of as
+/// many instances as there are lanes, and returns the number of elements in these groups.
 struct Instances<'f, 'r, 's, E: Element<8>, L, X>(&'f mut Forward<'r, 's, E, L, X>);
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, '_, E, L, X> {
@@ -100,7 +102,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, '
     }
 }
 
-/// The models that wait for their children, and a batch of locals that wait for their parents.
+/// The recent models, which their children will read, and the batch of computed locals.
 struct Waiting<E: Element<8>, V: Level> {
     ring: Ring<E, V>,
     batch: LocalBatch<E, V>,
@@ -108,9 +110,9 @@ struct Waiting<E: Element<8>, V: Level> {
     prefetch: bool,
 }
 
-/// The recent models as registers hold them. The model of joint j is at index j % [`RECENT`] until
-/// that of joint j + [`RECENT`] replaces it. The last element is for a parent that is not among the
-/// recent models.
+/// The recent models, with a register for each component. The model of joint j is at index j %
+/// [`RECENT`] until that of joint j + [`RECENT`] replaces it. The last element is for a parent that
+/// is not among the recent models.
 struct Ring<E: Element<8>, V: Level>([Registers<E, V>; RECENT + 1]);
 
 impl<E: Element<8>, V: Level> Ring<E, V> {
@@ -119,8 +121,9 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
         Self([Motions::<E, V>::identity(level).to_array(); RECENT + 1])
     }
 
-    /// Loads a model that is no longer in the ring into its last element. The model was stored to
-    /// memory from this ring, so it has the same bits.
+    /// Loads the model of a joint, which is no longer in the ring, from `models` into the last
+    /// element of the ring. It was stored to `models` when it was in the ring, so it has the same
+    /// bits.
     #[cold]
     #[inline(never)]
     fn fetch(&mut self, level: V, models: &[E], slot: JointSlot) {
@@ -151,9 +154,9 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     /// Computes the models of as many instances as there are lanes, beginning with instance
-    /// `instance`. *One source* (docs/measured.md): every product reads its parent from the ring,
-    /// which is memory in the first-level cache, whether the parent is recent or not, a root or
-    /// not.
+    /// `instance`. Every product reads the parent's model from the ring, which is memory in the
+    /// first-level cache, so that the paths of recent and of other parents join without moves
+    /// between registers (*One source*, docs/measured.md).
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn instances<X: Epilogue<E>>(
         self,
@@ -174,8 +177,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             }
             if parent < joint {
                 // A parent that the ring no longer holds, or never held because it lies before the
-                // range of joints, is loaded into the last element. So the product reads from
-                // memory at an index, whichever path led here.
+                // range of joints, is loaded into the last element. So on both paths the product
+                // reads an element of the ring.
                 let mut from = parent % RECENT;
                 if joint - parent >= RECENT || parent < run.joints.start {
                     from = RECENT;
@@ -223,9 +226,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 
     /// Computes the models of one instance on targets without SIMD, where a register holds a single
-    /// value. Models go through memory, since the eight components would not stay in registers
-    /// anyway. The product is the one of all other loops, and of targets with wider registers, so
-    /// that results have the same bits.
+    /// value. Models go through memory, because the eight components would not stay in registers
+    /// anyway. The product is the same as in all other loops and on targets with wider registers,
+    /// so results have the same bits.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn one_instance<X: Epilogue<E>>(
         self,
@@ -240,7 +243,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             let Some(&parent) = run.parents.get(joint) else { return };
             let slot = JointSlot::of_instances(joint, instance, joints);
             // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
-            // Any other parent comes before its joint, so its model has been written, in place too.
+            // Any other parent comes before its joint, so its model has been written already, also
+            // if the run is in place.
             let parent = match models.get(parent as usize) {
                 Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
                 None => run.root.load(level, instance, 0),
@@ -288,8 +292,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for OneByOne<'_, '_, E,
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     /// Computes the models of one instance, joint by joint. Locals that are not motions in memory
-    /// are made first, for as many joints as there are lanes; the epilogue follows, again with a
-    /// joint in each lane.
+    /// are first converted to motions, for as many joints as there are lanes. After the products
+    /// the epilogue runs, again with a joint in each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn one_by_one<X: Epilogue<E>>(
         self,
@@ -345,7 +349,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 }
 
-/// Normalizes one model on lanes, so that its bits are those of [`Ring::normalize`].
+/// Normalizes one model with the operations of lanes, so that it has the same bits as with
+/// [`Ring::normalize`].
 #[cold]
 #[inline(never)]
 fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
@@ -359,27 +364,29 @@ fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
     );
 }
 
-/// The models of one joint in as many instances as there are lanes, as the registers hold them.
+/// The models of one joint in as many instances as there are lanes, with a row of lanes for each
+/// component.
 type Models<E, V> = Stored<Register<E, V, 8>>;
 
-/// The bytes of a cache line, which are at least those of a register. A row that begins at a
-/// multiple of this lies in one line.
+/// The size of a cache line in bytes, which is at least the size of a register. A row that begins
+/// at a multiple of this size lies in one cache line.
 const LINE: usize = 64;
 
 /// The loop for palettes without models: the caller wants the palette alone, so the models stay in
-/// the caller's scratch memory as registers held them. Transposing and storing them would be two
+/// the caller's scratch memory without a transpose. Transposing and storing them would take two
 /// fifths of all shuffles and stores of a palette. No parent is transposed again either.
 ///
-/// Lanes are instances, strided in memory. The loop computes groups of as many instances as there
-/// are lanes, and returns the number of instances in these groups; 0 if the scratch does not hold
-/// one group.
+/// Lanes are instances, which lie at a stride in memory. The loop computes groups of as many
+/// instances as there are lanes, and returns the number of instances in these groups; 0 if the
+/// scratch does not hold one group.
 pub(super) struct PaletteInstances<'f, 'r, 's, E: Element<8>, L, X>(
     pub(super) &'f mut PaletteOnly<'r, 's, E, L, X>,
 );
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_, '_, '_, E, L, X> {
     type Output = usize;
-    // AVX-512 takes a quarter less time on CPUs that shuffle 512 bits as quickly as 256.
+    // On CPUs that shuffle 512 bits as quickly as 256 bits, AVX-512 takes a quarter less time than
+    // AVX2.
     const SHUFFLES: bool = !E::Layout::WIDE;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -401,14 +408,16 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
     }
 }
 
-/// Casts `numbers` to one `M` for each joint; `None` if they are too few. If they are more than
-/// needed, the cast begins at a cache line.
+/// Casts `numbers`, the floats of the caller's scratch memory, to one `M` for each joint. Returns
+/// `None` if there are too few. If there are enough more than needed, the result begins at a cache
+/// line.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn aligned<R: Scalar, M: bytemuck::Pod>(numbers: &mut [R], joints: usize) -> Option<&mut [M]> {
     let needed = joints.checked_mul(size_of::<M>() / size_of::<R>())?;
     let spare = numbers.len().checked_sub(needed)?;
-    // A row across two cache lines takes two accesses. The caller's memory is aligned to one number
-    // only, so the start moves to a cache line if there is room; the results are the same.
+    // A row across two cache lines takes two accesses. The caller's memory is aligned to one float
+    // only, so the result begins at the next cache line if there is room. The start does not change
+    // the results.
     let aligned = numbers.as_ptr().align_offset(LINE);
     let start = if aligned <= spare { aligned } else { 0 };
     bytemuck::try_cast_slice_mut(numbers.get_mut(start..start + needed)?).ok()
@@ -417,7 +426,7 @@ fn aligned<R: Scalar, M: bytemuck::Pod>(numbers: &mut [R], joints: usize) -> Opt
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     /// Computes the palette of as many instances as there are lanes, beginning with instance
     /// `instance`. All models go through memory, as in [`instances`](Self::instances). Computed
-    /// locals are first written to the places where the models will be.
+    /// locals are first written to the memory of their models.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn palette<X: Epilogue<E>>(
         self,
@@ -428,7 +437,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         let Self { level, run, locals } = self;
         let joints = run.joints.clone();
         let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
-        // The base of roots is in memory like all other parents: *one source* (docs/measured.md).
+        // The base of roots is in memory, like the models of all other parents (*One source*,
+        // docs/measured.md).
         let mut base = Models::<E, V>::zeroed();
         let base = if let Some(root) = run.root.load(level, instance, 0) {
             store(root.to_array(), &mut base);
@@ -455,7 +465,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             let local = locals.motion(local).to_array();
             let Some(&parent) = run.parents.get(joint) else { return };
             // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
-            // *Kept apart* (docs/measured.md): both paths have a store of their own.
+            // Both paths have a store of their own, so that no registers are moved to join them
+            // (*Kept apart*, docs/measured.md).
             if let Some(parent) = models.get(parent as usize).or(base) {
                 let model = product_in_lanes(load(level, parent), local);
                 let Some(place) = models.get_mut(joint) else { return };
@@ -465,8 +476,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                 store(local, place);
             }
             let Some(place) = models.get_mut(joint) else { return };
-            // *One source*: the epilogue reads the model from memory, in the first-level cache,
-            // whether it was normalized or not.
+            // The epilogue reads the model from memory, in the first-level cache, whether the model
+            // was normalized or not (*One source*, docs/measured.md).
             if run.renormalize.applies_to(joint) {
                 normalize_rows::<Register<E, V, 8>>(level, place);
             }

@@ -1,5 +1,5 @@
 //! [`Plan`]: the order in which the joints of one instance are computed, in the caller's memory;
-//! the loop in that order, for any form of locals, with a root and a palette; and the search for
+//! the loop in this order, for any form of locals, with a root and a palette; and the search for
 //! the order.
 
 use super::Hierarchy;
@@ -17,21 +17,21 @@ use dq8_simd::Level;
 use dq8_simd::internal::CheckedSchedule;
 
 /// The number of joints from which a chain is cut into segments. It is the same on every target,
-/// because it decides the order of products. (Nanoseconds per joint with AVX-512, for chains of 16,
-/// 24 and 32 joints: one by one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2, segments
-/// are never faster.)
+/// because the order of products, and so the bits of the results, depend on it. (With AVX-512,
+/// chains of 16, 24 and 32 joints take 4.9, 5.6 and 6.0 nanoseconds per joint one by one, and 6.7,
+/// 5.3 and 4.7 in segments. Without AVX2, segments are never faster.)
 const MIN_CHAIN: usize = 24;
 
 /// The order in which the joints of one instance are computed, found once and kept in the caller's
 /// memory. A [`Skeleton`](super::Skeleton) has its own plan; this type is for programs without a
 /// heap.
 ///
-/// A [`Hierarchy`] fills its lanes with many instances. In a single instance joints wait for their
-/// parents, so the order decides how much of that time other joints fill; the best order depends on
-/// the parents alone. A [`Job`](super::Job) uses its plan for one whole instance in a plain slice,
-/// with any form of locals, root and palette, and ignores it otherwise. Each joint has the same
-/// products as without a plan, in the same order. The exceptions are chains of 24 joints and more,
-/// whose results differ in the last bits: see [`Backend::chain_products`].
+/// A [`Hierarchy`] fills its lanes with many instances. In a single instance a joint waits for its
+/// parent's product, and the order decides how much of this time the products of other joints fill.
+/// The best order depends on the parents alone. A [`Job`](super::Job) uses its plan for one whole
+/// instance in a plain slice, with any form of locals, root and palette, and ignores it otherwise.
+/// The model of each joint has the same bits as without a plan. The exceptions are chains of 24
+/// joints and more, whose results differ in the last bits: see [`Backend::chain_products`].
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy, hierarchy::{Plan, PlanScratch}};
@@ -55,13 +55,13 @@ pub struct Plan<'a> {
 
 brief!([] Plan<'_>: Plan |it| { joints: it.parents.len() });
 
-/// The absence of a plan in a [`Job`](super::Job). A program that uses no plans links none of their
-/// code.
+/// The absence of a plan in a [`Job`](super::Job). A program that uses no plans does not contain
+/// their code.
 #[derive(Clone, Copy, Debug)]
 pub struct NoPlan;
 
-/// The order in which a job computes one instance: that of a [`Plan`], or with [`NoPlan`] the order
-/// of joints. Sealed.
+/// The order in which a job computes one instance: the order of a [`Plan`], or with [`NoPlan`] the
+/// order of joints. The trait is sealed.
 pub trait Plans: sealed::Sealed {
     #[doc(hidden)]
     fn plan(&self) -> Option<Plan<'_>>;
@@ -112,11 +112,11 @@ impl<'a> Plan<'a> {
     }
 
     /// Makes a plan of an order that [`new`](Self::new) wrote for the same parents. So a program
-    /// can keep an order where a plan cannot borrow it, such as in a constant in flash.
+    /// can keep an order in a constant in flash, for example.
     ///
-    /// Without memory of its own this check does not find every fault. It accepts an order in which
-    /// joints are exchanged, or in which one joint is there twice and another is missing; models
-    /// are then wrong.
+    /// The check has no memory in which to mark joints, so it does not find every fault. It accepts
+    /// an order in which a child comes before its parent, or in which a joint is missing and
+    /// another occurs twice; models are then wrong.
     ///
     /// # Errors
     /// If the number of pairs differs from that of joints, a pair is not a joint and its parent, or
@@ -162,7 +162,8 @@ pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
 /// Returns `true` if every joint is the child of the joint before it and the chain is long enough
 /// for segments.
 pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
-    // Joint 0 fits too: the parent of a root is `ROOT`, which is 0 − 1.
+    // Joint 0 satisfies the condition too: the parent of a root is `ROOT`, which is 0 − 1 in
+    // wrapping arithmetic.
     let links = |(joint, &pair): (u32, &[u32; 2])| pair == [joint, joint.wrapping_sub(1)];
     order.len() >= MIN_CHAIN && (0..).zip(order).all(links)
 }
@@ -196,7 +197,7 @@ impl<R: Scalar> Kernel for InOrder<'_, '_, R> {
                     |parent, local| product(level, parent, local),
                 );
             }
-            // In place, the model of a root is its local, which stays as it is.
+            // In place, the model of a root is its local, which is already there.
             Source::Output => {
                 order.others.run_in_place(
                     models,
@@ -222,15 +223,16 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
 
     /// Computes the models in the order of the plan: stores the locals as motions in place of the
     /// models, multiplies roots onto their base, then each joint onto its parent, and runs the
-    /// epilogue. The product is that of all other runs, so the models of a tree have the same bits.
+    /// epilogue. The product is the same as in all other runs, so the models of a tree have the
+    /// same bits.
     #[inline]
     pub(super) fn in_order_of(self, plan: Plan<'_>) {
         let Self { run, locals, models, mut epilogue } = self;
         let (backend, root) = (run.backend, run.root_of(0));
         // The loop of a plan reads motions from a slice or in place, and copies the locals of
-        // roots. So motions in memory are read where they are, if there is no base. Other locals,
-        // and locals of roots that have a base, are first written to the models and then multiplied
-        // in place.
+        // roots. So if the locals are motions in memory and roots have no base, the loop reads them
+        // directly. Otherwise all locals are first written to the models, and the loop works in
+        // place.
         let from = match locals.motions() {
             Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
             _ => {
@@ -252,7 +254,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
     }
 }
 
-/// The loop that writes the locals to the models, those of roots multiplied onto `root`.
+/// The loop that writes the locals to the models, and multiplies the locals of root joints onto
+/// `root`.
 struct Begin<'r, 's, E: Element<8>, L> {
     run: &'r Run<'r, E>,
     locals: L,
@@ -268,7 +271,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
     fn run<V: Level>(self, level: V) {
         let Self { run, locals, models, root } = self;
         let joints = run.parents.len();
-        // Locals that are in `models` already stay there.
+        // Locals that are already in `models` need no copy.
         if !matches!(locals.motions(), Some(Source::Output)) {
             let pass = Pass { level, run, locals };
             let mut batch = pass.batch();
@@ -303,7 +306,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         // The epilogue runs after all models are computed, in the order of joints: joints that
-        // follow each other in the plan do not lie side by side in memory, as lanes need them.
+        // follow each other in the plan do not adjoin in memory, as loads into lanes need.
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {
             let slot = JointSlot::of_joints(start, 0, models.len(), models.len());
@@ -313,33 +316,35 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     }
 }
 
-/// The number of other products that begin between the product of a parent and that of its child. A
-/// product takes about four times as long as the interval after which the next product can begin.
+/// The number of products of other joints that begin between the product of a parent and that of
+/// its child. A product takes about four times as long as the interval after which the next
+/// independent product can begin.
 ///
 /// Measured by `cargo bench --bench hierarchy -- one-instance` on skeletons of 21 and 64 joints,
 /// with other values of this constant: 3 to 6 are the same within a few hundredths. Computing level
 /// by level takes a twentieth longer, and depth first half as long again.
 const BETWEEN: u32 = 4;
 
-/// The mark for the end of a list of children.
+/// The value that marks the end of a list of children.
 const NONE: u32 = Hierarchy::ROOT;
 
-/// The facts about one joint, and one element of each of two queues, during the search for an
-/// order.
+/// The scratch memory of the search for an order: an element of four arrays, of facts about joints
+/// (`height`, `first_child`, `next_sibling`), a heap (`ready`) and a queue (`pending`, `ready_at`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct PlanScratch {
     /// The number of links from the joint down to its deepest descendant.
     height: u32,
-    /// The first child of the joint, and its next sibling: lists of children in rising order.
+    /// The first child of the joint, or [`NONE`]. The children are a linked list in rising order.
     first_child: u32,
+    /// The next child of the joint's parent, or [`NONE`].
     next_sibling: u32,
-    /// An element of a binary heap of joints whose parents are done; the top is the joint to begin
-    /// first.
+    /// An element of a binary heap of joints whose parents are done. The joint at the top begins
+    /// next.
     ready: u32,
-    /// An element of a queue of joints whose parents have begun; `ready_at` is the time when the
-    /// parent of `pending` is done.
+    /// An element of a queue of joints whose parents have begun, but are not done.
     pending: u32,
+    /// The time step at which the parent of `pending` is done.
     ready_at: u32,
 }
 
@@ -360,9 +365,9 @@ impl Default for PlanScratch {
 /// parent, then the other joints in the order in which to compute them. Both slices have one
 /// element for each joint.
 ///
-/// Among the joints whose parents are done, the joint with the longest way down comes first,
-/// because that way decides how long the whole takes. The other joints fill the time in which it
-/// waits.
+/// Among the joints whose parents are done, the joint with the longest path down to a descendant
+/// comes first, because this path decides how long the whole computation takes. The other joints
+/// fill the time in which the joints of the path wait.
 ///
 /// This is list scheduling by the critical path, for a unit that begins one product per time step
 /// and returns its result [`BETWEEN`] steps later:
@@ -389,8 +394,8 @@ pub(super) fn schedule(
     // Parents come before their children, so one pass from the last joint to the first finds all
     // heights.
     for (joint, &parent) in hierarchy.parents().iter().enumerate().rev() {
-        // Each joint goes to the front of its parent's list, so that this pass, from last to first,
-        // leaves children in rising order. The parent of a root is `ROOT`, which is beyond
+        // Each joint is inserted at the front of its parent's list. The pass goes from last to
+        // first, so children end in rising order. The parent of a root is `ROOT`, which is beyond
         // `scratch`: `change` then does nothing.
         let (of, above) = (search.at(joint), search.at(parent as usize));
         search.change(joint, |of| of.next_sibling = above.first_child);
@@ -410,8 +415,8 @@ pub(super) fn schedule(
     // joint is pushed when the product of its parent is done.
     while search.ready > 0 || search.begin < search.end {
         if search.ready == 0 {
-            // All joints that remain wait for their parents, so time skips to when the first of
-            // these is done.
+            // All remaining joints wait for their parents, so time skips to the step at which the
+            // first of these is done.
             time = time.max(search.at(search.begin).ready_at);
         }
         while search.begin < search.end && search.at(search.begin).ready_at <= time {
@@ -428,7 +433,8 @@ pub(super) fn schedule(
             child = search.at(child as usize).next_sibling;
         }
         let parent = hierarchy.parents().get(joint as usize).copied().unwrap_or(NONE);
-        // Roots have no product and are copied before all products, so they come first in `order`.
+        // The models of roots are copies and not products. They come before all products, so roots
+        // come first in `order`.
         let place = if parent == NONE { to_roots.next() } else { to_others.next() };
         if let Some(place) = place {
             *place = [joint, parent];
@@ -442,9 +448,10 @@ struct Search<'s> {
     of: &'s mut [PlanScratch],
     /// The number of joints in the heap.
     ready: usize,
-    /// The begin and the end of the queue. Each joint enters the queue at most once, so the queue
-    /// fits the scratch memory and never wraps around.
+    /// The index of the queue's first element.
     begin: usize,
+    /// The index behind the queue's last element. Each joint enters the queue at most once, so the
+    /// queue fits the scratch memory and never wraps around.
     end: usize,
 }
 

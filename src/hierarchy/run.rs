@@ -1,7 +1,7 @@
 //! [`Run`]: the data that every loop over a hierarchy reads, after lengths have been checked. They
-//! include the [`Root`] that root joints are multiplied onto and the choice when to
-//! [`Renormalize`]. Also the [`Epilogue`], which computes a palette, for instance, from each model;
-//! and [`JointSlot`], the joints and instances in the lanes of a register.
+//! include the [`Root`], onto which root joints are multiplied, and [`Renormalize`], the joints
+//! whose models are normalized. Also [`Epilogue`], a computation from each model, for instance of a
+//! palette; and [`JointSlot`], the joints and instances in the lanes of a register.
 
 use crate::backend::Backend;
 use crate::batch::{self, vector};
@@ -14,17 +14,18 @@ use core::num::NonZeroU32;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level, Records};
 
-/// The fewest elements in a task of a thread. They are some microseconds of work; starting a task
-/// takes a fraction of a microsecond.
+/// The least number of elements in a task of a thread, which take some microseconds. Starting a
+/// task takes a fraction of a microsecond.
 const GRAIN: usize = 2048;
 
-/// Returns the number of instances in a task of a thread, for `joints` joints, which is not 0.
+/// Returns the least number of instances in a task of a thread, for instances of `joints` joints.
+/// `joints` must not be 0.
 pub(super) fn grain(joints: usize) -> usize {
     GRAIN.div_ceil(joints)
 }
 
 /// The data that all loops read: the hierarchy, the range of joints, the base of root joints, the
-/// choice when models are normalized, and the instructions and threads. Lengths have been checked.
+/// joints whose models are normalized, and the instructions and threads. Lengths have been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Run<'a, E: Element<8>> {
     pub(super) backend: Backend,
@@ -67,7 +68,7 @@ impl<E: Element<8>> Root<'_, E> {
         }
     }
 
-    /// The bases of a range of instances (or blocks).
+    /// Returns the bases of a range of instances (or blocks).
     pub(super) fn part(&self, instances: Range<usize>) -> Self {
         match *self {
             Self::Each(roots) => Self::Each(roots.get(instances).unwrap_or_default()),
@@ -77,12 +78,12 @@ impl<E: Element<8>> Root<'_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
-    /// The run for a range of instances (or blocks).
+    /// Returns the run for a range of instances (or blocks).
     pub(super) fn part(&self, instances: Range<usize>) -> Self {
         Self { root: self.root.part(instances), ..self.clone() }
     }
 
-    /// `true` if there is enough work for several threads.
+    /// Returns `true` if there is enough work for several threads.
     #[cfg(feature = "rayon")]
     #[inline]
     pub(super) fn many(&self) -> bool {
@@ -106,7 +107,7 @@ impl<E: Element<8>> Run<'_, E> {
 pub struct NoRoot;
 
 /// The base of root joints for models of type `E`: none, one motion for all instances, or one
-/// motion for each instance. Sealed.
+/// motion for each instance. The trait is sealed.
 pub trait Roots<E: Element<8>>: sealed::Sealed {
     #[doc(hidden)]
     fn root(&self) -> Root<'_, E>;
@@ -161,14 +162,14 @@ mod sealed {
 
 /// The joints whose model poses a run over a hierarchy normalizes.
 ///
-/// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n
-/// (`f32`) in the norm after n products, less than a skeleton can show. `lab/src/products.rs`
-/// measures it; in short:
+/// Products of unit motions are unit up to rounding errors, which add up to about 10⁻⁷ √n
+/// (`f32`) in the norm after n products. No skeleton is deep enough to show this.
+/// `lab/src/products.rs` measures it, with these results:
 ///
 /// - normalizing does **not** make rotations more accurate, it only keeps the norm;
 /// - chains of up to thousands of joints do not need it: [`Never`](Self::Never) is the default;
-/// - if products go on for a long time (odometry, physics), normalize exactly and rarely:
-///   [`Every`](Self::Every) 64 joints is as good as every joint;
+/// - for very long products (odometry, physics), normalizing after [`Every`](Self::Every) 64
+///   factors is as good as after every factor;
 /// - dividing by the norm of the real part alone does not normalize: it leaves the dual part with a
 ///   component that is not a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -181,7 +182,7 @@ pub enum Renormalize {
 }
 
 impl Renormalize {
-    /// `true` if the model of this joint is normalized.
+    /// Returns `true` if the model of this joint is normalized.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn applies_to(self, joint: usize) -> bool {
         match self {
@@ -191,7 +192,8 @@ impl Renormalize {
     }
 }
 
-/// A computation from each model while the model is in registers, such as that of a palette entry.
+/// A computation that runs for each model while the model is in registers, such as that of a
+/// palette entry.
 pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
     /// `true` if the epilogue computes something.
     const ACTIVE: bool;
@@ -234,8 +236,8 @@ where
         };
         slot.prefetch(level, self.entries, E::Layout::records::<V>());
         let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
-        // *Kept apart* (docs/measured.md): each order has a store of its own, so that the compiler
-        // does not move all registers to the places that one common store would expect.
+        // Each order has a store of its own, so that the compiler need not move all registers to
+        // those that one common store would expect (*Kept apart*, docs/measured.md).
         match self.order {
             MatrixOrder::Rows => {
                 M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());
@@ -271,60 +273,61 @@ pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
 }
 
 /// The number of joints that the loop prefetches ahead. For 1,000 skeletons whose palettes exceed
-/// the second-level cache this saves a seventh of the time, and next to nothing if they fit into
-/// it. A distance of 4 is equally good.
+/// the second-level cache this saves a seventh of the time. If the palettes fit into the cache, it
+/// saves almost nothing. A distance of 4 is equally good.
 const PREFETCH_DISTANCE: usize = 2;
 
 /// The joints and instances in the lanes of a register: one joint of several instances, or several
 /// joints of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
-    /// The joint, or if lanes are joints the joint of the first lane.
+    /// The joint of all lanes, or of the first lane if lanes are joints.
     joint: usize,
-    /// The index of joint 0, among all elements, for the instance of the first lane or for the
-    /// block.
+    /// The index, in the slice of all elements, of joint 0 of the first lane's instance, or of
+    /// joint 0 of the block.
     first: usize,
     register: usize,
     /// The instance of the first lane.
     instance: usize,
-    /// The distance of neighbouring lanes in elements, if lanes are instances in plain slices.
+    /// The distance between neighbouring lanes in elements, if lanes are instances in plain slices.
     stride: Option<usize>,
     /// The end of the range of joints, if lanes are joints of one instance.
     end: Option<usize>,
 }
 
 impl JointSlot {
-    /// The slot of a joint of the instances in one register of a block. `first` is the index of the
-    /// block's joint 0 among all elements, and `instance` the first instance in the register.
+    /// Returns the slot of a joint of the instances in one register of a block. `first` is the
+    /// index of the block's joint 0 among all elements, and `instance` the first instance in the
+    /// register.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
         Self { joint, first, register, instance, stride: None, end: None }
     }
 
-    /// The slot of a joint of as many instances as there are lanes. The instances have `joints`
-    /// elements each, and the first is `instance`.
+    /// Returns the slot of a joint of as many instances as there are lanes. The instances have
+    /// `joints` elements each, and the first is `instance`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: Some(joints), end: None }
     }
 
-    /// The slot of as many joints of one instance as there are lanes, from `joint` on and before
-    /// the joint `end`. Each instance has `joints` elements.
+    /// Returns the slot of as many joints of one instance as there are lanes, from `joint` on and
+    /// before the joint `end`. Each instance has `joints` elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joints(joint: usize, instance: usize, joints: usize, end: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
-    /// The slot of the same instances, `slots` slots later, where a register has `lanes` lanes.
+    /// Returns the slot of the same instances, `slots` slots later. A register has `lanes` lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
         let joints = if self.lanes_are_joints() { slots * lanes } else { slots };
         Self { joint: self.joint + joints, ..self }
     }
 
-    /// The joint of the first lane.
+    /// Returns the joint of the first lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn joint(self) -> usize {
         self.joint
@@ -342,13 +345,14 @@ impl JointSlot {
         self.end.is_some()
     }
 
-    /// The place of this slot among all elements.
+    /// Returns the tile of this slot in a slice of the elements of all instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn tile(self) -> Tile {
         Tile { element: self.first + self.joint, register: self.register, stride: self.stride }
     }
 
-    /// The place of this slot among the elements of its own instances.
+    /// Returns the tile of this slot in a slice that begins with the slot's first instance or
+    /// block.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn own_tile(self) -> Tile {
         Tile { element: self.joint, register: self.register, stride: self.stride }
@@ -364,9 +368,9 @@ impl JointSlot {
         }
     }
 
-    /// Prefetches the place of a later joint among all elements of `memory`, if lanes are strided
-    /// instances. A CPU reads a cache line before it writes a part of that line, and its prefetcher
-    /// follows only a few streams at once.
+    /// Prefetches the elements of a later joint in `memory`, which has the elements of all
+    /// instances, if lanes are instances at a stride. Before a CPU writes a part of a cache line,
+    /// it reads the line, and its hardware prefetcher follows only a few streams at once.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         if let Some(stride) = self.stride
@@ -376,15 +380,15 @@ impl JointSlot {
         }
     }
 
-    /// Prefetches like [`prefetch`](Self::prefetch), where `memory` has the elements of this slot's
-    /// instances only.
+    /// Prefetches like [`prefetch`](Self::prefetch), in a slice `memory` that begins with this
+    /// slot's first instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch_own<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         Self { first: 0, ..self }.prefetch(level, memory, lanes);
     }
 
     /// Loads the record of the joint in each lane from `records`, which has one record for each
-    /// joint, for all instances.
+    /// joint. All instances share these records.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joint<L: Lanes<Real: Scalar>, const C: usize>(
         self,
@@ -407,8 +411,8 @@ impl JointSlot {
         numbers: &[L::Real],
     ) -> Option<L> {
         let last = *numbers.last()?;
-        // A register of the last block may lie wholly beyond the last instance, so `get` may find
-        // nothing.
+        // All lanes of a register in the last block may lie beyond the last instance. Then `get`
+        // returns `None`.
         let numbers = numbers.get(self.instance..).unwrap_or_default();
         if self.end.is_some() {
             return Some(L::splat(level, *numbers.first()?));

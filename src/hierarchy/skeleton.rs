@@ -49,7 +49,7 @@ use dq8_simd::internal::CheckedSchedule;
 #[derive(Clone)]
 #[doc(alias("rig", "armature"))]
 pub struct Skeleton {
-    /// The parents have been checked: each comes before its children.
+    /// The parent of each joint. They have been checked: each parent comes before its children.
     parents: Box<[u32]>,
     plan: OwnedPlan,
     /// A name for each joint, or no names at all.
@@ -71,9 +71,9 @@ pub struct Skeleton {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointOrder {
-    /// `old[j]` is the index in the file of joint `j` of the skeleton; `new[i]` is the index in the
-    /// skeleton of joint `i` of the file.
+    /// The index in the file of each joint of the skeleton.
     old: Vec<usize>,
+    /// The index in the skeleton of each joint of the file.
     new: Vec<usize>,
 }
 
@@ -159,8 +159,8 @@ impl Skeleton {
             return Err(HierarchyError::TooManyJoints { joints });
         }
         let old: Vec<u32> = parents.iter().map(|&parent| index(parent)).collect();
-        // `child` is the first child of each joint and `sibling` its next sibling, both in the
-        // file's order.
+        // `child` has the first child of each joint, and `sibling` its next sibling, in the order
+        // of the file. All indices here are those of the file.
         let (mut child, mut sibling) = (vec![NONE; joints], vec![NONE; joints]);
         let mut root = NONE;
         for (joint, &parent) in old.iter().enumerate().rev() {
@@ -174,8 +174,8 @@ impl Skeleton {
             sibling[joint] = core::mem::replace(first, joint as u32);
         }
         let (mut order, mut sorted) = (Vec::with_capacity(joints), Vec::with_capacity(joints));
-        // A stack of pairs: a joint of the file that comes next, and its parent's index in the
-        // skeleton.
+        // A stack of joints that are not in the skeleton yet. Each element is a joint's index in
+        // the file and its parent's index in the skeleton.
         let mut waiting = vec![[root, NONE]];
         while let Some([joint, parent]) = waiting.pop() {
             if joint != NONE {
@@ -186,8 +186,8 @@ impl Skeleton {
             }
         }
         if order.len() < joints {
-            // A joint that was not reached is a descendant of a cycle; `joints` steps up surely end
-            // in the cycle.
+            // A joint that was not reached is in a cycle, or below one. From there, `joints` steps
+            // from a joint to its parent certainly end in the cycle.
             let mut reached = vec![false; joints];
             order.iter().for_each(|&joint| reached[joint] = true);
             let lost = reached.iter().position(|reached| !reached).unwrap_or(0);
@@ -272,7 +272,7 @@ impl Skeleton {
         (0..self.joints()).map(|joint| self.name(joint))
     }
 
-    /// Returns the joint with this name; `None` if there is none.
+    /// Returns the joint with this name; `None` if there is no such joint.
     #[must_use]
     #[doc(alias("find_joint", "joint_index", "bone_index"))]
     pub fn joint(&self, name: &str) -> Option<usize> {
@@ -285,7 +285,7 @@ impl Skeleton {
         self.parents.len()
     }
 
-    /// The parent of each joint; that of a root is [`Hierarchy::ROOT`].
+    /// The parent of each joint; the parent of a root is [`Hierarchy::ROOT`].
     #[must_use]
     pub fn parents(&self) -> &[u32] {
         &self.parents
@@ -326,7 +326,7 @@ impl Skeleton {
         self.hierarchy().subtree(joint)
     }
 
-    /// Returns this hierarchy with borrowed parents.
+    /// Returns this skeleton as a [`Hierarchy`], which borrows the parents.
     #[must_use]
     pub fn hierarchy(&self) -> Hierarchy<'_> {
         Hierarchy::of_checked(&self.parents)
@@ -398,7 +398,7 @@ impl OwnedPlan {
         Self { roots: roots.into(), others: Some(others) }
     }
 
-    /// Borrows the plan; `parents` are those that the plan was made for.
+    /// Borrows the plan. It must have been made for `parents`.
     #[inline]
     pub(super) fn borrowed<'a>(&'a self, parents: &'a [u32]) -> Plan<'a> {
         let others = self.others.as_ref();
@@ -407,10 +407,10 @@ impl OwnedPlan {
     }
 }
 
-/// An integer that is the index of a parent or, as −1 or the largest value of its type, says that
-/// there is no parent. An `Option` of such an integer says so by `None`. Sealed.
+/// An integer that is the index of a parent. −1, the largest value of the type or, for an
+/// `Option` of an integer, `None` means that there is no parent. The trait is sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
-    /// Returns the index as it is written; `None` if there is no parent.
+    /// Returns the index as it was written; `None` if there is no parent.
     fn number(self) -> Option<i128>;
 }
 
@@ -418,8 +418,8 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// The index that replaces a parent beyond `u32`. No joint has this index, and it does not mark a
-/// root.
+/// The index that replaces a parent that does not fit a `u32`. No joint has this index, and it does
+/// not mark a root.
 const BEYOND: u32 = u32::MAX - 1;
 
 /// Converts a parent to its index in a [`Hierarchy`]; [`BEYOND`] if the index does not fit.

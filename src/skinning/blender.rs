@@ -6,9 +6,10 @@ use crate::storage::shape::ShapeError;
 use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
-/// A way to blend the motions of joints, with a vertex in each lane. It consists of a sum over
-/// groups of influences, and of the map by which the sum moves a surface. The trait is sealed,
-/// because only this crate can name the types that its methods take.
+/// A way to blend the motions of joints, with a vertex in each lane: [`sum`](Self::sum) adds the
+/// palette entries of a group of influences by weight, and [`map`](Self::map) makes of the sum the
+/// map that moves a surface. `R` is the element type. The trait is sealed, because only this crate
+/// can name the types that its methods take.
 pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// The type of the weighted sum: matrices, or dual quaternions.
     #[doc(hidden)]
@@ -22,23 +23,24 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
     #[doc(hidden)]
     const SHUFFLES: bool;
 
-    /// Checks that each palette has `joints` entries and each slice with a value per vertex has
-    /// `vertices` entries.
+    /// Checks that each palette has `joints` entries, and that each slice with a value per vertex
+    /// has `vertices` entries.
     ///
     /// # Errors
     /// If a slice has another length.
     #[doc(hidden)]
     fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError>;
-    /// Returns the weighted sum of a group of influences. Returns `None` for an index out of range,
-    /// which the checks before the loop rule out.
+    /// Returns the weighted sum of the group of influences that `scratch` holds. Returns `None` for
+    /// an index out of range, which the checks before the loop rule out.
     #[doc(hidden)]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
         scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
-    /// Poses plain points one after the other where this is quicker than a vertex in each lane.
-    /// Returns the number of points that are posed; `None` if this blend has no such way.
+    /// Poses plain points one after the other, which is quicker for some blends than a vertex in
+    /// each lane. Returns the number of points that are posed, or `None` if the blend has no such
+    /// method.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points<V: Level, J: Index, W: Weight>(
@@ -50,7 +52,7 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
         let _ = (level, skin, points);
         None
     }
-    /// Returns the sum of two groups of influences.
+    /// Adds the sums of two groups of influences.
     #[doc(hidden)]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;
     /// Returns the map of the vertices that start at index `first`.
@@ -63,8 +65,8 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
     ) -> Self::Map<L>;
 }
 
-/// The points of consecutive vertices, the first of them with the index `first`, at rest and posed.
-/// Both slices have the same length.
+/// The points of consecutive vertices, at rest and posed. The first vertex has the index `first`,
+/// and both slices have the same length.
 #[derive(Debug)]
 pub struct PlainPoints<'m, R> {
     pub(super) first: usize,

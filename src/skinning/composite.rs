@@ -1,5 +1,5 @@
-//! Blends that combine two others: [`StretchedDualBlend`] applies one after the other, [`Mixed`]
-//! interpolates between the results of both.
+//! Blends that combine two blends: [`StretchedDualBlend`] applies the maps of both in turn, and
+//! [`Mixed`] interpolates between the results of both.
 
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
@@ -15,12 +15,13 @@ use dq8_simd::Lanes;
 use dq8_simd::internal::Index;
 
 /// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, where S = Σ
-/// wᵢSᵢ and σ is the motion of [`DualBlend`]. The stretch Sᵢ is the part of a joint's matrix
-/// that is not a motion; stretches are blended linearly and applied first (UsdSkel's
+/// wᵢSᵢ and σ is the motion of [`DualBlend`]. The stretch Sᵢ is the part of the matrix of
+/// joint i that is not a motion. Stretches are blended linearly and applied first (UsdSkel's
 /// `dualQuaternion`). [`split_palette`](super::split_palette) splits matrices into stretches and
 /// motions.
 ///
-/// Normals become σ applied to cof(S)n and tangents σ applied to St, both normalized.
+/// A normal n becomes σ applied to cof(S)n, and a tangent t becomes σ applied to St; both are
+/// normalized. cof(S) is the cofactor matrix of S.
 #[derive(Clone, Copy, Debug)]
 pub struct StretchedDualBlend<'a, R> {
     stretch: Linear<'a, R>,
@@ -88,7 +89,7 @@ impl<R: Scalar> Blender<R> for StretchedDualBlend<'_, R> {
     }
 }
 
-/// Two blends mixed by a share s for each vertex: v ↦ (1 − s) A(v) + s B(v). With
+/// Two blends A and B, mixed by a share s for each vertex: v ↦ (1 − s) A(v) + s B(v). With
 /// [`Linear`](super::Linear) and [`DualBlend`](super::DualBlend) this is the usual remedy for the
 /// bulge that the dual blend makes at bent joints. Normals and tangents are mixed in the same way
 /// and normalized.
@@ -102,7 +103,7 @@ pub struct Mixed<'a, A, B, R> {
 brief!([A: Debug, B: Debug, R] Mixed<'_, A, B, R>: Mixed |it| { a: it.a, b: it.b, vertices: it.shares.len() });
 
 impl<'a, A, B, R: Scalar> Mixed<'a, A, B, R> {
-    /// Makes a blend from the share of `b` for each vertex, between 0 and 1.
+    /// Makes a blend from `a`, `b` and, for each vertex, the share of `b`, from 0 to 1.
     ///
     /// # Errors
     /// If a share is not between 0 and 1.

@@ -8,17 +8,19 @@ use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Mask, Records};
 
-/// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, σ = Σ ±wᵢσᵢ
-/// normalized. Twists keep their volume; bends bulge.
+/// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, where σ is Σ
+/// ±wᵢσᵢ normalized, over the motions σᵢ of a vertex's joints and their weights wᵢ. The
+/// mesh keeps its volume where joints twist, and bulges where joints bend.
 ///
-/// The signs are those of UsdSkel's `dualQuaternion`: σᵢ is negated where its real part points
-/// away from that of the joint of greatest weight (the first, where several are greatest). So
-/// negating an entry of the palette changes nothing, and nothing happens where a joint turns
-/// through 2π. Where two are exactly half a turn apart no sign is better than the other; there the
-/// one counts that makes the first component of (w, x, y, z) which is not zero positive.
+/// The signs are those of UsdSkel's `dualQuaternion`: σᵢ is negated if the dot product of its
+/// real part and the real part of the pivot is negative. The pivot is the motion of the joint of
+/// greatest weight, or of the first such joint. So the signs of the palette's entries have no
+/// effect, and the mesh does not jump when a joint turns through 2π. If σᵢ is exactly half a
+/// turn from the pivot, both signs are equally near. Then the sign is chosen that makes the first
+/// nonzero component of (w, x, y, z) positive.
 ///
-/// A vertex of a single influence of weight 1 moves by that motion to the last bit. Normals and
-/// tangents turn with σ.
+/// A vertex with a single influence of weight 1 moves by exactly the motion of its joint. Normals
+/// and tangents turn with σ.
 #[derive(Clone, Copy)]
 pub struct DualBlend<'a, R> {
     palette: &'a [DualQuat<R>],
@@ -27,7 +29,8 @@ pub struct DualBlend<'a, R> {
 brief!([R] DualBlend<'_, R>: DualBlend |it| { joints: it.palette.len() });
 
 impl<'a, R: Scalar> DualBlend<'a, R> {
-    /// Each joint's motion, from the mesh at rest to the posed mesh; unit.
+    /// Makes a blend from the unit motion of each joint, which takes the mesh at rest to the posed
+    /// mesh.
     #[must_use]
     pub fn new(palette: &'a [DualQuat<R>]) -> Self {
         Self { palette }
@@ -38,12 +41,14 @@ impl<'a, R: Scalar> DualBlend<'a, R> {
     }
 }
 
-/// A sum of motions on its way.
+/// The weighted sum of the motions of some influences of a vertex, before it is normalized.
 #[derive(Clone, Copy, Debug)]
 pub struct DualSum<L> {
+    /// Σ ±wᵢσᵢ.
     sum: [L; 8],
-    /// Σ wᵢ and the greatest wᵢ.
+    /// Σ wᵢ.
     total: L,
+    /// The greatest wᵢ.
     greatest: L,
 }
 
@@ -66,14 +71,15 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
         let influences = &scratch.influences;
         let picked = influences.rows().of(motions)?;
         let weights: [L; GROUP] = L::load_four(level, influences.weights(), 0)?;
-        // Real parts alone first: signs and the pivot need no more.
+        // The real parts are loaded first, because the signs and the pivot depend on them alone.
         let mut real = [weights; GROUP];
         let mut influence = 0;
         while influence < GROUP {
             real[influence] = picked.quads(level, influence, 0);
             influence += 1;
         }
-        // The pivot is the joint of the greatest weight, the first of several.
+        // The pivot is the real part of the motion with the greatest weight, or of the first such
+        // motion.
         let mut pivot = real[0];
         let (mut greatest, mut total) = (weights[0], weights[0]);
         influence = 1;
@@ -89,7 +95,8 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
             pivot = pivots.rows().of(motions)?.quads(level, 0, 0);
         }
         let signed = toward(real, pivot, weights);
-        // From here on a weight carries the sign of its motion: the dual parts need nothing else.
+        // From here on each weight has the sign of its motion, so the dual parts are summed without
+        // the pivot.
         let zero = total.constant(0.0);
         let mut sum = DualSum { sum: [zero; 8], total, greatest };
         influence = 0;
@@ -128,14 +135,15 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
     fn map<L: Lanes<Real = R>>(&self, _: L::Level, sum: DualSum<L>, _: usize) -> ScaledMotion<L> {
         let motion = batch::DualQuat::from_array(sum.sum);
         let (one, two) = (sum.total.constant(1.0), sum.total.constant(2.0));
-        // Nothing but one motion: it is unit, and measuring that again would only round.
+        // A sum of weight 1 whose greatest weight is 1 is a single motion, which is unit. Dividing
+        // by its computed norm would only add rounding.
         let single = sum.total.eq(one) & sum.greatest.eq(one);
         let two = L::select(single, two, two / motion.real().dot(motion.real()));
         ScaledMotion { motion, two }
     }
 }
 
-/// The weights with the signs that turn each p to the side of `pivot`.
+/// Returns the weights, each negated if its real part points away from that of `pivot`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -> [L; GROUP] {
     let pivot = batch::Quat::from_array(pivot);
@@ -149,9 +157,10 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
         influence += 1;
     }
     let zero = product.constant(0.0);
-    // Some are at right angles, or nearly; or there is a number so large that nobody knows. The
-    // square tells both: it is not above zero. An absolute value would do, and cost a twentieth of
-    // the whole blend on AVX2.
+    // The square of the product of all dot products is zero if one of them is zero or nearly zero,
+    // and NaN if a component is not finite. The comparison finds both cases, which are computed
+    // again with the rule for half a turn. An absolute value in place of the square would add a
+    // twentieth to the time of the whole blend on AVX2.
     if !zero.lt(product * product).all() {
         let side_of_pivot = zero.constant(1.0).copysign(leading(pivot.to_array()));
         influence = 0;
@@ -159,7 +168,8 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
             let dot = dots[influence];
             let side = leading(real[influence]) * side_of_pivot;
             let weight = L::select(side.lt(zero), -weights[influence], weights[influence]);
-            // Only those: whether others come here depends on their neighbours.
+            // Only dot products of exactly zero take the new sign. Other lanes come here only
+            // because of their neighbours, and their result must not depend on these.
             signed[influence] = L::select(dot.eq(zero), weight, signed[influence]);
             influence += 1;
         }
@@ -167,7 +177,7 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
     signed
 }
 
-/// The first component that is not zero.
+/// Returns the first component of (w, x, y, z) that is not zero.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn leading<L: Lanes>([x, y, z, w]: [L; 4]) -> L {
     let mut first = z;
@@ -177,7 +187,8 @@ fn leading<L: Lanes>([x, y, z, w]: [L; 4]) -> L {
     first
 }
 
-/// σ of any norm; `two` is 2/|p|².
+/// A dual quaternion of any norm, as the map of the motion that it becomes when normalized. `two`
+/// is 2/|p|², where p is the real part.
 #[derive(Clone, Copy, Debug)]
 pub struct ScaledMotion<L> {
     motion: batch::DualQuat<L>,

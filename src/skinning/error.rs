@@ -2,7 +2,7 @@ use crate::macros::{Count, errors};
 use crate::storage::shape::ShapeError;
 
 errors! {
-    /// The fault of a skin, a palette or the slices of a run. Nothing has been written.
+    /// The error of a skin, a palette or the slices of a run. No output has been written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     SkinningError {
@@ -10,13 +10,13 @@ errors! {
         Shape(error: ShapeError) => "{error}";
         /// A vertex must have at least one influence.
         NoInfluences => "a vertex must have at least one influence";
-        /// There is no such joint.
+        /// An influence names a joint that the palette does not have.
         JointOutOfRange {
-            /// The vertex.
+            /// The index of the vertex.
             vertex: usize,
-            /// The number of the influence.
+            /// The index of the influence in its vertex.
             influence: usize,
-            /// The joint.
+            /// The index of the joint.
             joint: u32,
             /// The number of joints.
             joints: usize,
@@ -24,67 +24,68 @@ errors! {
             Count(*joints, "joint");
         /// A weight is negative, infinite or not a number.
         Weight {
-            /// The vertex.
+            /// The index of the vertex.
             vertex: usize,
-            /// The number of the influence.
+            /// The index of the influence in its vertex.
             influence: usize,
             /// The weight.
             value: f64,
         } => "vertex {vertex}: the weight of influence {influence} is {value}, which must be finite and not negative";
-        /// The weights of a vertex should sum to one, and are farther from that than by a factor of
-        /// 1024 ([`Skin::WEIGHT_RANGE`](super::Skin::WEIGHT_RANGE)); or, where the last is implied,
-        /// the others exceed one by more than rounding to eight bits.
+        /// The weights of a vertex should sum to one, and their sum is outside of
+        /// [`Skin::WEIGHT_RANGE`](super::Skin::WEIGHT_RANGE), from 1/1024 to 1024. If the last
+        /// weight is implied, the sum of the given weights exceeds one by more than rounding to
+        /// eight bits explains.
         Total {
-            /// The vertex.
+            /// The index of the vertex.
             vertex: usize,
-            /// The sum.
+            /// The sum of the weights.
             total: f64,
         } => "vertex {vertex}: the weights sum to {total}, which must be about 1";
         /// A share of a mix is not in [0, 1].
         Share {
-            /// The vertex.
+            /// The index of the vertex.
             vertex: usize,
             /// The share.
             value: f64,
         } => "vertex {vertex}: the share is {value}, which must be from 0 to 1";
-        /// A field of three numbers does not fit into a vertex of `stride` numbers, or overlaps
+        /// A field of three components does not fit into a vertex of `stride` elements, or overlaps
         /// another field.
         Field {
-            /// The buffer, `rest` or `posed`.
+            /// The name of the buffer, `rest` or `posed`.
             what: &'static str,
-            /// The begin of the field.
+            /// The offset of the field in a vertex, in elements.
             first: usize,
-            /// The number of numbers of a vertex.
+            /// The number of elements from a vertex to the next.
             stride: usize,
         } => "{what}: the field at {first} does not fit into a vertex of {}, or overlaps another field",
             Count(*stride, "number");
-        /// The influences of a vertex do not fit into it: they begin at `first`, and a vertex has
-        /// `stride` elements.
+        /// The joints or the weights of a vertex do not fit into it: they begin at element `first`,
+        /// and a vertex has `stride` elements.
         InfluenceField {
-            /// Their name, `joints` or `weights`.
+            /// The name of the buffer, `joints` or `weights`.
             what: &'static str,
-            /// Their begin.
+            /// The offset of the field in a vertex, in elements.
             first: usize,
-            /// The number of elements of a vertex.
+            /// The number of elements from a vertex to the next.
             stride: usize,
-            /// The number of influences it should have.
+            /// The number of influences that a vertex should have.
             influences: usize,
         } => "{what}: {} at {first} {} not fit into a vertex of {}", Count(*influences, "element"),
             if *influences == 1 { "does" } else { "do" }, Count(*stride, "element");
         /// An element of a joint's matrix is not finite.
         NotFinite {
-            /// The joint.
+            /// The index of the joint.
             joint: usize,
-            /// The value.
+            /// The value of the element.
             value: f64,
         } => "joint {joint}: an element of its matrix is {value}, which must be finite";
         /// The last row of a joint's matrix is not 0 0 0 1. Columns given as rows look like this.
         NotAffine {
-            /// The joint.
+            /// The index of the joint.
             joint: usize,
-            /// The column of that row.
+            /// The column of the element in the last row.
             column: usize,
-            /// The value.
+            /// The value of the element.
             value: f64,
         } => "joint {joint}: element {column} of the last row is {value}, which must be 0 0 0 1 (columns given as rows?)";
     }

@@ -3,23 +3,23 @@
 //!
 //! # The algorithm
 //!
-//! Each lane of a register holds one vertex. For each tile of vertices the loop reads their joints
-//! and weights in groups of a few influences. It sums the palette's entries by weight; the rest
-//! waits for this gather. It makes one map for each vertex from the sum, and applies the map to
-//! position, normal and tangent.
+//! Each lane of a register holds one vertex. For each register of vertices the loop reads their
+//! joints and weights in groups of four influences. It gathers the palette's entries and sums them
+//! by weight, which takes most of the time. It makes one map for each vertex from the sum, and
+//! applies the map to position, normal and tangent.
 //!
-//! # Why it is as it is
+//! # Reasons
 //!
-//! - *Blends differ in four steps only* ([`Blender`]: check, sum, join, map), so linear, dual
-//!   quaternion and mixed blends, plain and interleaved meshes share this loop, and another blend
-//!   is four functions.
-//! - *Influences are copied to scratch in groups* of a fixed size. The sum of a group is code
-//!   without a branch on the number of a vertex's influences; eight influences are two groups.
-//! - *Positions alone have a path of their own* ([`Blender::points`]): a linear blend of positions
-//!   alone needs no map. The general loop poses the points that this path leaves over. It poses
-//!   other points of the same tile once more, with the same bits.
-//! - *All inputs are checked before the loop*: no index can be out of range in it, and an error
-//!   leaves the output untouched.
+//! - *Blends differ in four steps only* ([`Blender`]: check, sum, join, map). So all blends, for
+//!   plain and interleaved meshes, share this loop, and another blend needs four functions only.
+//! - *Influences are copied to scratch in groups* of a fixed size. So the code that sums a group
+//!   has no branch on the number of influences. Eight influences are two groups.
+//! - *Meshes with positions alone have a path of their own* ([`Blender::points`]), because a linear
+//!   blend of positions needs no map. The general loop poses the last points, which this path
+//!   leaves over. It begins at a whole register, so it poses some points a second time, with the
+//!   same bits.
+//! - *All inputs are checked before the loop*. So no index in the loop is out of range, and an
+//!   error leaves the output untouched.
 
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
@@ -34,7 +34,8 @@ use crate::storage::{self, Element, Layout, Number, Register};
 use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
-/// The options of posing the mesh of a [`Skin`]; each has a default. Its methods pose the mesh.
+/// The options with which the mesh of a [`Skin`] is posed. Each option has a default, and the
+/// methods [`pose`](Self::pose) and [`pose_interleaved`](Self::pose_interleaved) pose the mesh.
 ///
 /// ```
 /// use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
@@ -106,8 +107,9 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
     /// has fields of other types of the same size.
     ///
     /// # Errors
-    /// If a field lies beyond its vertex or in another one, not both buffers have the same fields,
-    /// or the buffers, the palette and the skin do not fit each other; `posed` is untouched.
+    /// If a field lies outside of its vertex or overlaps another field, the two buffers have
+    /// different fields, or the buffers, the palette and the skin do not fit each other; `posed` is
+    /// untouched.
     ///
     /// ```
     /// use dq8::skinning::{DualBlend, Skin, VertexFields};
@@ -146,14 +148,15 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
     }
 }
 
-/// The least number of vertices for a task: some microseconds of work.
+/// The least number of vertices in a task of a thread, which take some microseconds.
 const GRAIN: usize = 4096;
 
 /// The loop over the vertices of a mesh, with a vertex in each lane.
 struct Run<'s, 'a, J, W, B, M> {
     skin: &'s Skin<'a, J, W>,
     blend: B,
-    /// The index of the first vertex of `mesh` in the skin: a thread poses a part of the mesh.
+    /// The index in the skin of the first vertex of `mesh`, which is a part of the mesh if several
+    /// threads share the work.
     first: usize,
     mesh: M,
 }
@@ -178,7 +181,8 @@ where
         }
         let things = <M::Point as Element<3>>::Layout::THINGS;
         let mut scratch = skin.scratch();
-        // Points that share a tile with the remaining points are posed again, with the same bits.
+        // The first register here may hold points that are posed already. They are posed again,
+        // with the same bits.
         for tile in storage::tiles::<M::Point, V, 3>(mesh.elements()).skip(done / lanes) {
             let vertex = first + tile.element * things + tile.register * lanes;
             skin.read(vertex, lanes, 0, &mut scratch.influences);

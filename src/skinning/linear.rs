@@ -11,8 +11,8 @@ use dq8_simd::{Float, Lanes, Level, PackedDualQuat, Records};
 /// to one. This blend is the cheapest and takes any matrix, but the sum of two rotations is not a
 /// rotation, so bent elbows and twisted wrists collapse.
 ///
-/// Normals become cof(Σ wᵢMᵢ)n and tangents (Σ wᵢMᵢ)t, both normalized. A vector that
-/// becomes zero stays zero.
+/// A normal n becomes cof(Σ wᵢMᵢ)n, with the matrix of cofactors, and a tangent t becomes (Σ
+/// wᵢMᵢ)t; both are normalized, unless they are zero.
 #[derive(Clone, Copy)]
 pub struct Linear<'a, R> {
     palette: &'a [[[R; 4]; 3]],
@@ -35,7 +35,7 @@ impl<'a, R: Scalar> Linear<'a, R> {
     }
 }
 
-/// A 3×4 matrix in registers: one register holds the first two rows, the other the third row.
+/// A 3×4 matrix in two registers: the first holds rows 0 and 1, and the second holds row 2.
 type Rows<R, V> = (<R as Float>::Packed<V>, <R as Float>::Half<V>);
 
 /// Returns the weighted sum of four matrices.
@@ -73,7 +73,8 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         same_length("palette", self.palette.len(), joints)
     }
     /// Sums the matrices of one vertex after the other, with the entries of a matrix in the lanes.
-    /// Only the sums are then transposed; with a vertex in each lane every matrix would be.
+    /// So only the sums are transposed. With a vertex in each lane, every matrix of a sum would be
+    /// transposed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
@@ -112,8 +113,8 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         if R::Lanes::<V>::LANES < 4 {
             return None;
         }
-        // A point is read as four components, one of which belongs to the next point. The last
-        // point has no next one, so the general loop poses it.
+        // A point is read as four components, of which the fourth belongs to the next point. No
+        // point follows the last one, so the general loop poses the last point.
         let count = posed.len().checked_sub(1)? & !3;
         let (rest, posed) = (rest.as_flattened().get(..3 * count + 1)?, posed.get_mut(..count)?);
         let palette: &[[R; 12]] = bytemuck::must_cast_slice(self.palette);

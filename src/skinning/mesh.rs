@@ -1,5 +1,5 @@
-//! Meshes at rest and posed: a slice for each field, or vertices that are records of several
-//! fields.
+//! Meshes at rest and posed. A mesh has a slice for each field, or its vertices are records of
+//! several fields.
 
 use super::SkinningError;
 use super::blender::PlainPoints;
@@ -9,8 +9,8 @@ use crate::storage::shape::same_length;
 use crate::storage::{self, Element, Layout, Number, Register, Tile};
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
-/// The slices of a mesh, one for each field of its vertices; [`Surface`] and [`SurfaceMut`] say
-/// which slices.
+/// The slices of a mesh, one for each field of its vertices. `S` is the type of a slice, which is
+/// shared in [`Surface`] and mutable in [`SurfaceMut`].
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Vertices<S> {
@@ -23,8 +23,8 @@ pub struct Vertices<S> {
     pub tangents: Option<S>,
 }
 
-/// A mesh at rest: positions, and normals and tangents if it has them, a slice each. `positions`
-/// makes one without the others, and `normals` and `tangents` add them.
+/// A mesh at rest: a slice of positions and, if the mesh has them, slices of normals and tangents.
+/// `positions` makes a mesh with positions alone, and `normals` and `tangents` add a slice to it.
 ///
 /// ```
 /// use dq8::skinning::Surface;
@@ -34,20 +34,20 @@ pub struct Vertices<S> {
 /// ```
 pub type Surface<'s, P> = Vertices<&'s [P]>;
 
-/// The memory that a posed mesh is written to, made like a [`Surface`]. It has normals and tangents
-/// if the mesh at rest has them.
+/// The memory to which a posed mesh is written, made like a [`Surface`]. It has normals and
+/// tangents if the mesh at rest has them.
 pub type SurfaceMut<'s, P> = Vertices<&'s mut [P]>;
 
 impl<S> Vertices<S> {
-    /// Positions alone.
+    /// Makes a mesh with positions alone.
     pub fn positions(positions: S) -> Self {
         Self { positions, normals: None, tangents: None }
     }
-    /// The mesh with normals.
+    /// Adds normals to the mesh.
     pub fn normals(self, normals: S) -> Self {
         Self { normals: Some(normals), ..self }
     }
-    /// The mesh with tangents.
+    /// Adds tangents to the mesh.
     pub fn tangents(self, tangents: S) -> Self {
         Self { tangents: Some(tangents), ..self }
     }
@@ -67,18 +67,18 @@ impl<S> Vertices<S> {
 
 /// A mesh at rest and posed.
 pub(super) trait Mesh: Outputs {
-    /// The element type of the points, whose tiles the loop runs over.
+    /// The element type of the points. The loop runs over the tiles of this type.
     type Point: Element<3>;
     /// Checks that the meshes at rest and posed have `vertices` vertices and the same fields.
     fn check(&self, vertices: usize) -> Result<(), SkinningError>;
-    /// The number of elements.
+    /// The number of elements of type [`Point`](Self::Point).
     fn elements(&self) -> usize;
     /// Reads the vectors of a tile of the mesh at rest, with zero in lanes beyond the end. Returns
     /// `None` if the whole tile is beyond the end.
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile)
     -> Option<Vectors<Self::Point, V>>;
-    /// Returns the positions if they are plain and the mesh has no other field to pose. `first` is
-    /// the index of the first vertex.
+    /// Returns the positions if they are plain records and the mesh has no other field to pose,
+    /// otherwise `None`. `first` is the index in the skin of the mesh's first vertex.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points(&mut self, first: usize) -> Option<PlainPoints<'_, Number<Self::Point, 3>>> {
         let _ = first;
@@ -91,7 +91,7 @@ pub(super) trait Mesh: Outputs {
 /// A register for each component of a vector.
 pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
 
-/// The fields of each vertex.
+/// The fields that a vertex may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Field {
     Position,
@@ -99,7 +99,7 @@ pub(super) enum Field {
     Tangent,
 }
 
-/// A slice for each field.
+/// A mesh with a slice for each field, at rest and posed.
 pub(super) struct Separate<'s, P> {
     pub(super) rest: Surface<'s, P>,
     pub(super) posed: SurfaceMut<'s, P>,
@@ -167,8 +167,8 @@ impl<P: Element<3>> Mesh for Separate<'_, P> {
     }
 }
 
-/// The offsets of a vertex's fields in a buffer that holds one vertex after the other, all counted
-/// in elements of type `R`. A field has three components.
+/// The offsets of a vertex's fields in a buffer of elements of type `R`, which holds one vertex
+/// after the other. All offsets count elements, and each field has three components.
 ///
 /// ```
 /// use dq8::skinning::VertexFields;

@@ -1,27 +1,27 @@
 //! Skinning: a mesh follows the joints of a skeleton.
 //!
-//! A [`Skin`] says which joints move a vertex and how much, checked once. [`Skin::pose`] poses a
-//! mesh with it, in plain slices or blocks of `f32` or `f64`, positions, normals and tangents, by
-//! one of these blends:
+//! A [`Skin`] holds the joints that move each vertex and their weights, which are checked once.
+//! [`Skin::pose`] poses the positions, normals and tangents of a mesh, in plain slices or blocks of
+//! `f32` or `f64`, by one of these blends:
 //!
-//! | blend | palette | what it does |
+//! | blend | palette | effect |
 //! |---|---|---|
 //! | [`Linear`] | 3×4 matrices | Σ wᵢMᵢv: for any matrix; collapses where joints twist |
 //! | [`DualBlend`] | motions | Σ ±wᵢσᵢ, normalized: keeps volume; bulges where joints bend |
-//! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear |
-//! | [`Mixed`] | those of two | a mix by a number per vertex |
+//! | [`StretchedDualBlend`] | stretches and motions | a dual blend of joints that scale and shear |
+//! | [`Mixed`] | the palettes of two blends | a mix of both, by a share per vertex |
 //!
 #![doc = include_str!("twist.svg")]
 //!
-//! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several
-//! fields; [`Skin::interleaved`] reads joints and weights there too.
+//! [`Job::pose_interleaved`] poses vertex buffers, whose vertices are records of several fields,
+//! and [`Skin::interleaved`] reads joints and weights from such buffers.
 //!
-//! Palettes of motions or 3×4 matrices by rows come from [`Job::palette`](crate::Job::palette) as
-//! well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`]
-//! takes it apart into motions and stretches. [`linear_blend`] and [`dual_blend`] are the
-//! reference, for one vertex.
+//! [`Job::palette`](crate::Job::palette) computes palettes of motions or of 3×4 matrices by rows.
+//! [`matrix_palette`] makes a palette from the matrices of an engine or a file, and
+//! [`split_palette`] takes matrices apart into motions and stretches. [`linear_blend`] and
+//! [`dual_blend`] are the reference implementations, for one vertex.
 //!
-//! Nothing allocates, and nothing panics: [`SkinningError`] says what is wrong, before anything is
+//! Nothing allocates, and nothing panics. A [`SkinningError`] names the fault before any output is
 //! written.
 //!
 //! ```

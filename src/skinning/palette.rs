@@ -5,18 +5,20 @@ use crate::scalar::DualQuat;
 use crate::storage::MatrixOrder;
 use crate::storage::shape::same_length;
 
-/// The findings of [`split_palette`].
+/// The result of [`split_palette`]: the distance of the stretches from the identity, and the
+/// numbers of joints that mirror or squeeze.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Split {
-    /// The largest difference of an element of a stretch from the identity: nothing but rounding if
-    /// all joints are rigid, and [`DualBlend`](super::DualBlend) is enough.
+    /// The largest difference of an element of a stretch from the identity. It is only rounding if
+    /// all joints are rigid; then [`DualBlend`](super::DualBlend) suffices.
     pub stretch: f64,
-    /// The joint that has it.
+    /// The joint whose stretch has the largest difference.
     pub joint: usize,
-    /// The number of joints that mirror.
+    /// The number of joints whose matrix mirrors (has a negative determinant).
     pub mirroring: usize,
-    /// The number of joints that squeeze space into a line or a point, or have no stretch that is
-    /// finite. They have no rotation; all of the matrix but the translation is in the stretch.
+    /// The number of joints whose matrix squeezes space onto a line or a point, or whose stretch
+    /// would not be finite. Their motion has no rotation: all of the matrix but the translation is
+    /// in the stretch.
     pub squeezing: usize,
 }
 
@@ -28,8 +30,9 @@ impl Split {
     }
 }
 
-/// model(j) · inverse bind(j) of affine 4×4 matrices, as the rows of 3×4 matrices: a palette for
-/// [`Linear`](super::Linear). `order` is that of the matrices given.
+/// Computes the products model(j) · inverse bind(j) of affine 4×4 matrices as 3×4 matrices by
+/// rows: a palette for [`Linear`](super::Linear). `order` is the order of components in the input
+/// matrices.
 ///
 /// # Errors
 /// If the slices differ in length, an element of a matrix or of a product is not finite, or a last
@@ -72,7 +75,7 @@ pub fn matrix_palette<R: Real>(
     Ok(())
 }
 
-/// The affine map of a 4×4 matrix.
+/// Returns the affine map of the 4×4 matrix of a joint, or an error if the matrix is not affine.
 fn affine<R: Real>(
     matrix: [[R; 4]; 4],
     order: MatrixOrder,
@@ -95,13 +98,13 @@ fn affine<R: Real>(
     Ok(Affine::from_matrix3x4([x, y, z]))
 }
 
-/// Takes each joint's matrix apart into a stretch and, after it, a motion (polar decomposition; see
-/// [`Affine::try_decompose`]): a palette for [`StretchedDualBlend`](super::StretchedDualBlend), or,
-/// where all are rigid, for [`DualBlend`](super::DualBlend).
+/// Splits each joint's matrix into a stretch and a motion that is applied after it (polar
+/// decomposition; see [`Affine::try_decompose`]). Both are the palette of a
+/// [`StretchedDualBlend`](super::StretchedDualBlend). If all joints are rigid, the motions alone
+/// are the palette of a [`DualBlend`](super::DualBlend).
 ///
-/// Returns how far the stretches are from the identity: `stretch`, the largest difference of an
-/// element, and the `joint` that has it; the number of joints that are `mirroring` or `squeezing`;
-/// and `is_rigid(tolerance)`, which is `true` where [`DualBlend`](super::DualBlend) is enough.
+/// The result tells the distance of the stretches from the identity, and how many joints mirror or
+/// squeeze; [`Split::is_rigid`] is `true` if a [`DualBlend`](super::DualBlend) suffices.
 ///
 /// # Errors
 /// If the slices differ in length or an element is not finite; `motions` and `stretches` are then
@@ -140,8 +143,8 @@ pub fn split_palette<R: Real>(
                 split.mirroring += usize::from(determinant(linear) < R::ZERO);
                 linear
             }
-            // A matrix that squeezes space onto a plane or less has no rotation of its own, so all
-            // of it becomes stretch.
+            // A matrix that squeezes space onto a line or a point has no rotation of its own, so
+            // all of its linear part becomes the stretch.
             Err(_) => {
                 split.squeezing += 1;
                 *motion = DualQuat::from_translation(map.translation);

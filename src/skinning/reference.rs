@@ -1,9 +1,10 @@
-//! The reference, which lanes are tested against: one vertex at a time, as the papers write it.
+//! The reference implementation, with which tests compare the lanes: one vertex at a time, by the
+//! formulas of the papers.
 
 use crate::number::Real;
 use crate::scalar::DualQuat;
 
-/// Linear blending, Σ wᵢMᵢ of 3×4 matrices.
+/// Returns the linear blend Σ wᵢMᵢ of 3×4 matrices with their weights.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -24,12 +25,14 @@ pub fn linear_blend<R: Real>(influences: &[([[R; 4]; 3], R)]) -> [[R; 4]; 3] {
     sum
 }
 
-/// Dual quaternion blending with UsdSkel's signs, Σ ±wᵢσᵢ exactly normalized: each motion
-/// turned toward the first of those with the greatest weight. Motions at right angles to that, half
-/// a turn away, count with the first component of (w, x, y, z) that is not zero positive.
+/// Returns the dual quaternion blend Σ ±wᵢσᵢ of motions with their weights, exactly
+/// normalized, with UsdSkel's signs: each motion is negated if its real part points away from that
+/// of the pivot, the first motion with the greatest weight. If the real parts are at right angles,
+/// which is half a turn, both motions count with the sign that makes their first nonzero component
+/// of (w, x, y, z) positive.
 ///
-/// A single motion of weight 1 is returned as it is. `None` without influences; every component is
-/// NaN if the sum cannot be normalized.
+/// A single motion of weight 1 is returned as it is. The result is `None` without influences, and
+/// all its components are NaN if the sum cannot be normalized.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -57,7 +60,7 @@ pub fn dual_blend<R: Real>(influences: &[(DualQuat<R>, R)]) -> Option<DualQuat<R
     Some(if greatest == R::ONE && total == R::ONE { pivot } else { sum.normalize() })
 }
 
-/// `true` if the first component of (w, x, y, z) that is not zero is negative.
+/// Returns `true` if the first nonzero component of (w, x, y, z) of the real part is negative.
 fn is_negative<R: Real>(motion: DualQuat<R>) -> bool {
     let [x, y, z, w] = motion.real().to_array();
     [w, x, y, z].into_iter().find(|&c| c != R::ZERO).is_some_and(|c| c < R::ZERO)

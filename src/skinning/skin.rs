@@ -1,5 +1,5 @@
-//! [`Skin`], the joints and weights of each vertex, which are checked once, and the reading of them
-//! in the loop.
+//! [`Skin`], the joints and weights of each vertex, which are checked once, and the functions with
+//! which the loop reads them.
 
 use super::SkinningError;
 use crate::macros::brief;
@@ -16,7 +16,8 @@ use dq8_simd::internal::{CheckedIndices, Index, PickRows, PickedInPlace, Picks};
 ///
 /// `joints` holds the joints of the first vertex, then those of the second, and so on, the same
 /// number for each vertex. `weights` holds the weights in the same order. Fill unused influences
-/// with any joint and weight 0. Joints are `u8`, `u16` or `u32`; weights see [`Weight`].
+/// with any joint and weight 0. Joints are `u8`, `u16` or `u32`; for the types of weights see
+/// [`Weight`].
 ///
 /// ```
 /// use dq8::skinning::{Skin, SkinningError};
@@ -216,15 +217,15 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     }
 }
 
-/// A weight as it lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that
-/// the largest number is 1 exactly (glTF 2.0, §3.11; Vulkan's `UNORM`).
+/// The type of a weight in memory. `f32` and `f64` have their own value. `u8` and `u16` are
+/// normalized, so that the largest integer is exactly 1 (glTF 2.0, §3.11; Vulkan's `UNORM`).
 ///
 /// ```
 /// use dq8::skinning::Weight;
 /// assert_eq!([0_u8, 51, 255].map(|weight| weight.value::<f32>()), [0.0, 0.2, 1.0]);
 /// ```
 pub trait Weight: Copy + Debug + Send + Sync + 'static {
-    /// The weight as a number.
+    /// Returns the weight as a value of type `R`.
     #[must_use]
     fn value<R: Real>(self) -> R;
 
@@ -276,8 +277,8 @@ impl Weight for u16 {
     }
 }
 
-/// The place of the joints, or of the weights, in a buffer that holds one vertex after the other.
-/// Both fields of this struct count elements of the buffer.
+/// The stride and the offset of the joints, or of the weights, in a buffer that holds one vertex
+/// after the other. Both count elements of the buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InfluenceField {
     /// The distance from the beginning of a vertex to the beginning of the next.
@@ -307,15 +308,15 @@ impl InfluenceField {
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// Makes a skin as [`new`](Self::new) does, of joints and weights that lie between other
     /// fields: the attributes of a glTF file with a `byteStride`, or the vertex buffer of a GPU.
-    /// Each is a slice of elements of its own type and says where the field is; the slices may be
-    /// two views of the same bytes (`bytemuck::cast_slice`). A stride or an offset in bytes,
-    /// divided by the size of an element, is one in elements.
+    /// `joints` and `weights` are each a slice of elements and the place of the field in it. The
+    /// slices may be two views of the same bytes (`bytemuck::cast_slice`). A stride or an offset in
+    /// bytes is divided by the size of an element to count elements.
     ///
-    /// The skin borrows them, so what is posed goes to another buffer.
+    /// The skin borrows the slices, so the posed mesh must be written to another buffer.
     ///
     /// # Errors
-    /// If a field lies beyond its vertex, the buffers are not whole vertices or not as many of
-    /// them, and as [`new`](Self::new).
+    /// If a field lies beyond its vertex, or the buffers do not hold whole vertices or differ in
+    /// their number; and the errors of [`new`](Self::new).
     ///
     /// ```
     /// use dq8::skinning::{DualBlend, InfluenceField, Skin, VertexFields};
@@ -361,21 +362,24 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     }
 }
 
-/// The number of influences of a vertex that are read at a time.
+/// The number of influences of a vertex in a group, which is read at once.
 pub(super) const GROUP: usize = dq8_simd::internal::RECORDS_PER_LANE;
 
-/// Four influences of the vertices of one register, as kernels read them, whatever the types of
-/// joints and weights in memory. Influences that are not there have weight 0.
+/// One group of influences of the vertices of one register, in the form that kernels read for all
+/// types of joints and weights in memory. Influences that a vertex does not have are filled in with
+/// weight 0.
 #[derive(Debug)]
 pub(super) struct Influences<'a, R, J> {
-    /// The joints of each lane in the memory of the skin, if they lie there in order.
+    /// The joints of each lane in the memory of the skin, if they adjoin there in groups of four.
     pub(super) in_place: Option<PickRows<'a, J>>,
-    /// The joints of each lane, copied, if they do not.
+    /// Copies of the joints of each lane, if the joints do not adjoin in the memory of the skin.
     pub(super) joints: Picks<'a, J>,
-    /// The weights of each lane, in the same way.
+    /// The weights of each lane in the memory of the skin, if they adjoin there and have the type
+    /// `R`.
     pub(super) weights_in_place: Option<&'a [[R; GROUP]; MAX_LANES]>,
     pub(super) weights: Aligned<[[R; GROUP]; MAX_LANES]>,
-    /// The joint of greatest weight, first in each lane, if a vertex has more than one group.
+    /// The joint of greatest weight, as the first index of each lane, if a vertex has more than one
+    /// group.
     pub(super) pivots: Option<Picks<'a, J>>,
 }
 
@@ -383,19 +387,20 @@ pub(super) struct Influences<'a, R, J> {
 #[derive(Debug)]
 pub struct Scratch<'a, R, J> {
     pub(super) influences: Influences<'a, R, J>,
-    /// The twelve numbers of the weighted sum of matrices, for each lane; in `f32` in one cache
-    /// line.
+    /// The twelve entries of the weighted sum of matrices, for each lane. Sixteen `f32` fill one
+    /// cache line.
     pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
 }
 
-/// At the beginning of a cache line: what is written across two is read again later.
+/// A value that begins at a cache line. A load of a register that was stored across two cache lines
+/// would take longer.
 #[derive(Debug)]
 #[repr(align(64))]
 pub(super) struct Aligned<T>(pub(super) T);
 
 impl<R: Scalar, J: Index> Influences<'_, R, J> {
-    /// The joints of each lane. They lie in one of two places: the choice is settled once, and not
-    /// for each index.
+    /// Returns the joints of each lane. They lie in one of two places. [`settled`] makes the
+    /// compiler choose the place once, and not again for each index.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> PickRows<'_, J> {
         *settled(&self.in_place.unwrap_or_else(
@@ -404,33 +409,34 @@ impl<R: Scalar, J: Index> Influences<'_, R, J> {
         ))
     }
 
-    /// The weights of each lane, settled in the same way.
+    /// Returns the weights of each lane. [`settled`] makes the compiler choose their place once.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn weights(&self) -> &[[R; GROUP]; MAX_LANES] {
         settled(self.weights_in_place.unwrap_or(&self.weights.0))
     }
 }
 
-/// The value, settled in memory, to be read in other pieces than it was written
+/// Returns `written`, and makes the compiler complete all stores to it before any load from it
 /// (`docs/measured.md`, *What keeps loops in registers*). Without this the compiler moves vectors
-/// number by number, or reads more at once than was written at once, which CPUs do not forward from
-/// stores to loads. Either doubles the time.
+/// one component at a time, or loads more bytes at once than a store has written, which CPUs do not
+/// forward from stores to loads. Either doubles the time.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn settled<T>(written: &T) -> &T {
     black_box(written)
 }
 
-/// Four influences of some vertices: the records that their joints are, and weights.
+/// Four influences of each of some vertices: the palette entries of their joints, and their
+/// weights.
 type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
-    /// The number of groups of influences.
+    /// Returns the number of groups that the influences of a vertex fill.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn groups(&self) -> usize {
         self.influences().div_ceil(GROUP)
     }
 
-    /// The place where kernels keep what they read.
+    /// Makes the memory in which kernels keep the influences that they have read.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
         let influences = Influences {
@@ -443,8 +449,9 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Scratch { influences, sums: Aligned([[R::ZERO; 16]; MAX_LANES]) }
     }
 
-    /// The influences of `count` vertices from `first` on where they lie, joints as records of
-    /// `table`. `None` if they are not four, or not in memory as kernels compute with them.
+    /// Returns the influences of `count` vertices from `first` on without copying them. Their
+    /// joints are paired with the palette `table`. Returns `None` if a vertex does not have four
+    /// influences that adjoin in memory, or its weights do not have the type `R`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_place<'t, R: Scalar, const C: usize>(
         &self,
@@ -459,7 +466,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Some((self.joints.all_in_place(first, count, table)?, weights))
     }
 
-    /// A group of influences of the vertices from `first` on, one for each lane.
+    /// Reads a group of influences of the vertices from `first` on, one vertex for each lane, into
+    /// `to`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn read<R: Scalar>(
         &self,
@@ -469,7 +477,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         to: &mut Influences<'a, R, J>,
     ) {
         let weights = self.weights.as_chunks::<GROUP>().0.get(first..);
-        // An implied weight makes the stride shorter.
+        // If the last weight is implied, the stride is less than `GROUP`, and this condition is
+        // false.
         if self.stride == GROUP
             && let Some(weights) = weights.and_then(|weights| weights.get(..lanes))
             && let in_place @ Some(_) = self.joints.in_place(first)
@@ -492,8 +501,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         }
     }
 
-    /// [`read`](Self::read) where something lies between the four influences of vertices. False if
-    /// there are not as many vertices.
+    /// Copies the influences as [`read`](Self::read) does, for four influences with other data
+    /// between the vertices. Returns `false` if fewer than `lanes` vertices remain.
     #[inline(never)]
     fn read_rows<R: Scalar>(
         &self,
@@ -514,8 +523,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         true
     }
 
-    /// [`read`](Self::read) for any number of influences, and where the vertices end: what lies
-    /// beyond is moved by joint 0.
+    /// Copies the influences as [`read`](Self::read) does, for any number of influences, and for
+    /// the last vertices. Lanes beyond the last vertex get joint 0.
     #[inline(never)]
     fn read_each<R: Scalar>(
         &self,
@@ -525,13 +534,13 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         to: &mut Influences<'a, R, J>,
     ) {
         (to.in_place, to.weights_in_place) = (None, None);
-        // A vertex that is not there is moved by its first influence alone.
+        // A lane beyond the last vertex has all its weight on its first influence.
         let none = [if group == 0 { R::ONE } else { R::ZERO }, R::ZERO, R::ZERO, R::ZERO];
         let from = group * GROUP;
         for (lane, weights) in to.weights.0.iter_mut().enumerate().take(lanes) {
             let vertex = first + lane;
-            // Influences that are not there are the first one with weight 0: another joint's NaN
-            // must not get in.
+            // Influences that the vertex does not have repeat its first joint with weight 0. Any
+            // other joint could bring NaN into the sum, because 0 · NaN is NaN.
             let there = to.joints.set_row(lane, vertex, from);
             *weights = if there { self.weights_from(vertex, from) } else { none };
         }
@@ -546,7 +555,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         }
     }
 
-    /// Four weights of a vertex, zero where there are none.
+    /// Returns four weights of a vertex, from influence `from` on. They are zero for influences
+    /// that the vertex does not have.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn weights_from<R: Scalar>(&self, vertex: usize, from: usize) -> [R; GROUP] {
         let (start, given) = (vertex * self.stride + from, self.given().saturating_sub(from));

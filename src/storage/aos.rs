@@ -11,9 +11,9 @@ use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, Records};
 
-/// Array of structures: one thing lies after the other. Kernels transpose the things in registers
-/// when they read them, and back when they write them. If the compiler expects `Aos<f32>` and finds
-/// `Aos<f64>`, a call mixes two precisions: a slice of bare literals such as `&[0.5; 4]` has
+/// The layout *array of structures*: one thing lies after the other in memory. Kernels transpose
+/// the things in registers when they load and store them. If the compiler expects `Aos<f32>` and
+/// finds `Aos<f64>`, a call mixes two precisions: a slice of bare literals such as `&[0.5; 4]` has
 /// elements of type `f64`; write `&[0.5_f32; 4]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Aos<R>(PhantomData<R>);
@@ -28,7 +28,7 @@ impl<R: Scalar> Layout for Aos<R> {
     // on one port of the CPU instead of two: products would take 2.2 ns instead of 1.8 ns, points
     // 0.69 ns instead of 0.52 ns.
     const WIDE: bool = false;
-    // Records are smaller than cache lines, and stores that bypass the caches need whole lines.
+    // Stores that bypass the caches must write whole cache lines, and records are smaller.
     const STREAMS: bool = false;
 }
 
@@ -56,8 +56,8 @@ pub(crate) fn store<L: Lanes, const C: usize>(
     }
 }
 
-/// Implements [`Element`] for types that consist of `C` components and nothing else, so that their
-/// bytes are those of an array `[R; C]`.
+/// Implements [`Element`] for types that consist of `C` components and nothing else, so that a
+/// slice of them can be cast to a slice of arrays `[R; C]`.
 macro_rules! casts {
     ($($thing:ty: $components:tt of $real:ident $(, any $any:ident)? $(, any size $size:ident)?;)*) => {$(
         impl<$($any: Scalar,)? $(const $size: usize)?> Element<$components> for $thing {
@@ -144,7 +144,7 @@ crate::macros::pod! {
     pub struct LinearFirst<R>(pub [R; 6]);
 }
 
-/// Swaps the two halves of a twist's six components.
+/// Swaps the angular and the linear half of a twist's six components.
 #[cfg_attr(not(opt_level_0), inline(always))]
 const fn other<T: Copy>([a, b, c, d, e, f]: [T; 6]) -> [T; 6] {
     [d, e, f, a, b, c]

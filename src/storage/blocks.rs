@@ -9,8 +9,8 @@ use dq8_simd::{Lanes, Level, Native, Row};
 /// `Block<f32, 8>` is 256 bytes; `Block<f32, 8, 3>` holds eight points.
 pub type Block<R, const N: usize, const C: usize = 8> = dq8_simd::Block<[R; N], C>;
 
-/// Array of structures of arrays: a block holds [`Row::LANES`] things, with one row of type `A` for
-/// each component. Kernels read a row as it is, a register at a time.
+/// The layout *array of structures of arrays*: a block holds [`Row::LANES`] things, with one row of
+/// type `A` for each component. Kernels load a row without a transpose, a register at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct AoSoA<A>(PhantomData<A>);
 
@@ -21,8 +21,8 @@ impl<A: Row<Real: Scalar>> Layout for AoSoA<A> {
     type Register<V: Level> = Native<A, V>;
     const THINGS: usize = A::LANES;
     const WIDE: bool = true;
-    // Stores past the caches pay for large outputs only, and other targets have too little memory
-    // for those.
+    // Stores that bypass the caches are quicker for large outputs only. Only x86-64 has such stores
+    // here.
     const STREAMS: bool = cfg!(target_arch = "x86_64");
 }
 

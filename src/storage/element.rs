@@ -7,9 +7,9 @@ use core::fmt::Debug;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level};
 
-/// The things that one register holds. In blocks they are the things of register `register` within
-/// the block at index `element`. In plain records they are the records at `element`,
-/// `element + stride`, `element + 2·stride`, …, one in each lane.
+/// The place in a slice of the things that one register holds, one in each lane. In blocks they are
+/// the things of register `register` within the block at index `element`. In plain records they are
+/// the records at `element`, `element + stride`, `element + 2·stride` and so on.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
     pub(crate) element: usize,
@@ -20,8 +20,8 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Returns the tile of one register of the block `element`; or, of plain records, the tile of
-    /// the consecutive records from index `element` on.
+    /// Returns the tile of one register of the block at index `element`, or of the plain records
+    /// from index `element` on, which adjoin.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn at(element: usize, register: usize) -> Self {
@@ -37,16 +37,17 @@ impl Tile {
     }
 }
 
-/// Returns the record that fills lanes without a thing: the identity for motions, rotations and
-/// matrices, and zero for vectors and scalars. Arithmetic with these values is never slow, unlike
-/// arithmetic with the subnormals that garbage may hold.
+/// Returns the record that fills lanes to which no thing belongs: the identity for motions,
+/// rotations and matrices, and zero for vectors and scalars. Arithmetic with these values is never
+/// slow, while uninitialised lanes might hold subnormals, which are slow.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn identity<R: Scalar, const C: usize>() -> [R; C] {
     Identity::<R, C>::RECORD
 }
 
-/// The identity as a constant, so that passing it to a function does not build it again.
+/// A type that holds the identity as a constant, so that the compiler passes a reference to it
+/// instead of building it for each call.
 struct Identity<R, const C: usize>(PhantomData<R>);
 
 impl<R: Scalar, const C: usize> Identity<R, C> {
@@ -81,7 +82,7 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     type Register<V: Level>: Lanes<Real = Self::Real, Level = V>;
     /// The number of things in a [`Record`](Self::Record).
     const THINGS: usize;
-    /// `true` if kernels over this layout gain from AVX-512.
+    /// `true` if kernels over this layout are quicker with AVX-512 than with AVX2.
     const WIDE: bool;
     /// `true` if outputs in this layout can be written past the caches.
     const STREAMS: bool;
@@ -135,7 +136,8 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// `to` are dropped.
     fn store<V: Level>(components: [Register<Self, V, C>; C], to: &mut [Self], tile: Tile);
 
-    /// [`store`](Self::store), for components that lie in memory as arrays of lanes.
+    /// Writes the things of a tile as [`store`](Self::store) does, from components in memory:
+    /// `rows` has an array of lanes for each component, which is loaded into a register first.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn copy<V: Level>(
@@ -159,8 +161,8 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// Writes the thing at `index`; does nothing beyond the end.
     fn set(slice: &mut [Self], index: usize, thing: [Number<Self, C>; C]);
 
-    /// Calls `each` for every tile and [`store`](Self::store)s its result, past the caches where
-    /// the layout [allows it](Layout::STREAMS). Stops when `each` returns `None`.
+    /// Calls `each` for every tile and stores its result, with stores that bypass the caches if the
+    /// layout [allows them](Layout::STREAMS). Stops when `each` returns `None`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn stream<V: Level>(
         level: V,

@@ -1,16 +1,18 @@
-//! Layouts of things in memory, and the one way from there into registers and back.
+//! Layouts of things in memory, and the traits by which kernels load things into registers and
+//! store them.
 //!
-//! A *record* is the `C` numbers of one thing: a motion has 8, a point 3. A slice holds records one
-//! after the other ([`Aos`], array of structures), or in [`Block`]s of `N` ([`AoSoA`], array of
-//! structures of arrays): row `c` of a block holds component `c` of `N` things. Kernels compute
-//! with a register for each component, a thing in each lane. So a block is read as it is, the
-//! fastest way, and plain records are transposed in registers.
+//! A *thing* is a motion, a point or any other object of `C` components, and a *record* is its
+//! components in memory: a motion has 8, a point has 3. A slice holds records one after the other
+//! ([`Aos`], array of structures), or in [`Block`]s of `N` things ([`AoSoA`], array of structures
+//! of arrays): row `c` of a block holds component `c` of `N` things. Kernels compute with a
+//! register for each component and a thing in each lane. So blocks are loaded without a transpose,
+//! which is the fastest way, and plain records are transposed in registers.
 //!
 #![doc = include_str!("blocks.svg")]
 //!
-//! | `C` | what | one record |
+//! | `C` | thing | type of a record |
 //! |---|---|---|
-//! | 1 | a number | `R` |
+//! | 1 | a scalar | `R` |
 //! | 3 | a point or a vector | `[R; 3]` |
 //! | 4 | a rotation, `[x, y, z, w]` | [`Quat<R>`](crate::Quat) |
 //! | 4 | a plane, `[nx, ny, nz, d]` | [`Plane<R>`](crate::Plane) |
@@ -22,13 +24,13 @@
 //! | 12 | a 3×4 matrix | `[[R; 4]; 3]` |
 //! | 16 | a 4×4 matrix | `[[R; 4]; 4]` |
 //! | 36 | a 6×6 matrix of twists, a covariance, angular first | `[[R; 6]; 6]` |
-//! | 36 | the same, linear first | `[`[`LinearFirst<R>`](LinearFirst)`; 6]` |
+//! | 36 | a 6×6 matrix of twists, linear first | `[`[`LinearFirst<R>`](LinearFirst)`; 6]` |
 //!
 //! [`RotationTranslation<R>`]: crate::representation::RotationTranslation
 //!
 //! `[R; C]` is a record of any number of components, and [`Block<R, N, C>`](Block) holds `N` of
-//! them. [`Element<C>`](Element) is the one bound that generic code needs: it says what a slice is
-//! made of, and reads and writes it by [`Tile`]s, a register for each component at a time.
+//! them. [`Element<C>`](Element) is the only bound that generic code needs. It names the layout of
+//! a slice, and loads and stores a [`Tile`] at a time, with a register for each component.
 //! [`Kernel`](crate::Kernel) has an example.
 //!
 //! ```

@@ -1,5 +1,5 @@
-//! Conversion between slices of single things and blocks. Instances, or segments of a chain, become
-//! the lanes of the blocks.
+//! Conversion between slices of plain things and blocks, whose lanes are instances or segments of a
+//! chain.
 
 use super::{Block, Element, Tile, identity};
 use crate::backend::{Backend, Kernel};
@@ -11,7 +11,7 @@ use dq8_simd::{Lanes, Level, Row};
 /// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the
 /// last blocks that have no instance hold the [`identity`], with which arithmetic is never slow.
 ///
-/// Works for everything that blocks hold: motions, rotations, points, twists, matrices, scalars.
+/// Things may be motions, rotations, points, twists, matrices or scalars.
 /// Pass 1 as `joints` for things that do not belong to a skeleton.
 ///
 /// # Errors

@@ -17,13 +17,13 @@ pub enum MatrixOrder {
     Columns,
 }
 
-/// An element of a skinning palette: a motion (`C` = 8), a 3×4 matrix (12), or a 4×4 matrix with
-/// the row 0 0 0 1 (16); one thing, or a block if the models are blocks. The trait is sealed, like
-/// [`Element`].
+/// An element of a skinning palette: a motion (`C` = 8), a 3×4 matrix (`C` = 12), or a 4×4 matrix
+/// with the last row 0 0 0 1 (`C` = 16). It is a plain thing, or a block if the models are blocks.
+/// The trait is sealed, like [`Element`].
 ///
 /// Plain matrices are `[[f32; 4]; 3]` and `[[f32; 4]; 4]` by rows. By columns a 4×4 matrix is
-/// `[[f32; 4]; 4]` too; a 3×4 matrix by columns is `[f32; 12]`, so that nobody takes its entries
-/// for rows.
+/// `[[f32; 4]; 4]` too; a 3×4 matrix by columns is `[f32; 12]`, so that its columns are not
+/// mistaken for rows.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no entry of a palette",
     note = "motions (`DualQuat`), 3×4 matrices (`[[f32; 4]; 3]` by rows, `[f32; 12]` by columns) and 4×4 matrices \

@@ -12,12 +12,12 @@ errors! {
         NotWhole {
             /// The name of the slice.
             what: &'static str,
-            /// Its length.
+            /// The length of the slice.
             length: usize,
-            /// The joints of one instance.
+            /// The number of joints of one instance.
             joints: usize,
         } => "{what} holds {}, which is not a multiple of the {}", Count(*length, "element"), Count(*joints, "joint");
-        /// A slice holds nothing where something is needed.
+        /// A slice is empty, although it needs at least one element.
         Empty {
             /// The name of the slice.
             what: &'static str,
@@ -26,42 +26,42 @@ errors! {
         Length {
             /// The name of the slice.
             what: &'static str,
-            /// Its length.
+            /// The length of the slice.
             length: usize,
-            /// The length it must have.
+            /// The length that the slice must have.
             expected: usize,
         } => "{what} holds {} where {expected} {} needed", Count(*length, "element"), if *expected == 1 { "is" } else { "are" };
-        /// A range of joints that is not a range of this hierarchy.
+        /// A range of joints does not lie within the hierarchy.
         Joints {
             /// The range.
             range: Range<usize>,
             /// The number of joints.
             joints: usize,
         } => "joints {range:?} are not a range of a hierarchy of {}", Count(*joints, "joint");
-        /// A joint of a range, whose parent is not in it: models that go through scratch are not
-        /// kept for it.
+        /// A joint of a range has its parent outside of the range. The run keeps its models in
+        /// scratch memory only, so the parent's model is not available.
         NoParent {
             /// The joint.
             joint: usize,
-            /// Its parent.
+            /// The parent of the joint.
             parent: usize,
         } => "joint {joint} is computed, but its parent, joint {parent}, is not";
-        /// A pair of an order that is not a joint and its parent, or comes before the last root:
-        /// the order was made for other parents, or not at all.
+        /// A pair of an order is not a joint and its parent, or has a parent although a root
+        /// follows it. The order was made for other parents, or is no order.
         NotOrder {
-            /// The number of the pair.
+            /// The index of the pair in the order.
             place: usize,
         } => "pair {place} of the order is not a joint of this hierarchy and its parent";
         /// A job was given the plan of other parents than its own.
         OtherPlan => "the plan was made for another hierarchy than the job";
-        /// A link that a robot (crate `dq8-robot`) does not have.
+        /// A caller asked for a link that the robot (crate `dq8-robot`) does not have.
         NoLink {
             /// The link asked for.
             link: usize,
             /// The number of links.
             links: usize,
         } => "there is no link {link}: the mechanism has {links}, counted from 0";
-        /// A pose that a crowd does not have.
+        /// A caller asked for a pose that the crowd does not have.
         NoPose {
             /// The instance asked for.
             instance: usize,
@@ -72,21 +72,22 @@ errors! {
             /// The number of joints.
             joints: usize,
         } => "there is no joint {joint} of instance {instance}: the crowd has {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
-        /// A frame that a clip does not have, or that no frame follows.
+        /// An instance is sampled after a frame that the clip does not have, or that no frame
+        /// follows.
         NoFrame {
-            /// The instance that is to be there.
+            /// The index of the instance.
             instance: usize,
             /// The frame asked for.
             frame: usize,
             /// The number of frames.
             frames: usize,
         } => "instance {instance} is sampled after frame {frame}, the last or beyond: the clip has {}", Count(*frames, "frame");
-        /// A place that packed clips do not have: it was made of others.
+        /// An instance is sampled at a place that these packed clips did not make.
         NoPlace {
-            /// The instance that is to be there.
+            /// The index of the instance.
             instance: usize,
         } => "instance {instance} is sampled at a place in other clips than these";
-        /// So few poses that no window of this length lies in them.
+        /// There are fewer poses than the window is long.
         NoWindow {
             /// The number of poses.
             poses: usize,
@@ -99,7 +100,7 @@ errors! {
 /// Checks that the slice with the name `what` has the length `expected`.
 ///
 /// # Errors
-/// If the length is another one.
+/// If the length differs from `expected`.
 #[inline]
 pub fn same_length(what: &'static str, length: usize, expected: usize) -> Result<(), ShapeError> {
     if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }

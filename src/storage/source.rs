@@ -1,12 +1,13 @@
-//! [`Source`], the input of kernels (a slice, or their own output in place), and the reading of
-//! motions from it.
+//! [`Source`], the input of kernels, which is a slice or the kernel's own output, and the function
+//! that loads motions from a slice.
 
 use super::element::{Element, Register, Tile, identity};
 use crate::batch;
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// The input of a kernel: a slice, or, for a kernel in place, the present contents of its output.
+/// The input of a kernel: a slice, or the present contents of the output if the kernel works in
+/// place.
 #[derive(Clone, Copy, Debug)]
 pub enum Source<'s, E> {
     Slice(&'s [E]),
@@ -14,7 +15,8 @@ pub enum Source<'s, E> {
 }
 
 impl<'s, E> Source<'s, E> {
-    /// Returns the slice that a kernel reads when it writes `output`.
+    /// Returns the slice that the kernel reads: the input slice, or `output` if the kernel works in
+    /// place.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn or<'o>(self, output: &'o [E]) -> &'o [E]
     where
@@ -41,7 +43,7 @@ impl<'s, E> Source<'s, E> {
     }
 }
 
-/// The motions that one register for each component holds.
+/// Several motions in registers, with one register for each component and one motion in each lane.
 pub(crate) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
 
 /// Reads the motions of a tile; lanes beyond the end of `slice` hold the identity.
