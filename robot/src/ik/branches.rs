@@ -1,11 +1,11 @@
-//! All solutions of an arm of the two families, up to eight in each lane. The names are those of
-//! the drawing in `family.rs`.
+//! All solutions of an arm of one of the two families, up to eight in each lane. Names of points
+//! and links are those of the drawing in `family.rs`.
 //!
 //! All axes and points are those of the arm whose values are all zero. A pose of the arm is then
 //! the product of the turns eᵢ about the axes and of the pose with all values zero (Brockett
 //! 1984), so the product of the turns follows from the target. The angles are found one after the
-//! other, by quantities that a turn about a given axis does not change (Paden and Kahan; Elias and
-//! Wen, *IK-Geo*, 2022):
+//! other, from quantities that a turn about a given axis does not change (Paden and Kahan; Elias
+//! and Wen, *IK-Geo*, 2022):
 //!
 //! ```text
 //! spherical wrist
@@ -24,9 +24,9 @@
 //!                 axis 4               the rest of the rotation
 //! ```
 //!
-//! Each equation has two solutions, or one, or any angle solves it. The last angle of each group
-//! makes up for the rounding of the angles before it, so no solution needs to be improved
-//! afterwards.
+//! An equation has two solutions or one, or any angle solves it. The last angle of each group is
+//! computed from the rounded angles before it, so it makes up for their rounding, and no solution
+//! needs to be improved afterwards.
 //!
 //! Angles are complex numbers e^{iθ}, one in each lane: turns are products, and only final answers
 //! need an arctangent.
@@ -57,17 +57,17 @@ struct Slack<L> {
     singular: L,
 }
 
-/// One of the eight solutions, in each lane for the target of that lane.
+/// One of the eight solutions. Each lane has the solution for its own target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Branch<L: Lanes> {
     /// The six angles, as complex numbers of any length.
     pub(super) turns: [Complex<L>; 6],
+    /// The lanes in which this solution exists.
     pub(super) exists: L::Mask,
-    /// The error of the angles before the wrist for a roundoff in their inputs, in units of that
-    /// roundoff.
+    /// The rounding error of the angles before the wrist, in units of the roundoff of their inputs.
     error_gain: L,
-    /// The lanes in which this solution coincides with another one or is one of infinitely many:
-    /// because of the shoulder, of the elbow, and of the wrist.
+    /// The lanes in which this solution coincides with another solution or is one of infinitely
+    /// many, because of the shoulder (element 0), the elbow (1) or the wrist (2).
     pub(super) singular: [L::Mask; 3],
 }
 
@@ -87,11 +87,13 @@ pub(super) struct Arm<'s, L: Lanes> {
     geometry: &'s Geometry<L::Real>,
     /// The product of the six turns whose angles are sought.
     product: DualQuat<L>,
-    /// The angles of the start, which are taken where any angle is a solution.
+    /// The angles of the start. If any angle solves an equation, the solution takes the angle of
+    /// the start.
     start: [Complex<L>; 6],
     slack: Slack<L>,
-    /// The second axis, and two directions at right angles to it that span the plane of the elbow.
+    /// The direction of the second axis.
     normal: [L; 3],
+    /// Two directions at right angles to the second axis, which span the plane of the elbow.
     plane: [[L; 3]; 2],
 }
 
@@ -182,7 +184,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Puts the wrist into place by the shoulder and by two links in a plane.
+    /// Finds the first three angles, which put the wrist into place, for an arm with a parallel
+    /// elbow: the shoulder, and two links in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn parallel_elbow(&self, places: &mut [Branch<L>; 4]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -203,8 +206,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Puts the wrist into place if the first two axes cross. The elbow sets the distance from the
-    /// crossing, then the first two axes set the direction.
+    /// Finds the first three angles, which put the wrist into place, if the first two axes cross.
+    /// The elbow sets the distance from the crossing, then the first two axes set the direction.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn crossing_shoulder(&self, places: &mut [Branch<L>; 4]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -284,8 +287,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Returns the two solutions for the first angle. When the arm is turned back by either of
-    /// them, the wrist is at its height along the second axis.
+    /// Returns the two solutions for the first angle. When the arm is turned back by either
+    /// solution, the wrist is at its given height along the second axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shoulder(&self, to_wrist: [L; 3]) -> Fork<L> {
         let axis = self.axis(0);
@@ -311,7 +314,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     }
 
     /// Returns the two solutions for the elbow, whose angle puts the end of the lower arm at a
-    /// `distance` from the second axis, or from the crossing of the first two (Heron's formula).
+    /// `distance` from the second axis, or from the crossing of the first two axes (Heron's
+    /// formula).
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn elbow(&self, distance: L) -> Fork<L> {
         let [shortest, longest] = self.geometry.elbow_reach;
@@ -345,10 +349,10 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
     }
 
-    /// Returns the two solutions for the fifth angle, which brings the last axis to its angle with
-    /// `against`, and the lanes in which these axes are parallel. The slack for parallel axes grows
-    /// with the error of the angles before: a nearly stretched elbow amplifies rounding, and then
-    /// the direction in which nearly parallel axes differ has no meaning.
+    /// Returns the two solutions for the fifth angle, which gives the last axis its required angle
+    /// with `against`, and the lanes in which both axes are parallel. The slack for parallel axes
+    /// grows with the error of the earlier angles, because a nearly stretched elbow amplifies
+    /// rounding. The difference between nearly parallel axes may then be only rounding.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3], error_gain: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.wrist_reference);
@@ -478,19 +482,21 @@ impl<L: Lanes> Complex<L> {
 /// The two solutions of an equation in one angle. If they coincide, only the first one exists.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fork<L: Lanes> {
+    /// The two angles, as complex numbers of any length.
     pub(super) turns: [Complex<L>; 2],
+    /// The lanes in which each of the two angles is a solution.
     pub(super) exists: [L::Mask; 2],
     /// The lanes in which the two solutions are equal or nearly equal.
     pub(super) is_singular: L::Mask,
-    /// The error of an angle for a unit of roundoff in its inputs: large where the two solutions
-    /// meet.
+    /// The rounding error of an angle, in units of the roundoff of its inputs. It is large where
+    /// the two solutions meet.
     pub(super) error_gain: L,
 }
 
 impl<L: Lanes> Fork<L> {
-    /// Returns the angles of base·(re ± i·im). These complex numbers may have any length.
-    /// The solutions are singular if im² is less than `part` of the squared length. `re` is
-    /// rounded like a number as large as `size`.
+    /// Returns the angles of base·(re ± i·im). These complex numbers may have any length. The
+    /// solutions are singular if im² is less than `part` of the squared length. `size` is the
+    /// magnitude that determines the rounding error of `re`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
@@ -511,7 +517,8 @@ impl<L: Lanes> Fork<L> {
     }
 }
 
-/// The square root of the distance from 1 to the next larger number, rounded up to a power of two.
+/// Returns the square root of the distance from 1 to the next larger float, rounded up to a power
+/// of two.
 fn root_of_epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { 1.0 / 2048.0 } else { 1.0 / 67_108_864.0 }
 }
@@ -536,7 +543,7 @@ impl<L: Lanes> Separation<L> {
     }
 
     /// Returns the turns about `axis` after which `v` has this angle to `to` (subproblem 4 of
-    /// IK-Geo, a circle and a plane). All three are unit vectors.
+    /// IK-Geo, a circle and a plane). `axis`, `v` and `to` are unit vectors.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn turns_about(&self, to: [L; 3], axis: [L; 3], v: [L; 3]) -> Fork<L> {
         let Self { cosine, sine, square, slack: [slack, part], .. } = *self;
@@ -545,7 +552,7 @@ impl<L: Lanes> Separation<L> {
         let base =
             Complex { re: vector::dot(to, v) - both, im: vector::dot(to, vector::cross(axis, v)) };
         // `left` is 1 − cos² − a² − b² + 2ab cos, where a and b are the cosines to the
-        // axis. This form keeps its digits where the sine is small and a and b are alike.
+        // axis. This form keeps its digits if the sine is small and a and b are nearly equal.
         let is_back = cosine.lt(sine.constant(0.0));
         let (away, other) = (both + both, L::select(is_back, -other, other));
         let away = L::select(is_back, -away, away) * square / (sine.constant(1.0) + cosine.abs());

@@ -42,40 +42,40 @@ use dq8::{Real, ShapeError};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Family {
-    /// The last three axes meet in a point, and the second and third are parallel, or the first two
-    /// meet: a shoulder, an elbow, and a spherical wrist (PUMA, and most arms that weld, paint and
-    /// lift).
+    /// The last three axes meet in a point, and either the second and third axis are parallel or
+    /// the first two axes meet. Such an arm has a shoulder, an elbow, and a spherical wrist (PUMA,
+    /// and most arms that weld, paint and lift).
     SphericalWrist,
-    /// The second, third and fourth axis are parallel, and the last two meet (UR and other arms
-    /// that work beside people).
+    /// The second, third and fourth axis are parallel, and the last two axes meet (UR and other
+    /// arms that work beside people).
     ThreeParallel,
     /// The arm belongs to neither of the two families.
     Other,
 }
 
 errors! {
-    /// An error of an arm or its targets.
+    /// The error of an arm, its targets or its starts.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     SolutionsError {
-        /// Slices whose lengths do not fit, or too little scratch.
+        /// Lengths of slices do not fit, or the scratch is too short.
         Shape(error: ShapeError) => "{error}";
-        /// More goals than one.
+        /// The problem has more goals than one.
         Goals { goals: usize = "The number of goals." } => "expected one goal, got {goals}";
-        /// A goal that leaves a part of rotation or position free.
+        /// The goal leaves a part of rotation or position free.
         NoPose => "the goal leaves a part of rotation or position free: expected a whole pose";
-        /// A joint that carries the link and is neither fixed nor a hinge with a value of its own.
+        /// A joint that carries the link is neither fixed nor a hinge with a value of its own.
         Joint { joint: usize = "The joint." }
             => "joint {joint} carries the link: expected a hinge with a value of its own, or a fixed joint";
-        /// More or fewer hinges than six that carry the link.
+        /// More or fewer than six hinges carry the link.
         Hinges { hinges: usize = "The number of hinges." } => "{hinges} hinges carry the link, not six";
-        /// A target with a component that is not finite.
+        /// A component of a target is not finite.
         Target { index: usize = "The target.", value: f64 = "The number in it." }
             => "target {index} is not finite: it has the number {value}";
-        /// A target that is farther than 10⁻³ from a unit motion.
+        /// A target is farther than 10⁻³ from a unit motion.
         NotUnit { index: usize = "The target.", norm: f64 = "The norm of its real part." }
             => "target {index} is not a unit motion: the norm of its real part is {norm}";
-        /// A value of a start that is not finite.
+        /// A value of a start is not finite.
         Start { index: usize = "The start.", hinge: usize = "The hinge.", value: f64 = "The value." }
             => "value {hinge} of start {index} is not finite: {value}";
     }
@@ -95,31 +95,32 @@ pub(super) struct Geometry<R> {
     pub(super) crosses: bool,
     /// A point of the first axis.
     pub(super) base: [R; 3],
-    /// The point where the last axes meet.
+    /// The point where axes 5 and 6 meet, and for a spherical wrist axis 4 too.
     pub(super) wrist: [R; 3],
-    /// The vectors from the base to the third axis, and from the third axis to the wrist. They are
-    /// used only if the first two axes cross.
+    /// The vector from the base to the third axis. It is used only if the first two axes cross.
     pub(super) upper_arm: [R; 3],
+    /// The vector from the third axis to the wrist. It is used only if the first two axes cross.
     pub(super) lower_arm: [R; 3],
     /// The vector from the wrist to the fourth axis. It is used only for three parallel axes.
     pub(super) hand: [R; 3],
     /// The smallest and the largest distance of the lower arm's end from the second axis, or from
     /// the point where the first two axes cross.
     pub(super) elbow_reach: [R; 2],
-    /// Two directions that span the plane of the elbow, and the components of the base in this
-    /// plane, relative to the second axis.
+    /// Two directions that span the plane of the elbow.
     pub(super) plane: [[R; 3]; 2],
+    /// The components of the base in the plane of the elbow, relative to the second axis.
     pub(super) base_in_plane: [R; 2],
-    /// The upper and the lower arm in the plane of the elbow, and the turn from one to the other
-    /// where all values are zero.
+    /// The vectors of the upper and the lower arm in the plane of the elbow.
     pub(super) links_in_plane: [[R; 2]; 2],
+    /// The angle of the upper arm minus that of the lower arm where all values are zero, as a
+    /// complex number of length 1.
     pub(super) elbow_at_zero: [R; 2],
     /// The directions of the third and fourth axis: 1 if parallel to the second axis, −1 if
     /// opposite to it.
     pub(super) signs: [R; 2],
-    /// The distance from the base to the wrist along the second axis, and the cosine of the angle
-    /// between the first two axes.
+    /// The distance from the base to the wrist along the second axis.
     pub(super) height: R,
+    /// The cosine of the angle between the first two axes.
     pub(super) tilt: R,
     /// The direction whose angle with the last axis determines the fifth angle: axis 4, or axis 2
     /// of an arm with three parallel axes.

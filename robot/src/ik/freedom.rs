@@ -8,35 +8,38 @@ use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-/// A rate of a mechanism as a search uses it, in the memory that a [`Reach`](super::Reach) borrows.
+/// A degree of freedom of a search: a rate of a mechanism, with its limits. A
+/// [`Reach`](super::Reach) borrows memory for one freedom per rate.
 #[derive(Clone, Copy, Debug)]
 pub struct Freedom<R> {
     pub(super) kind: Kind,
     pub(super) range: Range<R>,
-    /// The index of the value that it changes; of a floating joint, the index of the first of its
-    /// seven values.
+    /// The index of the value that the freedom changes, or, for a floating joint, of the first of
+    /// the joint's seven values.
     pub(super) value: u32,
-    /// The distance from one sample of a restart to the next, in units of 2⁻⁶⁴ of the range;
-    /// zero if the range has no limits.
+    /// The distance from one sample of a restart to the next, in units of 2⁻⁶⁴ of the range,
+    /// modulo the range. It is zero if the range has no limits.
     pub(super) stride: u64,
-    /// The index of a rate's freedom among the freedoms that move a goal. The entry with the index
-    /// of a rate holds it, whichever freedom this entry is.
+    /// A property of the rate whose index this array element has, even if the element holds the
+    /// freedom of another rate: the index of that rate's freedom among the freedoms that move a
+    /// goal.
     pub(super) column: u32,
-    /// The place of the freedom in the tree: `parent`, the next freedom on the way to the base;
-    /// `depth`, the number of freedoms on that way; the index of its first entry in the normal
-    /// equations of the tree; and the first register of its twist.
+    /// The index of the next freedom on the path to the base.
     pub(super) parent: u32,
+    /// The number of freedoms on the path to the base.
     pub(super) depth: u32,
+    /// The index of the freedom's first entry in the sparse normal equations of the tree.
     pub(super) first_entry: u32,
+    /// The index of the first register of the freedom's twist.
     pub(super) twist_row: u32,
 }
 
 /// The quantity that a freedom changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// An angle.
+    /// The angle of a hinge or screw joint.
     Turn,
-    /// A length.
+    /// The length of a slide.
     Slide,
     /// The rotation of a floating joint, about an axis of its link.
     FloatingTurn(u8),
@@ -74,17 +77,18 @@ impl<R: Real> Freedom<R> {
         matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
     }
 
-    /// Returns `true` if its range has two finite ends, between which a restart can sample.
+    /// Returns `true` if the freedom's range has two finite ends, between which a restart can
+    /// sample.
     pub(super) fn has_ends(&self) -> bool {
         let Range { low, high, .. } = self.range;
         (high - low).is_finite()
     }
 
-    /// Returns its value in the sample with the index `number` of a sequence that covers its range
-    /// evenly.
+    /// Returns the freedom's value in sample `number` of a sequence that covers its range evenly.
     pub(super) fn sample(&self, number: u64) -> R {
-        // The product wraps around, which leaves its fraction. The fraction is converted in parts
-        // of 16 bits, each of which is exact in any float.
+        // The product is a position in units of 2⁻⁶⁴ of the range, and wrapping drops its
+        // whole multiples of the range. The fraction is converted in parts of 16 bits, each of
+        // which is exact in any float.
         let stride = HALF.wrapping_add(number.wrapping_mul(self.stride));
         let (unit, mut sum) = (R::from(1.0 / 65_536.0), R::ZERO);
         for shift in [16, 32, 48] {
@@ -128,7 +132,7 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // Only rates that move a goal have a column in the Jacobian.
+    // Only rates that move a goal get a column in the Jacobian.
     for (position, step) in steps.iter().enumerate() {
         if carries(position) {
             let rates = step.rate as usize..step.rate as usize + step.kind.rates();
@@ -155,8 +159,9 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // The columns move to the front, in order, and the slot of a rate keeps the index of its
-    // column. A column is never behind its rate, so nothing is overwritten before it is read.
+    // The freedoms with a column move to the front of the slice, in order, and the element of each
+    // rate keeps the index of its column. The index of a column is at most that of its rate, so no
+    // element is overwritten before it is read.
     let mut count = 0;
     for rate in 0..freedoms.len() {
         let Some(&freedom) = freedoms.get(rate) else { continue };
@@ -175,8 +180,8 @@ pub(super) fn freedoms<R: Real>(
     Ok(count)
 }
 
-/// Sets the strides of a sequence of low discrepancy over the N ranges that have two ends. It is
-/// the additive recurrence ½ + kα modulo 1 with αⱼ = g⁻ʲ, where g is the positive root of
+/// Sets the strides of a sequence of low discrepancy over the N ranges that have two ends. Sample k
+/// of range j is at ½ + kαⱼ modulo 1 with αⱼ = g⁻ʲ, where g is the positive root of
 /// gᴺ⁺¹ = g + 1, which generalises the golden ratio (Roberts 2018). The arithmetic uses
 /// integers, because a microcontroller has no `f64`, and `f32` would lose the digits in which later
 /// samples differ.
@@ -212,7 +217,7 @@ fn spacing(count: usize) -> u64 {
 
 /// Returns the product of two fractions in units of 2⁻⁶⁴, with an error of at most three
 /// units. It is built from products of 32 bits, which microcontrollers have. It is not inlined, so
-/// that the code holds it only once.
+/// that firmware contains its code only once.
 #[inline(never)]
 fn times(a: u64, b: u64) -> u64 {
     let low = |number: u64| number & u64::from(u32::MAX);
@@ -301,13 +306,13 @@ pub(super) fn tree_shape<R: Real>(
     entries as usize
 }
 
-/// A hinge whose range is wider than this number of turns counts as endless.
+/// The width of a range, in turns, above which a hinge counts as endless.
 const ENDLESS_TURNS: f32 = 16.0;
-/// The largest distance of an endless hinge from zero in `f32`, radians: ten turns, where floats
-/// are 4e-6 apart, less than the default tolerance of 10⁻⁵.
+/// The largest angle of an endless hinge from zero in `f32`, radians. It is about ten turns. Floats
+/// of this size are 4e-6 apart, which is less than the default tolerance of 10⁻⁵.
 const FAR_SINGLE: f32 = 64.0;
-/// The largest distance of an endless hinge from zero in `f64`, 2²⁰ radians: 167,000 turns,
-/// where floats are 10⁻¹⁰ apart.
+/// The largest angle of an endless hinge from zero in `f64`, 2²⁰ radians. It is about 167,000
+/// turns. Floats of this size are 10⁻¹⁰ apart.
 const FAR_DOUBLE: f32 = 1_048_576.0;
 
 /// The values that a search may give a joint.
@@ -318,7 +323,7 @@ pub(crate) struct Range<R> {
     pub(crate) whole_turn: WholeTurn,
 }
 
-/// The effect of a change by a whole turn on a joint.
+/// The effect on the pose of a joint if its value changes by a whole turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WholeTurn {
     /// A whole turn gives another pose.
@@ -334,7 +339,7 @@ pub(crate) enum WholeTurn {
 }
 
 impl<R: Real> Range<R> {
-    /// The range that contains zero alone.
+    /// The range that contains only zero.
     pub(crate) const NONE: Self =
         Self { low: R::ZERO, high: R::ZERO, whole_turn: WholeTurn::Differs };
 
@@ -385,8 +390,8 @@ impl<R: Real> Range<R> {
     }
 }
 
-/// Returns the part of a range that is at most `far` from zero. If there is no such part, it
-/// returns the turn within the limits that is nearest to zero.
+/// Returns the part of a range that is at most `far` from zero. If no part is that near, it returns
+/// the part of one turn that is nearest to zero.
 fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
     let turn = R::TWO * R::PI;
     let least = |a: R, b: R| if b < a { b } else { a };
@@ -395,8 +400,8 @@ fn around_zero<R: Real>(low: R, high: R, far: R) -> [R; 2] {
 }
 
 impl<R: Scalar> Range<R> {
-    /// Calls [`wrap_within`](Self::wrap_within) with the rounding error of a value that was rounded
-    /// once as its slack.
+    /// Calls [`wrap_within`](Self::wrap_within), with the rounding error of one operation as the
+    /// slack.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn wrap<L: Lanes<Real = R>>(&self, value: L, to: L) -> L {
         self.wrap_within(value, to, Self::rounding(value))
@@ -425,7 +430,7 @@ impl<R: Scalar> Range<R> {
         }
         let [low, high] = self.ends(value.level());
         let (turn, half) = (value.constant(core::f64::consts::TAU), value.constant(0.5));
-        // A value that is less than half a turn from `to` keeps every bit.
+        // A value that is less than half a turn from `to` is not changed by rounding.
         let way = value - to;
         let (_, rest) = half_turns(way * half);
         let is_far = (turn * half).lt(way.abs());

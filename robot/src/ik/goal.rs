@@ -14,14 +14,14 @@ use dq8::internal::errors;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Goal<R> {
-    /// The link.
+    /// The index of the link.
     pub link: usize,
     /// The weights of the rotation about the target's x, y and z: zero, or from 10⁻⁶ to 10⁶.
     pub angular: [R; 3],
     /// The weights of the distances along the target's x, y and z: zero, or from 10⁻⁶ to 10⁶.
     pub linear: [R; 3],
-    /// The point of the link, in its frame, that is to be at the target's origin; zero is the
-    /// link's own origin.
+    /// The point of the link, in the link's frame, that should be at the target's origin. Zero is
+    /// the link's own origin.
     pub point: [R; 3],
 }
 
@@ -114,8 +114,8 @@ impl<R: Real> Goal<R> {
         all && self.asks_rotation() && !self.asks_part_of_rotation()
     }
 
-    /// Returns `true` if the weights are the same for all axes, so that the frame of the error does
-    /// not matter.
+    /// Returns `true` if the weights of rotation are equal for all axes, and the weights of
+    /// position too, so that the frame of the error does not matter.
     pub(super) fn is_even(&self) -> bool {
         let ([a, b, c], [x, y, z]) = (self.angular, self.linear);
         a == b && b == c && x == y && y == z
@@ -137,40 +137,40 @@ errors! {
     ReachError {
         /// The list of goals is empty.
         NoGoals => "there is no goal";
-        /// A goal for a link that does not exist.
+        /// A goal is for a link that does not exist.
         Link {
             goal: usize = "The goal.", link: usize = "The link that it names.", links: usize = "The number of links."
         }
             => "goal {goal} is for link {link}, and there are {links} links";
-        /// A weight that is neither zero nor between 10⁻⁶ and 10⁶.
+        /// A weight is neither zero nor between 10⁻⁶ and 10⁶.
         Weight {
             goal: usize = "The goal.",
             component: usize = "The component: 0 to 2 of the rotation, 3 to 5 of the position.",
             value: f64 = "The weight."
         }
             => "component {component} of goal {goal} has the weight {value}: a weight is zero, or from 1e-6 to 1e6";
-        /// A point of a goal with a coordinate that is not finite.
+        /// A coordinate of the point of a goal is not finite.
         Point { goal: usize = "The goal.", component: usize = "The component.", value: f64 = "The number." }
             => "component {component} of the point of goal {goal} is not finite: {value}";
         /// All weights of a goal are zero.
         NoWeight { goal: usize = "The goal." } => "all weights of goal {goal} are zero";
-        /// A goal for a link that no joint moves: all joints that carry it are fixed, or mimic
-        /// others with the multiplier zero.
+        /// A goal is for a link that no joint moves: all joints that carry the link are fixed, or
+        /// mimic other joints with the multiplier zero.
         Unmoved { goal: usize = "The goal.", link: usize = "The link that it names." }
             => "goal {goal} is for link {link}, which no joint moves";
-        /// Too little memory for the freedoms.
+        /// The memory for the freedoms is too short.
         Freedoms { freedoms: usize = "The number of them that fit.", rates: usize = "The number of rates of the mechanism." }
             => "expected memory for {rates} freedoms, one for each rate, got {freedoms}";
-        /// Limits of a joint, and of the joints that mimic it, that leave no value, or that are
-        /// angles beyond those that a float tells apart (2¹⁷ radians for `f32`, 2⁴⁶ for
+        /// The limits of a joint, and of the joints that mimic it, leave no value, or are so large
+        /// that floats do not tell the angles apart (beyond 2¹⁷ radians for `f32`, 2⁴⁶ for
         /// `f64`).
         Limits { joint: usize = "The joint.", low: f64 = "The lower limit.", high: f64 = "The upper limit." }
             => "joint {joint} cannot move between {low} and {high}: its limits, and those of joints that mimic it, must leave \
                 a value, and angles must be small enough for floats to tell them apart";
-        /// A posture of another length than a configuration.
+        /// The length of a posture differs from that of a configuration.
         PostureLength { length: usize = "The number of its values.", expected: usize = "The number of values of a configuration." }
             => "expected a posture of {expected} values, got {length}";
-        /// A value of a posture that is not finite.
+        /// A value of a posture is not finite.
         Posture { index: usize = "The index of the value.", value: f64 = "The value." }
             => "value {index} of the posture is not finite: {value}";
     }

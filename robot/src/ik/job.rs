@@ -1,6 +1,8 @@
-//! Searches as callers ask for them: one configuration, many, and clips of frames.
+//! The methods that search: for one configuration, for many configurations, and for clips of
+//! frames.
 //!
-//! Each checks its lengths once, as [`Work`], which is what a [`Search`] runs on.
+//! Each method checks the lengths of its slices once and collects them in a [`Work`], from which a
+//! [`Search`] reads.
 
 use super::model::Model;
 use super::problem::Reach;
@@ -26,22 +28,22 @@ where
     /// [`scratch_len`](Self::scratch_len), and may hold anything.
     ///
     /// Targets are normalized. The outcome is [`Outcome::Invalid`](super::Outcome::Invalid), and
-    /// `values` is untouched, if a target is farther than 10⁻³ from unit, a number is not finite
-    /// (values of joints that move no goal may be), or an option is out of its range.
+    /// `values` is untouched, if a target is farther than 10⁻³ from unit, an option is out of
+    /// its range, or a target or a value is not finite (values of joints that move no goal may be).
     ///
-    /// Each iteration is a damped step within the limits, of second order where a goal asks for a
-    /// whole pose. If two steps in a row do not lead much nearer, or limits leave no way nearer,
-    /// the search begins again from another configuration ([`Options::restarts`]): the one nearest
-    /// to the targets among some that are spread evenly within the limits, others for each restart.
-    /// The report has the errors of the returned values: the largest among the goals, of the
-    /// components with a weight.
+    /// Each iteration is a damped step within the limits, which is of second order if a goal asks
+    /// for a whole pose. If two steps in a row hardly reduce the error, or limits stop all
+    /// progress, the search begins again from another configuration ([`Options::restarts`]). Each
+    /// restart compares new configurations that are spread evenly within the limits, and takes the
+    /// configuration nearest to the targets. The report has the largest errors of the returned
+    /// values among all goals, of the components with a weight.
     ///
     /// The result stays near a good start. To follow a target that moves, start from the last
     /// values, and set `restarts` to false.
     ///
     /// # Errors
-    /// If the numbers of targets and goals differ, if `values` has not the length that the
-    /// mechanism needs, or if `scratch` is too short; `values` is untouched.
+    /// If there are not as many targets as goals, if `values` does not have the length of a
+    /// configuration, or if `scratch` is too short; `values` is untouched.
     pub fn solve(
         &self,
         targets: &[DualQuat<R>],
@@ -71,12 +73,12 @@ where
 
     /// Follows moving targets of many goals. Steps are of first order. If the goals have more than
     /// six components, steps solve normal equations that are sparse like the tree of joints, in a
-    /// fifth of the time or less. Weights stay what they are however far a floating joint has gone,
-    /// unless a length per radian is [given](Options::length_per_radian). Steps are damped by half
-    /// of the squared error (λ² = ½|e|², Sugihara 2011; of many goals, of its mean), unless a
-    /// posture or the start has a weight. The last values are returned, not the best: in front of a
-    /// target that it cannot reach, an arm goes on with the target in every frame.
-    /// [`ReachJob::sequence`](super::ReachJob::sequence) does the same for clips, on lanes.
+    /// fifth of the time or less. The length that weighs as much as a radian does not depend on the
+    /// position of a floating joint (see [`Options::length_per_radian`]). Unless a posture or the
+    /// start has a weight, steps are damped by half of the squared error, averaged over the goals
+    /// (λ² = ½|e|², Sugihara 2011). The search returns its last values and not its best values,
+    /// so an arm follows a target that is out of reach in every frame.
+    /// [`ReachJob::sequence`](super::ReachJob::sequence) tracks targets in clips, on lanes.
     ///
     /// # Errors
     /// The errors of [`solve`](Self::solve).
@@ -111,8 +113,7 @@ where
 }
 
 impl<R: Copy> Work<'_, R> {
-    /// Returns the work if all of its lengths fit each other and the problem, and otherwise an
-    /// error.
+    /// Returns `self` if all lengths fit each other and the problem, and otherwise an error.
     fn checked(self, reach: &Reach<'_, R>) -> Result<Self, ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
@@ -126,12 +127,12 @@ impl<R: Copy> Work<'_, R> {
     }
 }
 
-/// A search for many configurations, as many at a time as there are lanes. Its options all have a
+/// A search for many configurations, as many at a time as there are lanes. All its options have a
 /// default.
 ///
-/// A lane that is done takes the next configuration, and the result of one does not depend on the
-/// others. Debug builds need a deep stack: see
-/// [the table](https://docs.rs/dq8/latest/dq8/guide/firmware/index.html#stack).
+/// A lane that is done takes the next configuration. The result of a configuration does not depend
+/// on the other configurations. Debug builds need a deep stack: see [the
+/// table](https://docs.rs/dq8/latest/dq8/guide/firmware/index.html#stack).
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -157,7 +158,7 @@ pub struct ReachJob<'a, R> {
 }
 
 impl<'a, R: Copy> Reach<'a, R> {
-    /// A search for many configurations.
+    /// Returns a search for many configurations.
     pub fn job(self) -> ReachJob<'a, R> {
         ReachJob { reach: self, choice: Choice::default() }
     }
@@ -168,8 +169,9 @@ impl<R> ReachJob<'_, R> {
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// Solves many configurations as [`Reach::solve`] does one. Allocates scratch of the length
-    /// [`batch_scratch_len`](Reach::batch_scratch_len) for each task that runs at the same time.
+    /// Solves many configurations as [`Reach::solve`] solves one configuration. Allocates scratch
+    /// of the length [`batch_scratch_len`](Reach::batch_scratch_len) for each task that runs at the
+    /// same time.
     ///
     /// `targets` is `[configuration][goal]`, `values` is `[configuration][value]`, and there is a
     /// report for each configuration.
@@ -221,7 +223,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         Ok(())
     }
 
-    /// Runs the searches of work whose lengths have been checked.
+    /// Runs the searches of `work`, whose lengths have been checked.
     pub(super) fn run<const RESTARTS: bool, const TRACK: bool>(
         &self,
         backend: Backend,
@@ -233,8 +235,8 @@ impl<R: Scalar> ReachJob<'_, R> {
 }
 
 /// The smallest number of configurations of a task. Some searches take ten times as long as others,
-/// so each thread gets four tasks. The last configurations of a task leave lanes idle, so tasks are
-/// not small either.
+/// so each thread gets four tasks. At the end of a task some lanes are idle, so tasks are not small
+/// either.
 #[cfg(feature = "alloc")]
 fn grain(configurations: usize) -> usize {
     #[cfg(feature = "rayon")]
@@ -265,11 +267,11 @@ impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel for Batch<'_, R,
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// Searches for clips of frames; `clips` has the number of frames of each. Each frame starts
-    /// from the result of the frame before it. The first frame of a clip starts from its own entry
-    /// in `values`; the entries of the other frames may be anything. A lane holds a clip and takes
-    /// the next one when it is done, so clips may have any lengths; with as many clips as lanes or
-    /// more, the whole CPU is used. Each frame is one call of
+    /// Tracks targets in clips of frames; `clips` has the number of frames of each clip. Each frame
+    /// starts from the result of the previous frame. The first frame of a clip starts from its own
+    /// entry in `values`; the entries of the other frames may be anything. A lane computes a clip
+    /// and then takes the next clip, so clips may have any lengths. If there are at least as many
+    /// clips as lanes, no lane is idle until the last clips. Each frame is one call of
     /// [`Reach::track`](super::Reach::track). A frame with an invalid target keeps the values of
     /// the frame before it, and is reported as [`Invalid`](super::Outcome::Invalid).
     ///
@@ -331,7 +333,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         Ok(())
     }
 
-    /// Searches for clips as [`sequence`](Self::sequence) does, without allocation and on the
+    /// Tracks targets in clips as [`sequence`](Self::sequence) does, without allocation and on the
     /// calling thread. `scratch` must have at least the length
     /// [`batch_scratch_len`](super::Reach::batch_scratch_len), and may hold anything.
     ///

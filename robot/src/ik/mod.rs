@@ -1,4 +1,4 @@
-//! Inverse kinematics of mechanisms: values that bring links to their targets.
+//! Inverse kinematics of mechanisms: the search for values that bring links to their targets.
 //!
 //! | item | meaning |
 //! |---|---|
@@ -16,13 +16,14 @@
 //
 // - `goal.rs`, `freedom.rs`, `problem.rs`: goals, the values that may change, and a mechanism with
 //   both, checked once;
-// - `job.rs`, with `report.rs`: calls for one configuration, for many, and for clips;
+// - `job.rs`, with `report.rs`: calls for one configuration, for many configurations, and for
+//   clips;
 // - `search.rs`: the loop over rounds and its decisions, in the memory of `scratch.rs`;
 // - `model.rs`: poses, errors and the Jacobian;
 // - `step.rs`, or `tree.rs` for many goals: damped least squares.
 //
-// `rates.rs` solves for velocities instead. `six_axis.rs` finds all solutions of an arm of six
-// hinges, with `family.rs` (geometry and a drawing) and `branches.rs` (formulas).
+// `rates.rs` solves for rates, from velocities of links. `six_axis.rs` finds all solutions of an
+// arm of six hinges, with `family.rs` (geometry and a drawing) and `branches.rs` (formulas).
 
 mod branches;
 mod family;

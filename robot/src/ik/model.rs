@@ -5,10 +5,9 @@
 //! ([`Model::compare`]), the step toward the posture ([`Model::posture_step`]), and the Jacobian
 //! ([`Model::linearize`]).
 //!
-//! A restart draws [`CANDIDATES`] configurations from a sequence of low discrepancy within the
-//! limits, which no earlier restart drew, and takes the configuration whose links are nearest to
-//! the targets. All lanes help to compute the candidates. A value without limits keeps its value of
-//! the start.
+//! A restart draws [`CANDIDATES`] new configurations from a sequence of low discrepancy within the
+//! limits, and takes the configuration whose links are nearest to the targets. All lanes help to
+//! compute the candidates. A value without limits keeps its value of the start.
 
 use super::freedom::Freedom;
 use super::goal::Goal;
@@ -39,18 +38,20 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
 pub(super) struct PostureWeights<L> {
     /// `true` if steps solve the normal equations that are sparse like the tree.
     uses_tree: bool,
-    /// `has_weights` is `true` if one of the two weights is not zero. The other fields are the
-    /// squares of the weights.
+    /// `true` if one of the two weights is not zero.
     has_weights: bool,
+    /// The square of the weight of the posture.
     pub(super) posture: L,
+    /// The square of the weight of the start.
     pub(super) start: L,
 }
 
-/// The factors that make lengths and radians comparable, and the factors that keep a step short.
+/// The factor between lengths and radians, and the quantities that keep a step short.
 #[derive(Clone, Copy)]
 pub(super) struct Scales<L> {
-    /// The length that weighs as much as a radian, and its reciprocal.
+    /// The length that weighs as much as a radian.
     pub(super) length: L,
+    /// The reciprocal of `length`.
     pub(super) radians_per_length: L,
     /// The largest change of a hinge in a step.
     pub(super) longest: L,
@@ -63,22 +64,22 @@ pub(super) struct Scales<L> {
 pub(super) struct PoseErrors<L> {
     /// The weighted sum of squares of all errors, in radians².
     pub(super) square: L,
-    /// The largest angle and the largest distance between a link and its target, over the
-    /// components with a weight.
+    /// The largest angle between a link and its target, over the components with a weight.
     pub(super) angular: L,
+    /// The largest distance between a link and its target, over the components with a weight.
     pub(super) linear: L,
 }
 
-/// The decisions of all lanes for a step.
+/// The decisions of all lanes about the next step.
 #[derive(Clone, Copy)]
 pub(super) struct Decisions<L: Lanes> {
     /// The factor by which the damping of the step is greater than usual.
     pub(super) damping_factor: L,
-    /// The lanes that step.
+    /// The lanes that take the step.
     pub(super) running: L::Mask,
-    /// The lanes that are at their targets, and go on toward the posture.
+    /// The lanes that are at their targets, and move on toward the posture.
     pub(super) arrived: L::Mask,
-    /// `true` if the search may restart, and so needs the error that a step leaves.
+    /// `true` if the search may restart. Then the residual of the step must be computed.
     pub(super) may_restart: bool,
 }
 
@@ -201,8 +202,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 
     /// Calls [`place`](Self::place) in searches that restart, which need it for present values and
-    /// for candidates. Inlined twice, one configuration takes a tenth less time; firmware makes a
-    /// call, which keeps the code small.
+    /// for candidates. If both calls are inlined, the search for one configuration takes a tenth
+    /// less time. Firmware calls a function that is not inlined, which keeps the code small.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place_or_call(&mut self, of: Configurations) {
         if cfg!(target_os = "none") { self.call_place(of) } else { self.place(of) }
@@ -237,8 +238,8 @@ pub(super) fn get<L: Lanes<Real: Scalar>>(
 }
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Computes the errors of the latest poses: each from the targets of its own lane, or all from
-    /// the targets of the one given lane.
+    /// Computes the errors of the latest poses. Each lane is compared with its own targets, or all
+    /// lanes are compared with the targets of lane `lane` if it is given.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn compare(&mut self, lane: Option<usize>) -> PoseErrors<L> {
         let level = self.level;
@@ -319,8 +320,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.of_goal(goal * GOAL + EXCESS, lane)
     }
 
-    /// Reads `C` registers of a goal: each lane gets its own components, or all lanes get the
-    /// components of the one given lane.
+    /// Reads `C` registers of a goal. Each lane gets its own components, or all lanes get the
+    /// components of lane `lane` if it is given.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn of_goal<const C: usize>(&self, first: usize, lane: Option<usize>) -> [L; C] {
         let Some(lane) = lane else { return self.scratch.goals.record(self.level, first) };
@@ -359,7 +360,7 @@ pub(super) fn for_each_row<L: Lanes<Real: Scalar>>(
     row
 }
 
-/// Returns the length of a vector, counting only the components that have a weight.
+/// Returns the length of a vector whose components without a weight are set to zero.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn length_of_asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L {
     let mut square = components[0].constant(0.0);
@@ -377,7 +378,7 @@ fn max_or_nan<L: Lanes>(a: L, b: L) -> L {
     L::select(b.le(a), a, b)
 }
 
-/// The first register of the sum of twists of a goal.
+/// The offset, among the registers of a goal, of the sum of its twists.
 const MOVED: usize = TARGET + POSE + TURN;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
@@ -446,7 +447,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             let mut twist = twist;
             // Joints are visited from the base up, so the sum so far is the sum in the brackets of
-            // the formula of `linearize`. Each goal has its own sum, because other joints carry it.
+            // the formula in the documentation of `linearize`. Each goal has its own sum, because
+            // other joints carry it.
             if second_order && goal.is_pose() {
                 let moved = self.add_to_sum(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
@@ -505,13 +507,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 /// The largest component of the step toward the posture, as a part of the longest step. The step is
 /// short because it follows the null space of the present Jacobian, which is valid only nearby. A
 /// planar arm of five hinges reaches the nearest posture from 49 of 50 starts in 25 iterations;
-/// with a quarter from 48 in 45, with the whole from 45 in 17.
+/// with a quarter in place of a half, from 48 starts in 45 iterations; with the whole longest step,
+/// from 45 starts in 17 iterations.
 const POSTURE_PART: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Computes the step of each freedom toward the posture, or toward the limit that lies before
-    /// it, in radians. Endless hinges take the shorter way, and the step is scaled to a part of the
-    /// longest step. Returns the squared distance from the posture.
+    /// Computes the step of each freedom toward the posture, in radians. If the posture is beyond a
+    /// limit, the step is toward the limit. Endless hinges take the shorter way, and the step is
+    /// scaled to a part of the longest step. Returns the squared distance from the posture.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn posture_step(&mut self) -> L {
         let (level, reach, scales) = (self.level, self.reach, self.scales);
@@ -611,8 +614,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 const CANDIDATES: usize = 4 * MAX_LANES;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Puts a lane at the nearest of the candidates of a restart, of which `restart` is the index.
-    /// The poses of the other lanes are overwritten.
+    /// Sets the values of a lane to the candidate that is nearest to its targets. `restart` is the
+    /// index of the restart. The poses of the other lanes are overwritten.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn restart(&mut self, lane: usize, restart: u32) {
         let mut nearest = None;
@@ -639,7 +642,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Puts a lane at its best values.
+    /// Sets the values of a lane to its best values.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn return_to_best(&mut self, lane: usize) {
         let scratch = &mut self.scratch;

@@ -39,7 +39,7 @@ pub struct OwnedReach<R> {
     mechanism: OwnedMechanism<R>,
     goals: Vec<Goal<R>>,
     freedoms: Vec<Freedom<R>>,
-    /// The number of freedoms that move a goal.
+    /// The number of freedoms that move a goal, which come first in `freedoms`.
     moving: usize,
     posture: Option<Vec<R>>,
     facts: Facts<R>,

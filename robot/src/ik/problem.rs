@@ -12,11 +12,11 @@ use dq8::internal::brief;
 use dq8::scalar::{DualQuat, vector};
 
 /// An inverse kinematics problem: a mechanism and goals for its links, checked once. Targets and
-/// starts come with each call: [`solve`](Self::solve) for one configuration, [`job`](Self::job) for
-/// many.
+/// starts are arguments of each search: [`solve`](Self::solve) for one configuration, and the
+/// methods of [`job`](Self::job) for many configurations.
 ///
-/// It borrows its memory: the goals, and a [`Freedom`] for each rate of the mechanism.
-/// [`OwnedReach`](super::OwnedReach) has memory of its own.
+/// It borrows memory of the caller: the goals, and a [`Freedom`] for each rate of the mechanism.
+/// [`OwnedReach`](super::OwnedReach) owns this memory.
 ///
 /// Joints of every kind move, and stop at their limits; joints that carry no link with a goal keep
 /// their values.
@@ -24,13 +24,13 @@ use dq8::scalar::{DualQuat, vector};
 /// A hinge has the same pose after a turn by 2π. Among the values within its limits that give this
 /// pose, the result is the value nearest to the start. A start beyond the limits is first brought
 /// within them by whole turns, if that is possible. Screw joints, and hinges that another joint
-/// mimics by a part of their turn, are excepted, because a whole turn gives another pose there. Far
-/// from zero floats are coarse angles, so hinges whose limits span more than 16 turns stay within
-/// 64 radians of zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits that is
-/// nearest to zero.
+/// mimics with a multiplier that is no integer, are excepted, because a whole turn gives another
+/// pose there. Far from zero, neighbouring floats are angles with a large difference, so hinges
+/// whose limits span more than 16 turns stay within 64 radians of zero in `f32` and 2²⁰ in
+/// `f64`, or in the turn between their limits that is nearest to zero.
 ///
-/// Joints that mimic others follow them, within the limits of both,
-/// [as far](Mechanism::value_limits) as the limits of the follower leave a range. A floating joint
+/// Joints that mimic other joints follow them, within the limits of both joints. Limits of the
+/// follower that would leave no range are [ignored](Mechanism::value_limits). A floating joint
 /// turns about the axes of its link and then slides; its quaternion keeps the sign of the start.
 ///
 /// ```
@@ -64,20 +64,22 @@ pub struct Reach<'a, R> {
     pub(super) goals: &'a [Goal<R>],
     /// The freedoms that move the link of a goal.
     pub(super) freedoms: &'a [Freedom<R>],
-    /// For each rate of the mechanism, the index of its freedom in `freedoms`.
+    /// The memory of all freedoms, one element for each rate of the mechanism. The `column` of the
+    /// element at a rate's index is the index of the rate's freedom in `freedoms`.
     pub(super) by_rate: &'a [Freedom<R>],
+    /// The preferred configuration, one value for each value of the mechanism.
     pub(super) posture: Option<&'a [R]>,
     pub(super) facts: Facts<R>,
 }
 
 brief!([R] Reach<'_, R>: Reach |it| { mechanism: it.mechanism, goals: it.goals.len() });
 
-/// Facts about a problem that are computed once.
+/// Properties of a problem, which are computed once.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facts<R> {
-    /// The number of weighted components of all goals (`rows`), and the number of the screws of
-    /// joints that move a goal (`twists`).
+    /// The number of weighted components of all goals, which are the rows of the Jacobian.
     pub(super) rows: usize,
+    /// The number of screws of the joints that move a goal.
     pub(super) twists: usize,
     /// The number of entries of the normal equations that are sparse like the tree, or zero if the
     /// problem does not use them.
@@ -94,11 +96,11 @@ impl<'a, R: Real> Reach<'a, R> {
     /// Makes a problem from a mechanism and goals, and checks both.
     ///
     /// # Errors
-    /// If there is no goal; if a goal is for a link that does not exist or that no joint moves, has
-    /// weights that are neither zero nor between 10⁻⁶ and 10⁶, or only weights of zero, or a
-    /// point that is not finite; if there are fewer freedoms than rates; if the limits of a joint
-    /// that moves a goal, and those of the joints that mimic it, leave no value, or are angles that
-    /// floats do not tell apart. `freedoms` may have been written.
+    /// If there is no goal. If a goal is for a link that does not exist or that no joint moves, has
+    /// a weight that is neither zero nor between 10⁻⁶ and 10⁶, has only weights of zero, or
+    /// has a point that is not finite. If there are fewer freedoms than rates. If the limits of a
+    /// joint that moves a goal, and the limits of the joints that mimic it, leave no value, or are
+    /// angles that floats do not tell apart. `freedoms` may have been written.
     pub fn new(
         mechanism: Mechanism<'a, R>,
         goals: &'a [Goal<R>],
@@ -147,7 +149,7 @@ impl<'a, R: Real> Reach<'a, R> {
     /// preferred. Floating joints have no preference.
     ///
     /// # Errors
-    /// If there are not as many values as a configuration has, or one is not finite.
+    /// If there are not as many values as a configuration has, or a value is not finite.
     pub fn with_posture(self, values: &'a [R]) -> Result<Self, ReachError> {
         let (length, expected) = (values.len(), self.mechanism.values);
         if length != expected {
@@ -169,7 +171,7 @@ impl<'a, R: Copy> Reach<'a, R> {
         self.mechanism
     }
 
-    /// The goals. Each configuration has a target for each of them.
+    /// Returns the goals. A search takes one target for each goal of each configuration.
     #[must_use]
     pub fn goals(&self) -> &'a [Goal<R>] {
         self.goals
@@ -182,8 +184,7 @@ impl<'a, R: Copy> Reach<'a, R> {
         self.by_rate.get(rate).map_or(usize::MAX, |freedom| freedom.column as usize)
     }
 
-    /// Returns `true` if a step of second order is worth its cost, which is so if a goal asks for a
-    /// whole pose.
+    /// Returns `true` if a step of second order is worth its cost: if a goal asks for a whole pose.
     pub(super) fn needs_second_order(&self) -> bool
     where
         R: Real,
@@ -286,8 +287,8 @@ impl<R: Real> Reach<'_, R> {
         let freedom = self.freedoms.get(self.column(step.rate as usize)).copied();
         let freedom = freedom.unwrap_or_default();
         let Range { low, high, .. } = freedom.range;
-        // The limits of a joint that mimics another come from the limits of the joint that it
-        // follows.
+        // The limits of a joint that mimics another joint follow from the limits of the followed
+        // joint.
         let [low, high] = [low, high].map(|end| {
             let value = end * step.multiplier + step.offset;
             value.abs()
@@ -371,7 +372,8 @@ impl<R: Real> Reach<'_, R> {
         if !far.is_finite() {
             return None;
         }
-        // All three lengths are rounded, each by a part of its distance from the base.
+        // All three lengths have rounding errors, which are proportional to the distance from the
+        // base.
         let sizes = length + norm(centre) + norm(target.translation());
         if far <= length + R::from(64.0) * R::EPSILON * sizes + tolerance {
             return Some((target, None));

@@ -1,4 +1,4 @@
-//! Resolved rates: the rates of joints that give links the velocities that are asked for.
+//! Resolved rates: the rates of joints that give links the requested velocities.
 
 use super::freedom::{Freedom, Kind};
 use super::job::ReachJob;
@@ -17,11 +17,12 @@ impl<R> Reach<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// Computes the rates that give goals their velocities as nearly as possible: they
-    /// minimise |W(Jq̇ − v)|² + λ²|q̇|², where λ is the `damping`, which keeps rates small
-    /// near singular poses (Nakamura & Hanafusa 1986). A joint at a limit does not go beyond it,
-    /// and the other joints make up for it. `twists[i]` is the velocity for goal i: the angular
-    /// velocity of its link and the velocity of its point, in the axes of the base
+    /// Computes the rates that give goals their velocities as nearly as possible. They
+    /// minimise |W(Jq̇ − v)|² + λ²|q̇|², where W has the weights, J is the Jacobian, v the
+    /// velocities and q̇ the rates. λ is the `damping`, which keeps rates small near singular
+    /// poses (Nakamura & Hanafusa 1986). A joint at a limit does not go beyond it, and the other
+    /// joints make up for it. `twists[i]` is the velocity for goal i: the angular velocity of its
+    /// link and the velocity of its point, in the axes of the base
     /// ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal, in the axes of its
     /// link. An eighth of the longest distance along the links to a goal weighs as much as a
     /// radian. Rates of joints that move no goal are zero.
@@ -63,10 +64,11 @@ where
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
-    /// Computes the rates of many configurations as [`Reach::rates`] does of one, on the lanes of
-    /// the CPU, without allocation and on the calling thread. `values` is `[configuration][value]`,
-    /// `twists` is `[configuration][goal]`, `rates` is `[configuration][rate]`, and `scratch` must
-    /// have at least the length [`batch_scratch_len`](Reach::batch_scratch_len).
+    /// Computes the rates of many configurations as [`Reach::rates`] does for one configuration, on
+    /// the lanes of the CPU, without allocation and on the calling thread. `values` is
+    /// `[configuration][value]`, `twists` is `[configuration][goal]`, `rates` is
+    /// `[configuration][rate]`, and `scratch` must have at least the length
+    /// [`batch_scratch_len`](Reach::batch_scratch_len).
     ///
     /// # Errors
     /// The errors of [`Reach::rates`].
@@ -87,8 +89,8 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-/// The inputs and outputs of a solution for rates: values, the velocities of the goals, and the
-/// slice for the rates.
+/// The inputs and outputs of [`Reach::rates`]: values, the velocities of the goals, and the slice
+/// for the rates.
 struct Velocities<'s, R> {
     reach: &'s Reach<'s, R>,
     values: &'s [R],
@@ -99,7 +101,7 @@ struct Velocities<'s, R> {
 }
 
 impl<R: Real> Velocities<'_, R> {
-    /// Returns the work if all lengths fit `count` configurations and all inputs are finite, and
+    /// Returns `self` if all lengths fit `count` configurations and all inputs are finite, and
     /// otherwise an error.
     fn checked(self, count: usize, scratch: usize) -> Result<Self, RatesError> {
         let (goals, values) = (self.reach.goals.len(), self.reach.mechanism.values);
@@ -138,7 +140,7 @@ impl<R: Scalar> Velocities<'_, R> {
     /// Computes the rates of all configurations, with a configuration in each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn solve<L: Lanes<Real = R>>(self, level: L::Level) {
-        // The posture is ignored, because it is a pose and not a velocity.
+        // The posture is ignored, because it is a configuration and has no velocity.
         let Self { values, twists, rates, .. } = self;
         let reach = &Reach { posture: None, ..*self.reach };
         let options = Options { damping: self.damping, ..Options::track() };
@@ -150,7 +152,7 @@ impl<R: Scalar> Velocities<'_, R> {
         let (value_count, rate_count) = (reach.mechanism.values, reach.mechanism.rates);
         let configurations = rates.len().checked_div(rate_count).unwrap_or(0);
         for first in (0..configurations).step_by(L::LANES) {
-            // Lanes without a configuration repeat the last one.
+            // Lanes without a configuration repeat the last configuration.
             for lane in 0..L::LANES {
                 let from = (first + lane).min(configurations - 1);
                 let values = values.get(from * value_count..).unwrap_or_default();
@@ -230,7 +232,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
         } else {
             self.linearize(false);
         }
-        // Each round but the last holds one freedom more, in some lane.
+        // Each round but the last holds at least one more freedom in some lane, so this number of
+        // rounds suffices.
         for _ in 0..=self.reach.freedoms.len() {
             self.solve(self.scales.least_damping);
             let mut stopped = zero.lt(zero);
@@ -264,13 +267,13 @@ errors! {
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     RatesError {
-        /// Lengths that do not fit.
+        /// Lengths of slices do not fit.
         Shape(error: ShapeError) => "{error}";
-        /// A damping that is negative or not finite.
+        /// The damping is negative or not finite.
         Damping { value: f64 = "The damping." } => "the damping is negative or not finite: {value}";
-        /// A joint value that is not finite.
+        /// A joint value is not finite.
         Value { index: usize = "The index of the value.", value: f64 = "The value." } => "value {index} is not finite: {value}";
-        /// A velocity that is not finite.
+        /// A velocity is not finite.
         Twist { index: usize = "The index of the twist.", value: f64 = "The number in it." } => "twist {index} is not finite: it has the number {value}";
     }
 }

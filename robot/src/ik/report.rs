@@ -9,32 +9,32 @@ pub struct Options<R> {
     pub angular_tolerance: R,
     /// The largest distance from a target that counts as reached, in the unit of the mechanism.
     pub linear_tolerance: R,
-    /// The largest number of steps and restarts together. Most targets of an arm take six or seven;
-    /// the default of 100 is for the few in a hundred that begin again, and costs time only if a
-    /// target cannot be reached or a posture is far. Several goals on one tree may want 1000: a
-    /// humanoid with four goals reached 93 % of random reachable targets with 100, and all of 200
-    /// with 1000.
+    /// The largest number of steps and restarts together. Most targets of an arm take six or seven
+    /// iterations. The default of 100 is for the few in a hundred that need a restart. It costs
+    /// time only if a target cannot be reached or a posture is far. Several goals on one tree may
+    /// need 1000: a humanoid with four goals reached 93 % of random reachable targets within 100
+    /// iterations, and all of 200 targets within 1000.
     pub max_iterations: u32,
     /// The length that weighs as much as a radian, more than zero. `None` means an eighth of the
     /// longest distance along the links to a goal. If a joint floats or slides without limits, the
-    /// distance that it has to go counts if that is longer, except in searches that
+    /// distance that it has to move counts instead if it is longer, except in searches that
     /// [track](super::Reach::track). The length decides which pose is nearest to a target that
     /// cannot be reached, and how fast other targets are reached.
     pub length_per_radian: Option<R>,
-    /// The largest change of a hinge in one step, radians, more than zero; more than a turn counts
-    /// as a turn. Slides are not limited.
+    /// The largest change of a hinge in one step, in radians. It must be more than zero, and more
+    /// than a turn counts as a turn. Slides are not limited.
     pub max_step: R,
     /// The damping λ of the least squares at the target itself, radians. Zero, the default,
-    /// reaches targets fastest. With λ no step is longer than |e|/(2λ) for an error |e|, near
-    /// singular poses too, which is right for a machine that follows a target.
+    /// reaches targets fastest. With λ no step is longer than |e|/(2λ) for an error |e|, also
+    /// near singular poses, which suits a machine that follows a target.
     pub damping: R,
     /// `true` if a search that is stuck begins again from another configuration; `false` if it only
-    /// converges from its start, which is right for a target that moves.
+    /// converges from its start, which suits a target that moves.
     pub restarts: bool,
     /// The part of the weighted squared error that a step must gain, from 0 to 1. A step that gains
-    /// less is the last one, or the last before a restart. With more goals than freedoms no target
-    /// is reached, and only this option ends a search that cannot get better. Zero, the default, is
-    /// off.
+    /// less is the last step, or the last step before a restart. With more goals than freedoms no
+    /// target is reached, and only this option ends a search that cannot get better. With zero, the
+    /// default, no gain is required.
     pub least_gain: R,
 }
 
@@ -63,8 +63,8 @@ impl<R: Real> Options<R> {
     }
 
     /// Returns options for following moving targets ([`Reach::track`](super::Reach::track)) from
-    /// the last values: tolerances of 10⁻⁴ rad and lengths, at most 3 steps, of which each must
-    /// gain a hundredth, a damping of 0.1 rad, and no restarts.
+    /// the last values: tolerances of 10⁻⁴ rad and 10⁻⁴ lengths, at most 3 steps, a least
+    /// gain of a hundredth, a damping of 0.1 rad, and no restarts.
     #[must_use]
     pub fn track() -> Self {
         let fine = R::from(1e-4);
@@ -119,8 +119,8 @@ impl<R: Real> Options<R> {
     }
 }
 
-/// The options of a search that [tracks](super::Reach::track): the options of any search, and the
-/// weights that act beside the goals in every step.
+/// The options of a search that [tracks](super::Reach::track): the [`Options`] of any search, and
+/// two weights that act in every step together with the goals.
 ///
 /// ```
 /// use dq8_robot::ik::{Options, Tracking};
@@ -137,10 +137,10 @@ pub struct Tracking<R> {
     /// posture uses only the freedom that the goals leave, after the targets are reached.
     pub posture_weight: R,
     /// The weight of a radian of distance from the start, which is the last frame of a target that
-    /// moves. It keeps joints from shaking that the goals hardly determine. The price is a lag of
-    /// its square times the motion in a frame: a weight of √(rate/480), with the rate in frames
-    /// per second, makes the lag two milliseconds. The default is zero. It has no effect on joints
-    /// that float, which it would only slow down.
+    /// moves. It keeps joints that the goals hardly determine from shaking. In return, joints lag
+    /// by the square of the weight times the motion in a frame: a weight of √(rate/480), with the
+    /// rate in frames per second, makes the lag two milliseconds. The default is zero. It does not
+    /// act on floating joints, which it would only slow down.
     pub start_weight: R,
 }
 
@@ -201,14 +201,14 @@ impl<R: Real> Settings<'_, R> {
     }
 }
 
-/// The result of a search.
+/// The result of a search: its outcome, its number of iterations, and the remaining errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(C)]
 pub struct Report<R> {
     /// The way in which the search ended.
     pub outcome: Outcome,
-    /// The number of steps and restarts together; zero if the start was good enough.
+    /// The number of steps and restarts together; zero if the start was within the tolerances.
     pub iterations: u32,
     /// The number of restarts among the iterations.
     pub restarts: u32,
@@ -237,36 +237,37 @@ impl<R> Report<R> {
     }
 }
 
-/// The end of a search. The joint values are the best that were found, or the last ones of a search
-/// that [tracks](super::Reach::track), within the limits; only [`Invalid`](Self::Invalid) leaves
-/// them as they were. The discriminants are the same in C and Python.
+/// The way in which a search ended. The returned joint values are the best values that were found,
+/// or the last values of a search that [tracks](super::Reach::track), within the limits. Only
+/// [`Invalid`](Self::Invalid) leaves the caller's values as they were. The discriminants are the
+/// same in C and Python.
 ///
 /// A search with [`restarts`](Options::restarts) that does not converge goes on until the
 /// iterations run out. Then [`AtLimits`](Self::AtLimits) and [`Stalled`](Self::Stalled) say what
-/// stopped its best attempt, and more [iterations](Options::max_iterations) may still find a
-/// solution elsewhere.
+/// stopped its best attempt. More [iterations](Options::max_iterations) may still find a solution
+/// from another start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(i32)]
 pub enum Outcome {
     /// Both errors are within the tolerances.
     Converged = 0,
-    /// A target is farther away than the chain that carries the link is long, so nothing can reach
-    /// it. The values bring the link as near to it as was found.
+    /// A target is farther away than the chain that carries the link is long, so no values reach
+    /// it. The returned values bring the link as near to the target as the search has found.
     OutOfReach = 1,
-    /// No step led nearer, and the best values have a joint at its limit. There may be a solution
-    /// elsewhere.
+    /// No step reduced the error, and the best values have a joint at its limit. There may be a
+    /// solution far from these values.
     AtLimits = 2,
-    /// No step led nearer: the search is in a local minimum, or the pose is out of reach within the
-    /// arm's length.
+    /// No step reduced the error: the search is in a local minimum, or the arm is long enough but
+    /// cannot take the pose.
     Stalled = 3,
-    /// The iterations ran out while the link still came nearer.
+    /// The iterations ran out while steps still reduced the error.
     Unfinished = 4,
     /// An input is invalid; the joint values are untouched, and the errors are NaN. A target is
-    /// farther than 10⁻³ from a unit motion (by the norm of its real part, or by the part of its
-    /// dual part along it), a number is not finite, or a distance overflows. Or an option is out of
-    /// range: negative or NaN, an infinite damping, weight or length per radian, a gain above 1, a
-    /// step or length per radian of zero.
+    /// farther than 10⁻³ from a unit motion (by the norm of its real part, or by the dot product
+    /// of its real and dual parts), a value or a component of a target is not finite, or a distance
+    /// overflows. Or an option is out of range: it is negative or NaN, a damping, weight or length
+    /// per radian is infinite, a gain is above 1, or a step or length per radian is zero.
     #[default]
     Invalid = 5,
 }

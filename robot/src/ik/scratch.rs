@@ -79,11 +79,13 @@ impl<L: Lanes> Registers<'_, L> {
 /// The memory of a search.
 #[derive(Debug)]
 pub(super) struct Scratch<'s, L: Lanes> {
-    /// The joint values of each lane: the present ones, the start, the best so far, and those from
-    /// which a restart would begin.
+    /// The present joint values of each lane.
     pub(super) values: Registers<'s, L>,
+    /// The joint values from which the search of each lane started.
     pub(super) start: Registers<'s, L>,
+    /// The best joint values of each lane so far.
     pub(super) best: Registers<'s, L>,
+    /// The joint values from which a restart would begin.
     pub(super) candidate: Registers<'s, L>,
     /// The screws of the joints that move a goal, six registers each.
     pub(super) twists: Registers<'s, L>,
@@ -94,28 +96,31 @@ pub(super) struct Scratch<'s, L: Lanes> {
     /// The Jacobian as `[freedom][component]`. The column of a freedom that is held at its limit is
     /// zero.
     pub(super) columns: Registers<'s, L>,
-    /// Four rows for each freedom: `changes`, its change in its own unit; `radians`, its change
-    /// without limits in radians; `posture_step`, its step toward the posture in radians; and
-    /// `held`, 1 if the freedom is held at a limit and 0 otherwise.
+    /// The change of each freedom in this step, in its own unit.
     pub(super) changes: Registers<'s, L>,
+    /// The change of each freedom before limits are applied, in radians.
     pub(super) radians: Registers<'s, L>,
+    /// The step of each freedom toward the posture, in radians.
     pub(super) posture_step: Registers<'s, L>,
+    /// 1 for each freedom that is held at a limit, and 0 for the other freedoms.
     pub(super) held: Registers<'s, L>,
-    /// For each component of the goals: its error, and the residual that is left after the
-    /// contributions of held freedoms are subtracted.
+    /// The error of each component of the goals.
     pub(super) error: Registers<'s, L>,
+    /// The error of each component of the goals minus the contributions of held freedoms.
     pub(super) residual: Registers<'s, L>,
-    /// The normal equations: `triangle`, the lower triangle of the matrix; `reciprocals`, the
-    /// reciprocals of the diagonal of its Cholesky factor; and `solution`.
+    /// The lower triangle of the matrix of the dense normal equations.
     pub(super) triangle: Registers<'s, L>,
+    /// The reciprocals of the diagonal of the matrix's Cholesky factor.
     pub(super) reciprocals: Registers<'s, L>,
+    /// The right-hand side of the dense normal equations, later their solution.
     pub(super) solution: Registers<'s, L>,
-    /// The normal equations of a tree with several goals, which are sparse like the tree: the
-    /// entries `system`, their factors, the right-hand side, and the articulated bodies whose
-    /// parents are not computed yet.
+    /// The entries of the normal equations that are sparse like the tree, for several goals.
     pub(super) system: Registers<'s, L>,
+    /// The factors of the sparse equations.
     pub(super) factor: Registers<'s, L>,
+    /// The right-hand side of the sparse equations.
     pub(super) right_hand_side: Registers<'s, L>,
+    /// The articulated bodies of links whose parents are not computed yet, [`BODY`] registers each.
     pub(super) bodies: Registers<'s, L>,
 }
 
@@ -145,7 +150,7 @@ impl<R: Copy> Reach<'_, R> {
     }
 
     /// Returns the largest [`scratch_len`](Self::scratch_len) for a mechanism and a count of goals,
-    /// when the goals themselves are not known yet.
+    /// for a caller who does not know the goals yet.
     #[must_use]
     pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
         let mut twists = 0;
@@ -184,7 +189,7 @@ impl<R: Copy> Reach<'_, R> {
     }
 }
 
-/// The counts of all things that need memory in a search.
+/// The counts from which the length of the scratch follows.
 struct Counts {
     values: usize,
     twists: usize,
@@ -208,8 +213,8 @@ impl Counts {
         }
     }
 
-    /// Returns the largest number of registers that a search needs, which is for goals that are
-    /// whole poses.
+    /// Returns the largest number of registers that a search needs. Goals that are whole poses need
+    /// this number.
     const fn most(
         values: usize,
         freedoms: usize,
@@ -223,8 +228,8 @@ impl Counts {
         Self { values, twists, slots, goals, freedoms, rows, tree }.numbers()
     }
 
-    /// Returns the number of registers that a search needs. It is the largest `usize` on overflow,
-    /// which no memory is large enough for.
+    /// Returns the number of registers that a search needs. On overflow it is the largest `usize`,
+    /// so that any memory counts as too short.
     const fn numbers(&self) -> usize {
         let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
         let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));
@@ -249,8 +254,8 @@ impl Counts {
     }
 }
 
-/// Returns the largest number of poses that wait for their children at the same time; in a chain it
-/// is one.
+/// Returns the largest number of poses that are kept for their children at the same time. It is one
+/// in a chain.
 fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     let mut slots = 0;
     for step in mechanism.steps {
@@ -265,7 +270,8 @@ pub(super) fn check_scratch(length: usize, expected: usize) -> Result<(), ShapeE
     if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }
 
-/// Returns a length with room for aligning the first element to a cache line.
+/// Returns `numbers` plus the number of elements by which the first element may have to move to a
+/// cache line.
 const fn padded<R>(numbers: usize) -> usize {
     numbers.saturating_add(LINE / size_of::<R>())
 }

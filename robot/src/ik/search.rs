@@ -3,31 +3,33 @@
 //!
 //! # The algorithm
 //!
-//! Each lane holds one configuration. In every round all lanes do the same: bring the values within
-//! their limits; compute the poses of the goals and their errors; decide, lane by lane, on a step,
-//! a restart, a return to the best values, or the end; and step, by damped least squares (Wampler
-//! 1986, Sugihara 2011), of second order where a goal asks for a whole pose. A lane that ends
-//! writes its report and takes the next configuration.
+//! Each lane holds one configuration. A round does the following for all lanes. It brings the
+//! values within their limits, and computes the poses of the goals and their errors. It decides,
+//! lane by lane, on a step, a restart, a return to the best values, or the end. It computes the
+//! step by damped least squares (Wampler 1986, Sugihara 2011), which is of second order if a goal
+//! asks for a whole pose. A lane that ends writes its report and takes the next configuration.
 //!
 //! *Progress* means that the squared error falls to a given part within a few steps. Near a
-//! solution a search converges quadratically, so one that falls slowly is on its way to a local
-//! minimum. A lane without progress restarts if it may, and ends if not; a lane is *hopeless*, and
-//! does not wait, if limits cut its step so short that most of the error remains. In the last
-//! twelfth of the iterations a lane does not restart any more but returns to the best values that
-//! it found, and steps on from there.
+//! solution a search converges quadratically, so a slowly falling error means that the search
+//! approaches a local minimum. A lane without progress restarts, or ends if restarts are off. A
+//! lane is *hopeless*, and restarts or ends at once, if limits cut its step so short that most of
+//! the error remains. In the last twelfth of the iterations a lane does not restart but returns to
+//! the best values that it found, and takes its steps from there.
 //!
-//! # Why it is as it is
+//! # Reasons
 //!
-//! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group, and
-//!   a round costs the same whichever lanes take part.
+//! - *Lanes with different numbers of iterations share a round.* So no lane waits for the slowest
+//!   configuration of a group.
 //! - *Decisions are scalar, arithmetic is not.* The decisions of a lane are a page of branches that
 //!   differ from lane to lane. So their inputs leave the registers once per round, and the
 //!   decisions come back as masks.
-//! - *The values that are judged are those that are returned*: they are brought within their limits
-//!   first, by whole turns to the side of the start where that is possible.
-//! - *Idle lanes compute along*, from zeros and not from what the scratch held, so that every call
-//!   has the same bits.
-//! - *Restarts are a constant of the type*, so that firmware without them does not hold them.
+//! - *Errors are computed for the values that may be returned.* So the values are first brought
+//!   within their limits. If a whole turn gives the same pose, this is the value nearest to the
+//!   start.
+//! - *Idle lanes compute too*, from zeros and not from the former contents of the scratch, so that
+//!   equal calls have equal bits.
+//! - *Restarts are a type parameter*, so that firmware that never restarts does not contain their
+//!   code.
 
 use super::freedom::Kind;
 use super::model::{Configurations, Decisions, Model, PoseErrors, StepResult};
@@ -46,7 +48,7 @@ pub(super) struct Work<'s, R> {
     pub(super) reports: &'s mut [Report<R>],
     pub(super) settings: Settings<'s, R>,
     /// The number of frames of each clip. Within a clip each frame starts from the solution of the
-    /// frame before. `None` if every configuration starts from its own values.
+    /// previous frame. It is `None` if every configuration starts from its own values.
     pub(super) clips: Option<&'s [usize]>,
 }
 
@@ -54,14 +56,15 @@ pub(super) struct Search<'s, L: Lanes, const TRACK: bool> {
     pub(super) model: Model<'s, L, TRACK>,
     pub(super) work: Work<'s, L::Real>,
     pub(super) lanes: &'s mut [Lane<L::Real>],
-    /// The indices of the next configuration and of the next clip that a lane will take.
+    /// The index of the next configuration that a lane will take.
     pub(super) next: usize,
+    /// The index of the next clip that a lane will take.
     pub(super) clip: usize,
 }
 
 impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
-    /// Makes a search whose `lanes` are all idle. There must be at least as many as a register `L`
-    /// has.
+    /// Makes a search whose `lanes` are all idle. The slice must have an element for each lane of a
+    /// register `L`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         model: Model<'s, L, TRACK>,
@@ -96,7 +99,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             let posture_distance = self.model.posture_step();
             self.decide::<RESTARTS>(errors, posture_distance, last);
             let decisions = self.decisions(may_restart);
-            // The step leaves lanes that have ended or that restart where they are.
+            // Lanes that have ended, or that restart, do not take the step.
             if decisions.running.any() {
                 last = self.model.step(errors, decisions);
             }
@@ -106,7 +109,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         }
     }
 
-    /// Writes the results of lanes that have ended, and gives each the next configuration.
+    /// Writes the results of lanes that have ended, and gives each of these lanes the next
+    /// configuration.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn exchange(&mut self) {
         for index in 0..L::LANES {
@@ -142,7 +146,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         working
     }
 
-    /// Brings the values within their limits, by whole turns to the side of the start.
+    /// Brings the values within their limits. If whole turns do not change the pose, each value
+    /// becomes the equivalent value that is nearest to the start.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn keep_within(&mut self) {
         let (level, reach) = (self.model.level, self.model.reach);
@@ -157,8 +162,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
                 scratch.start.set(row, start);
                 scratch.values.set(row, freedom.range.wrap(value, start));
             } else if freedom.kind == Kind::FloatingTurn(0) {
-                // q and −q are the same rotation. The sign is chosen so that the quaternion lies
-                // on the side of the start.
+                // q and −q are the same rotation. The sign is chosen so that the quaternion has a
+                // dot product of at least 0 with that of the start.
                 let value = Quat::from_array(scratch.values.record(level, row));
                 let dot = value.dot(Quat::from_array(scratch.start.record(level, row)));
                 let one = dot.constant(1.0);
@@ -203,7 +208,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         L::load(self.model.level, &array)
     }
 
-    /// Decides what each lane does next.
+    /// Decides the next action of each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn decide<const RESTARTS: bool>(
         &mut self,
@@ -272,46 +277,49 @@ pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     L::load(lanes.level(), &array)
 }
 
-/// The part to which the squared error must fall within [`PATIENCE`] steps to count as progress, if
-/// the lane may restart.
+/// The factor below which the squared error must fall within [`PATIENCE`] steps to count as
+/// progress, if the lane may restart.
 const PROGRESS: f32 = 0.4;
-/// The part to which the squared error must fall within [`LAST_PATIENCE`] steps to count as
+/// The factor below which the squared error must fall within [`LAST_PATIENCE`] steps to count as
 /// progress, if the lane may not restart.
 const LAST_PROGRESS: f32 = 0.999;
-/// The number of steps in which progress is expected, if the lane may restart. Patience costs
-/// iterations that a restart could use: with 3, fewer of the random targets in the tests are
-/// reached.
+/// The number of steps in which progress is expected, if the lane may restart. A larger number
+/// takes iterations from restarts: with 3, fewer of the random targets in the tests are reached.
 const PATIENCE: u32 = 2;
-/// The number of steps in which progress is expected, if the lane may not restart. Patience costs
-/// nothing then, because no restart could use the iterations.
+/// The number of steps in which progress is expected, if the lane may not restart. The number may
+/// be larger than [`PATIENCE`], because no restart could use the iterations.
 const LAST_PATIENCE: u32 = 6;
-/// A lane that may restart gives up after a step that limits cut so short that even its own linear
-/// model leaves more than this part of the squared error. Of 10,000 random targets of an arm of
-/// seven axes 9,997 are reached; with 0.4, the part that counts as progress, 9,993.
+/// The part of the squared error above which a step is hopeless. A lane that may restart does so if
+/// limits cut its step so short that, by its linear model, a larger part remains. Of 10,000 random
+/// targets of an arm of seven axes 9,997 are reached; with 0.4, the value of [`PROGRESS`], 9,993
+/// are reached.
 const HOPELESS: f32 = 0.2;
 /// Below this squared error (radians²) a lane is never hopeless.
 const NEAR_TARGET: f32 = 1e-4;
-/// The number of steps on the way to a posture that may leave the targets.
+/// The number of steps toward a posture, in a row, that may end away from the targets or no nearer
+/// to the posture.
 const POSTURE_PATIENCE: u32 = 60;
-/// A change of less than this, radians, is not worth another step to a posture.
+/// The change of values, in radians, below which the search takes no further step toward a posture.
 const POSTURE_STEP: f32 = 1e-4;
-/// The last of this many equal parts of the iterations is for steps from the best values.
+/// The number of equal parts of the iterations, of which the last part is for steps from the best
+/// values.
 const LAST_PART: u32 = 12;
-/// The factor by which damping grows after a step that led away.
+/// The factor by which damping grows after a step that increased the error.
 const DAMPING_GROWTH: f32 = 8.0;
 
 /// The errors of a lane, and the effect of its last step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measured<R> {
-    /// The weighted squared error, then the largest angle and the largest distance between a link
-    /// and its target.
+    /// The weighted squared error of all goals, radians².
     pub(super) square: R,
+    /// The largest angle between a link and its target, radians.
     pub(super) angular: R,
+    /// The largest distance between a link and its target.
     pub(super) linear: R,
     /// The squared distance from the posture.
     pub(super) posture_distance: R,
-    /// The squared error that the last step would leave by its own linear model, if a limit cut it
-    /// short; zero if none did.
+    /// The squared error that the last step would leave by its linear model if a limit cut it
+    /// short, otherwise zero.
     pub(super) residual: R,
     /// The sum of squares of all changes of the last step, radians².
     pub(super) change: R,
@@ -324,27 +332,35 @@ pub(super) struct Lane<R> {
     pub(super) configuration: Option<usize>,
     /// The number of frames that are left in the clip of this configuration.
     pub(super) rest: usize,
+    /// The number of steps and restarts so far.
     pub(super) iterations: u32,
+    /// The number of restarts so far.
     pub(super) restarts: u32,
+    /// `true` if a target is out of reach and was replaced by a nearer point.
     pub(super) out_of_reach: bool,
+    /// The errors of the best values so far, which are the values that the search returns.
     pub(super) best: Measured<R>,
     /// `true` before the first decision on a configuration.
     is_new: bool,
-    /// `true` before the first decision after the start or a restart.
+    /// `true` from the start or a restart until the next decision.
     has_restarted: bool,
+    /// `true` if the pose of the start overflows.
     is_invalid: bool,
+    /// `true` if the best values reach all targets within the tolerances.
     pub(super) converged: bool,
+    /// `true` if the lane has been stuck at least once ([`is_stuck`](Self::is_stuck)).
     ever_stuck: bool,
     /// `true` after the lane has returned to its best values, from which it steps for the remaining
     /// iterations.
     stays_at_best: bool,
-    /// The squared error after the last step; the squared error from which progress is measured;
-    /// and the number of steps since then that brought no progress.
+    /// The squared error after the last step.
     square: R,
+    /// The squared error at the last progress, with which later errors are compared.
     reference: R,
+    /// The number of steps since the last progress.
     idle_steps: u32,
-    /// The factor by which steps are damped more than usual: if the lane may not restart and a step
-    /// led away, the next ones are shorter (Marquardt 1963).
+    /// The factor by which steps are damped more than usual. It grows if the lane may not restart
+    /// and a step has increased the error, so the next steps are shorter (Marquardt 1963).
     pub(super) damping_factor: R,
     /// The last decision.
     pub(super) next: Next,
@@ -394,8 +410,8 @@ impl<R: Real> Lane<R> {
         Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Returns `true` if the measured values are the best so far, and the next action. With
-    /// `has_posture` the search goes on toward a posture after the targets are reached. With
+    /// Returns two results: `true` if the measured values are the best so far, and the next action.
+    /// With `has_posture` the search goes on toward a posture after the targets are reached. With
     /// `has_weights` the posture or the start has a weight in every step.
     #[cfg_attr(target_os = "none", inline(never))]
     fn decide<const RESTARTS: bool, const TRACK: bool>(
@@ -413,9 +429,9 @@ impl<R: Real> Lane<R> {
         let is_best = if has_weights {
             self.is_new || self.is_nearer(&measured)
         } else if TRACK && !self.converged && measured.square.is_finite() {
-            // For a moving target the last step counts, if its pose is finite. If only the best
-            // counted, an arm in front of a target out of its reach would stand still until a large
-            // step pays.
+            // For a moving target the values of the last step count as the best if their pose is
+            // finite. Otherwise an arm whose target is out of reach would stand still until a step
+            // reduced the error.
             true
         } else {
             self.is_best(&measured, arrived)
@@ -447,9 +463,9 @@ impl<R: Real> Lane<R> {
     }
 
     /// Returns `true` if the measured values are better than the best values so far. Values that
-    /// reach the targets are better than values that do not, even if those have a smaller sum of
-    /// errors: one of their two errors is beyond its tolerance. Among values that reach the
-    /// targets, those nearest to the posture are best.
+    /// reach the targets are better than values that miss a tolerance, even if the latter have a
+    /// smaller squared error. Among values that reach the targets, the values nearest to the
+    /// posture are best.
     fn is_best(&self, measured: &Measured<R>, arrived: bool) -> bool {
         match (self.is_new, self.converged) {
             (true, _) => true,
@@ -458,17 +474,18 @@ impl<R: Real> Lane<R> {
         }
     }
 
-    /// Returns `true` if the error is smaller than the error of the best values. A target out of
-    /// reach is replaced by a nearer point, which the squared error refers to. So one of the two
-    /// reported errors, which refer to the target itself, must fall as well.
+    /// Returns `true` if the error is smaller than the error of the best values. If a target is out
+    /// of reach, a nearer point replaces it, and the squared error is the distance from this point.
+    /// So one of the two reported errors, which are measured to the target itself, must fall as
+    /// well.
     fn is_nearer(&self, measured: &Measured<R>) -> bool {
         let gains = measured.linear <= self.best.linear || measured.angular < self.best.angular;
         measured.square < self.best.square && (gains || !self.out_of_reach)
     }
 
-    /// The next action of a lane that is not at its targets: a step, unless steps have stopped
-    /// paying. Then it restarts if it may, or ends. In the last part of the iterations it steps
-    /// from the best values, without restarts.
+    /// Returns the next action of a lane that is not at its targets. It is a step, unless the lane
+    /// is stuck. A lane that is stuck restarts if it may, or ends. In the last part of the
+    /// iterations the lane steps from its best values, without restarts.
     fn toward_targets<const RESTARTS: bool>(
         &mut self,
         measured: &Measured<R>,
@@ -493,17 +510,17 @@ impl<R: Real> Lane<R> {
         if self.stays_at_best { Next::ReturnToBest } else { Next::Restart }
     }
 
-    /// `true` if too many steps in a row have brought too little, or the last one is hopeless. If
-    /// the lane may restart, less patience and more progress are required, because a restart is
-    /// cheap.
+    /// Returns `true` if too many steps in a row have brought no progress, or the last step is
+    /// hopeless. If the lane may restart, fewer steps are allowed and more progress is required,
+    /// because a restart is cheap.
     fn is_stuck(&mut self, measured: &Measured<R>, may_restart: bool) -> bool {
         let (needed, patience) = match may_restart {
             true => (PROGRESS, PATIENCE),
             false => (LAST_PROGRESS, LAST_PATIENCE),
         };
         let is_hopeless = may_restart && !self.has_restarted && self.is_hopeless(measured);
-        // Progress is measured from the last reference, not from the last step: many small gains
-        // are progress too.
+        // Progress is measured from the last reference and not from the last step, so that many
+        // small gains together count as progress too.
         if self.has_restarted || measured.square < self.reference * R::from(needed) {
             (self.reference, self.idle_steps) = (measured.square, 0);
         } else {
@@ -512,7 +529,7 @@ impl<R: Real> Lane<R> {
         self.idle_steps >= patience || is_hopeless
     }
 
-    /// `true` if the last step gained less than the options require.
+    /// Returns `true` if the last step gained less than the options require.
     fn gains_too_little(&mut self, measured: &Measured<R>, options: &Options<R>) -> bool {
         let required = self.square * (R::ONE - options.least_gain);
         // An error that is NaN gains nothing.
@@ -536,8 +553,8 @@ impl<R: Real> Lane<R> {
     }
 
     /// Returns the next action of a lane that has reached its targets: a step toward the posture,
-    /// until values at the targets come no nearer to the posture or hardly anything moves. Single
-    /// steps may leave the targets, because they follow the null space only to first order.
+    /// until values at the targets come no nearer to the posture, or the changes become small.
+    /// Single steps may leave the targets, because they follow the null space only to first order.
     fn toward_posture(
         &mut self,
         measured: &Measured<R>,
@@ -550,8 +567,8 @@ impl<R: Real> Lane<R> {
         let tolerance = options.angular_tolerance;
         let is_there =
             arrived && (!is_nearer || measured.posture_distance <= tolerance * tolerance);
-        // Only values at the targets count as progress. The error of other values is the price of a
-        // step toward the posture.
+        // Only values at the targets count as progress, because a step toward the posture may leave
+        // the targets for a while.
         if arrived {
             (self.reference, self.idle_steps) = (measured.posture_distance, 0);
         }
@@ -568,8 +585,8 @@ impl<R: Real> Lane<R> {
         Next::Step
     }
 
-    /// `true` if a limit cut the last step so short that even its own linear model left most of the
-    /// error.
+    /// Returns `true` if a limit cut the last step so short that, by its linear model, most of the
+    /// error remained.
     fn is_hopeless(&self, measured: &Measured<R>) -> bool {
         measured.residual > self.square * R::from(HOPELESS) && self.square > R::from(NEAR_TARGET)
     }
@@ -647,7 +664,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         let first = self.next;
         let mut frames = 1;
         if TRACK && let Some(clips) = self.work.clips {
-            // Skip empty clips.
+            // Empty clips are skipped.
             let remaining = clips.get(self.clip..)?;
             let skipped = remaining.iter().position(|&frames| frames > 0)?;
             frames = remaining.get(skipped).copied()?;
@@ -658,7 +675,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         (first < self.work.reports.len()).then_some(first)
     }
 
-    /// Puts the targets and the start of a configuration into a lane. Returns `Some(true)` if a
+    /// Loads the targets and the start of a configuration into a lane. Returns `Some(true)` if a
     /// target is out of reach, and `None` if an input is invalid.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
@@ -739,7 +756,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
     }
 
-    /// `true` if a joint of the best values is at a limit that stops it.
+    /// Returns `true` if, at the best values, a joint is at a limit that stops it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn is_at_limits(&self, lane: usize) -> bool {
         let mut is_at_limits = false;

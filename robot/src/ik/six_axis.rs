@@ -1,8 +1,9 @@
 //! [`SixAxisArm`], an arm of six hinges, its solutions, and the search for all solutions of a
 //! target.
 //!
-//! Arms of the two families are solved by formula (`branches.rs`), and every solution counts only
-//! if the mechanism itself reaches the target with it. Other arms are searched from many starts.
+//! Arms of the two families are solved by formula (`branches.rs`), and a solution counts only if
+//! the forward kinematics of the mechanism reaches the target with it. Other arms are searched from
+//! many starts.
 
 use super::branches::{Arm, Branch, Complex};
 use super::family::{Family, Geometry, SolutionsError};
@@ -27,14 +28,14 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 /// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose. It is analysed
 /// once, to find all solutions for any target.
 ///
-/// Most industrial arms belong to one of two [families](Family), which have up to eight solutions,
-/// and all of them are found, by formula. Among solutions that differ by whole turns, only the one
-/// nearest to the start is listed. Each solution is checked by the forward kinematics of the
-/// mechanism, which puts the tool at the target except for rounding. A target counts as reachable
-/// up to 64 units in the last place (2⁻⁵² or 2⁻²³) of the arm's size beyond its reach.
-/// Other arms are solved by searches from many starts, which find some 99 of 100 solutions. If axes
-/// miss a family by at most 10⁻³, as do those of arms whose angles were typed with few digits,
-/// the solutions of the family's formula are the starts, which are far fewer.
+/// Most industrial arms belong to one of two [families](Family), which have up to eight solutions.
+/// A formula finds all of them. Among solutions that differ by whole turns, only the one nearest to
+/// the start is listed. Each solution is checked by the forward kinematics of the mechanism, which
+/// puts the tool at the target except for rounding. A target counts as reachable up to 64 units in
+/// the last place (2⁻⁵² or 2⁻²³) of the arm's size beyond its reach. Other arms are solved
+/// by searches from many starts, which find some 99 of 100 solutions. If axes miss a family by at
+/// most 10⁻³, as in arms whose angles were typed with few digits, the searches start from the
+/// solutions of the family's formula, which are far fewer.
 ///
 #[doc = include_str!("six_axes.svg")]
 ///
@@ -130,8 +131,8 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
 pub struct Solutions<R> {
     all: [Solution<R>; 8],
     count: usize,
-    /// `true` if the arm has no other solutions; `false` if searches found these, so that there may
-    /// be more.
+    /// `true` if the arm has no other solutions; `false` if searches found the solutions, so that
+    /// there may be more.
     pub is_complete: bool,
 }
 
@@ -155,12 +156,13 @@ pub struct Solution<R> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular {
-    /// `true` at the first axis: the wrist is on it, or as far from the plane of the arm as it can
-    /// be.
+    /// `true` if the arm is singular at the first axis: the wrist is on this axis, or as far from
+    /// the plane of the arm as it can be.
     pub shoulder: bool,
-    /// `true` at the second and third axis: the arm is stretched, or folded.
+    /// `true` if the arm is singular at the second and third axis: it is stretched or folded.
     pub elbow: bool,
-    /// `true` at the fifth axis: the last axis is parallel to one before it.
+    /// `true` if the arm is singular at the fifth axis: the last axis is parallel to an axis before
+    /// it.
     pub wrist: bool,
 }
 
@@ -190,8 +192,8 @@ impl<R> Deref for Solutions<R> {
 }
 
 impl<R: Real> Solutions<R> {
-    /// Inserts a solution behind the solutions that are nearer to the start. The list holds eight:
-    /// if searches find more, the farthest is dropped.
+    /// Inserts a solution behind the solutions that are nearer to the start. The list holds eight
+    /// solutions. If searches find more, the farthest solution is dropped.
     pub(super) fn insert(&mut self, solution: Solution<R>) {
         let nearer = self.iter().filter(|other| other.distance <= solution.distance).count();
         self.count = self.all.len().min(self.count + 1);
@@ -224,8 +226,8 @@ where
     /// least the length [`scratch_len`](Self::scratch_len), and may hold anything.
     ///
     /// # Errors
-    /// If the target or the start is not finite, if the target is farther than 10⁻³ from unit,
-    /// or if `scratch` is too short.
+    /// If the target or the start is not finite, if the target is farther than 10⁻³ from a unit
+    /// motion, or if `scratch` is too short.
     pub fn solutions(
         &self,
         target: DualQuat<R>,
@@ -362,9 +364,9 @@ impl<R: Scalar> SolutionsKernel<'_, R> {
             backend.run(SolutionsKernel { found: &mut *self.found, ..self });
         }
         self.by_searches(scratch, |work, scratch| {
-            // These searches do not restart, because their `options` rule it out. `RESTARTS` is
-            // chosen as for other searches, so that a program does not hold a second copy of the
-            // kernel.
+            // These searches do not restart, because their `options` rule it out. `RESTARTS` has
+            // the value of other searches, so that a program does not contain a second
+            // monomorphised copy of the kernel.
             const RESTARTS: bool = cfg!(not(target_os = "none"));
             arm.reach.job().run::<RESTARTS, false>(backend, work, scratch);
         });
@@ -418,9 +420,9 @@ struct TargetLanes<'s, L: Lanes> {
     level: L::Level,
     arm: &'s SixAxisArm<'s, L::Real>,
     target: batch::DualQuat<L>,
-    /// The values of the start within the limits, and the same angles θ as complex numbers
-    /// e^{iθ}.
+    /// The values of the start, brought within the limits.
     start: [L; 6],
+    /// The angles θ of `start` as complex numbers e^{iθ}.
     turns: [Complex<L>; 6],
 }
 
@@ -432,7 +434,7 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
         let arm = work.arm;
         let mut numbers = [zero.to_array(); 14];
         for lane in 0..L::LANES {
-            // Lanes without a target repeat the last one.
+            // Lanes without a target repeat the last target.
             let from = (first + lane).min(work.found.len() - 1);
             let target = work.targets.get(from).copied().unwrap_or(DualQuat::IDENTITY);
             let start = work.starts.get(from).copied().unwrap_or_default();
@@ -465,8 +467,8 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
     fn insert(&self, branch: &Branch<L>, found: &mut [Solutions<L::Real>]) {
         let (level, arm, start) = (self.level, self.arm, self.start);
         let zero = L::splat(level, L::Real::ZERO);
-        // Searches improve solutions of formulas that fit only nearly, and keep them within the
-        // limits. So a solution of such formulas may lie beyond a limit by the tolerance.
+        // If the formulas fit only nearly, searches improve their solutions later and bring them
+        // within the limits. So such a solution may lie beyond a limit by the tolerance.
         let margin = if arm.geometry.is_exact() { zero } else { L::splat(level, arm.tolerance()) };
         let mut exists = branch.exists;
         let (mut values, mut square) = ([zero; 6], zero);
@@ -557,13 +559,13 @@ fn starts_len<R: Copy>(reach: &Reach<'_, R>) -> usize {
     reach.mechanism.values.saturating_mul(STARTS)
 }
 
-/// Searches for the solutions of a target.
+/// The inputs and outputs of the searches for all solutions of a target.
 struct Starts<'s, R> {
     reach: &'s Reach<'s, R>,
     target: DualQuat<R>,
     start: &'s [R; 6],
-    /// On entry, the solutions of the formulas of a family that the arm nearly belongs to; on
-    /// return, the solutions of this arm.
+    /// Before the search, the solutions by the formulas of a family to which the arm nearly
+    /// belongs. After the search, the solutions of the arm itself.
     found: &'s mut Solutions<R>,
     /// Memory for [`STARTS`] configurations.
     values: &'s mut [R],

@@ -2,9 +2,9 @@
 //!
 //! Damped least squares give the change of all freedoms at once. A freedom that would pass its
 //! limit goes to the limit and is *held* there: its contribution is subtracted from the errors, its
-//! column leaves the system, and the others are solved again for the rest (Baerlocher & Boulic
-//! 2004). So the other freedoms make up for the limit, whereas clipping the result would point the
-//! link elsewhere. Each round holds at least one freedom more, in some lane:
+//! column becomes zero, and the system is solved again for the other freedoms (Baerlocher & Boulic
+//! 2004). So the other freedoms make up for the limit, whereas clipping the result would move the
+//! link in a wrong direction. Each round holds at least one freedom more, in some lane:
 //!
 //! ```text
 //! residual = e
@@ -18,8 +18,8 @@
 //! Slides and hinges share the system, because everything in it is in radians: rows that are
 //! lengths, and columns of slides, are divided by the length that weighs as much as a radian.
 //!
-//! A posture uses the freedom that the goals leave: with z the step to the posture, the change is z
-//! + J⁺(e − Jz).
+//! A posture uses the freedom that the goals leave. If z is the step toward the posture, the change
+//! is z + J⁺(e − Jz).
 //!
 //! The normal equations, of a size that is known at run time, are at the end of the file.
 
@@ -33,14 +33,13 @@ use dq8::batch::{Quat, vector};
 use dq8_simd::{Lanes, Mask};
 
 /// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|² (Sugihara,
-/// *Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011). This
-/// damps far from the target, where the linear model promises too large a gain, and in front of a
-/// target out of reach, but not near the solution. Sugihara's μ is ½; with steps of second order
-/// anything from 0.01 to 0.05 is as good, and better than ½.
+/// *Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011). So
+/// steps are damped far from the target, where the linear model is wrong, and if the target is out
+/// of reach, but not near the solution. Sugihara's μ is ½; with steps of second order, all values
+/// from 0.01 to 0.05 are equally good, and better than ½.
 const DAMPING: f64 = 0.02;
 /// λ² in searches that track without weights, as a part of the mean squared error over the goals:
-/// Sugihara's ½. The few steps of such a search must also be good in front of a target out of
-/// reach.
+/// Sugihara's ½. The few steps of such a search must also converge if a target is out of reach.
 const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
@@ -52,8 +51,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let mut square = errors.square;
         let mut part = damping_factor.constant(DAMPING);
         if TRACK && !has_weights {
-            // The damping uses the error to the target itself, also where a nearer point replaces a
-            // target out of reach. For several goals it uses the mean.
+            // The damping uses the error to the target itself, even if a nearer point replaces a
+            // target that is out of reach. For several goals it uses the mean of the squared
+            // errors.
             let way = errors.linear * self.scales.radians_per_length;
             let whole = way * way;
             square = L::select(square.lt(whole), whole, square);
@@ -67,8 +67,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             damping
         };
         self.finish_posture_step(arrived, damping);
-        // The first solution is of first order. Where it pays, the step is solved again with
-        // columns that take half of that solution into account: a step of second order (Halley).
+        // The first solution is of first order. If a goal asks for a whole pose, the step is solved
+        // again, with columns that take half of the first solution into account. This is a step of
+        // second order (Halley).
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
         // This is a loop and not two calls, so that the compiler inlines the body only once.
@@ -98,15 +99,17 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         if self.uses_tree() { 0 } else { self.reach.facts.rows }
     }
 
-    /// Computes changes within the limits, and returns the lanes in which a limit stopped one.
+    /// Computes changes within the limits, and returns the lanes in which a limit stopped a
+    /// freedom.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
         let zero = damping.constant(0.0);
         self.release_all();
         // This mask starts with no lane set.
         let mut limited = zero.lt(zero);
-        // Each round but the last holds one freedom more in some lane, so there are at most one
-        // more rounds than freedoms. Lanes that no limit stops compute the same changes again.
+        // Each round but the last holds at least one more freedom in some lane, so the rounds are
+        // at most one more than the freedoms. Lanes that no limit stops compute the same changes
+        // again.
         for _ in 0..=self.reach.freedoms.len() {
             let shrink = self.solve(damping);
             let stopped = self.apply_limits(shrink) & running;
@@ -122,8 +125,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn release_all(&mut self) {
         let zero = self.scales.length.constant(0.0);
-        // The residual begins as the whole error. Each joint that is held takes off its
-        // contribution.
+        // The residual begins as the whole error. Later the contribution of each held freedom is
+        // subtracted.
         self.scratch.held.fill(zero);
         self.scratch.changes.fill(zero);
         for row in 0..self.rows() {
@@ -141,13 +144,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             self.solve_tree(damping, posture_step);
             return self.shrink();
         }
-        // y of (JJᵀ + λ²)y = e. Its size is that of the goals, six rows for a pose, however
-        // many joints there are.
+        // y of (JJᵀ + λ²)y = e. Its size is the number of components of the goals (six for a
+        // pose) and does not depend on the number of joints.
         self.set_right_hand_side();
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
-            // z + Jᵀy. The columns of held freedoms are zero, so only their z must be left out.
+            // z + Jᵀy. The columns of held freedoms are zero, so only z must be set to zero for
+            // them.
             let mut radians = if posture_step {
                 let is_held = scratch.held.get(level, index).eq(zero.constant(1.0));
                 L::select(is_held, zero, scratch.posture_step.get(level, index))
@@ -173,12 +177,13 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let length = if freedom.is_slide() { zero } else { radians.abs() };
             most = L::select(most.lt(length), length, most);
         }
-        // All changes by the same factor: a step cut joint by joint would point elsewhere.
+        // All changes are scaled by the same factor. If each joint were limited by itself, the link
+        // would move in another direction.
         self.scales.longest / most
     }
 
-    /// Sets the right-hand side, in the memory of the solution: the residual without the
-    /// contribution of the step to the posture.
+    /// Sets the right-hand side, in the memory of the solution, to the residual minus the
+    /// contribution of the step toward the posture.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn set_right_hand_side(&mut self) {
         let posture_step = self.reach.posture.is_some() || self.has_weights();
@@ -216,8 +221,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if freedom.range.wraps() || !freedom.is_single() {
                 continue;
             }
-            // Values are compared, not changes: a joint that stands at its limit and should not
-            // move is not stopped. Neither is one that a whole turn brings back within its limits.
+            // Values are compared, and not changes: a joint that is at its limit and does not move
+            // is not stopped, and neither is a joint that a whole turn brings back within its
+            // limits.
             let value = scratch.values.get(level, freedom.value as usize);
             let next = value + change;
             let inside = freedom.range.clamp(next);
@@ -324,11 +330,12 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 /// The smallest λ². It prevents a division by zero where the Jacobian is zero.
 pub(super) const FLOOR: f64 = 1e-30;
 
-/// The number of rows of a pose, for which the compiler unrolls the loops.
+/// The number of rows of the Jacobian for one pose. The compiler unrolls loops over this number of
+/// rows.
 const POSE: usize = 6;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Solves (JJᵀ + λ²1) y = e. Then Jᵀy is the x that makes |Jx − e|² + λ²|x|² least
+    /// Solves (JJᵀ + λ²1) y = e. Then x = Jᵀy minimises |Jx − e|² + λ²|x|²
     /// (Nakamura & Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11). Columns of held freedoms are
     /// zero. `solution` holds e before the call and y after it.
     #[cfg_attr(not(opt_level_0), inline(always))]

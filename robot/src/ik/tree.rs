@@ -16,7 +16,7 @@
 //!     body = its own goals + the bodies of its children
 //!     for each joint i of the link, and each joint j that carries it (and itself)
 //!         H[i, j] = screw[j] · body · screw[i];  rhs[i] = screw[i] · force of body
-//! H += λ² 1;  rhs += λ² z                           # solve_tree, z the step to the posture
+//! H += λ² 1;  rhs += λ² z                           # solve_tree; z is the posture step
 //! for each joint i from the leaves                    # H = LᵀDL
 //!     for each joint j that carries i
 //!         f = H[i, j] / H[i, i];  rhs[j] −= f rhs[i]
@@ -147,9 +147,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Solves (JᵀJ + λ²1) x = Jᵀe + λ²z for x in `radians`, z the step to the posture. The
-    /// changes of held freedoms are known, so their rows and columns leave the equations, and their
-    /// products move to the right-hand side.
+    /// Solves (JᵀJ + λ²1) x = Jᵀe + λ²z for x in `radians`, where z is the step toward the
+    /// posture. The changes of held freedoms are known, so their rows and columns are removed from
+    /// the equations, and their products are subtracted from the right-hand side.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_tree(&mut self, damping: L, posture_step: bool) {
         let (level, freedoms, scratch) = (self.level, self.reach.freedoms, &mut self.scratch);
@@ -169,8 +169,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             *to = *from;
         }
         if holds.any() {
-            // The products of held freedoms move to the right-hand side, and their rows and columns
-            // become those of the identity.
+            // The products of held freedoms are subtracted from the right-hand side, and their rows
+            // and columns become those of the identity matrix.
             for (index, freedom) in freedoms.iter().enumerate() {
                 let is_held = held.get(level, index).eq(one);
                 let unit = if freedom.is_slide() { self.scales.radians_per_length } else { one };

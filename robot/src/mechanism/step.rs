@@ -43,38 +43,42 @@ pub(crate) const NONE: u32 = u32::MAX;
 /// each of its joints.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<R> {
-    /// The placement of the joint on its parent: the rotation, and half of the translation, which
-    /// is the form that the kernels on lanes use.
+    /// The rotation of the joint's placement on its parent, a quaternion.
     pub(crate) rotation: [R; 4],
+    /// Half of the translation of the placement, as the kernels on lanes use it.
     pub(crate) half_offset: [R; 3],
-    /// The coordinate axes about which the placement's rotation is and along which its translation
-    /// is.
+    /// The coordinate axis about which the placement rotates, if there is one.
     pub(crate) rotation_alignment: Alignment,
+    /// The coordinate axis along which the placement translates, if there is one.
     pub(crate) offset_alignment: Alignment,
-    /// The kind of the joint, with a normalized axis, and that axis again (zero for joints without
-    /// an axis).
+    /// The kind of the joint, with a normalized axis.
     pub(crate) kind: JointKind<R>,
+    /// The axis in `kind`, or zero for joints without an axis.
     pub(crate) axis: [R; 3],
     /// The two directions in which a planar joint slides, in the frame of the joint.
     pub(crate) plane: [[R; 3]; 2],
+    /// The coordinate axis on which the axis of the joint lies, if there is one.
     pub(crate) axis_alignment: Alignment,
     /// −1 if the axis of the joint lies on a coordinate axis and points against it, else 1.
     pub(crate) sign: R,
-    /// The value of the joint is `multiplier` · (the value at index `value`) + `offset`.
+    /// The factor in the joint's value: `multiplier` · (the value at index `value`) + `offset`.
     pub(crate) multiplier: R,
+    /// The summand in the joint's value.
     pub(crate) offset: R,
-    /// `multiplier` and `offset`, each times `sign` and halved: they give half of the joint's value
-    /// about the coordinate axis.
+    /// ½ · `sign` · `multiplier`, for half of the joint's value about the coordinate axis.
     pub(crate) half_multiplier: R,
+    /// ½ · `sign` · `offset`, for half of the joint's value about the coordinate axis.
     pub(crate) half_bias: R,
     pub(crate) plan: JointPlan<R>,
     pub(crate) limits: Option<[R; 2]>,
     pub(crate) mimics: bool,
-    /// The indices of the joint's first value and first rate.
+    /// The index of the joint's first value.
     pub(crate) value: u32,
+    /// The index of the joint's first rate.
     pub(crate) rate: u32,
-    /// The indices of the joint and of its parent in the caller's order.
+    /// The index of the joint in the caller's order.
     pub(crate) link: u32,
+    /// The index of the joint's parent in the caller's order.
     pub(crate) parent: u32,
     /// In step i, the index of the step that belongs to link i. While steps are put in order, the
     /// index to which this step will be moved.
@@ -82,13 +86,14 @@ pub struct Step<R> {
     /// The count of steps, from this step on, that belong to this link and to the links that it
     /// carries.
     pub(crate) size: u32,
-    /// The child with the largest subtree, and the next free index for the subtree of another
-    /// child. Both are used only while steps are put in order.
+    /// The child with the largest subtree. It is used only while steps are put in order.
     pub(crate) largest: u32,
+    /// The next free index for the subtree of another child. It is used only while steps are put in
+    /// order.
     pub(crate) free: u32,
-    /// The slots on the stack of the kernels that hold the pose of this link and the pose of its
-    /// parent.
+    /// The slot on the stack of the kernels that holds the pose of this link.
     pub(crate) slot: u8,
+    /// The slot that holds the pose of the link's parent.
     pub(crate) parent_slot: u8,
 }
 
