@@ -1055,7 +1055,7 @@ typedef struct dq8_trajectory_options {
   /**
    * The pose before the first stamp and after the last stamp. 0: the body stands at the first or
    * last pose. 1: it goes on as it moves between the first two or the last two poses. 2: a time
-   * there is an error.
+   * before the first or after the last stamp is an error.
    */
   int32_t outside;
   /**
@@ -1105,9 +1105,9 @@ dq8_status dq8_set_reproducible(int32_t reproducible);
 
 /**
  * Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
- * chain. `links` and `out` hold `count` motions. This is fast if the chain has dozens
- * of links. Blocks hold one chain, with a segment of it in each lane, as
- * dq8_pack_chain writes them. `out` may be `links`.
+ * chain. `links` and `out` hold `count` motions. This is faster than a loop if the
+ * chain has dozens of links. Blocks hold one chain, with a segment of it in each lane,
+ * as dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f32(const float *links, float *out, size_t count);
 
@@ -1121,9 +1121,9 @@ dq8_status dq8_blocks_chain_products_f32(size_t lanes,
 
 /**
  * Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
- * chain. `links` and `out` hold `count` motions. This is fast if the chain has dozens
- * of links. Blocks hold one chain, with a segment of it in each lane, as
- * dq8_pack_chain writes them. `out` may be `links`.
+ * chain. `links` and `out` hold `count` motions. This is faster than a loop if the
+ * chain has dozens of links. Blocks hold one chain, with a segment of it in each lane,
+ * as dq8_pack_chain writes them. `out` may be `links`.
  */
 dq8_status dq8_chain_products_f64(const double *links, double *out, size_t count);
 
@@ -1371,7 +1371,8 @@ dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
  * Computes model poses from rotations and fixed offsets. Animation clips often hold
  * local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
  * `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
- * are the same in all instances. All else is as for dq8_local_to_model.
+ * are the same in all instances. Other arguments and errors are those of
+ * dq8_local_to_model.
  */
 dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
                                       size_t joints,
@@ -1396,7 +1397,7 @@ dq8_status dq8_blocks_rotations_to_model_f32(size_t lanes,
 /**
  * Computes model poses from rotations and translations. `locals` holds `count` local
  * poses of seven components: a unit quaternion (x, y, z, w), then a translation (x, y,
- * z). All else is as for dq8_local_to_model.
+ * z). Other arguments and errors are those of dq8_local_to_model.
  */
 dq8_status dq8_rotations_translations_to_model_f32(const int32_t *parents,
                                                    size_t joints,
@@ -1528,7 +1529,8 @@ dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
  * Computes model poses from rotations and fixed offsets. Animation clips often hold
  * local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
  * `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
- * are the same in all instances. All else is as for dq8_local_to_model.
+ * are the same in all instances. Other arguments and errors are those of
+ * dq8_local_to_model.
  */
 dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
                                       size_t joints,
@@ -1553,7 +1555,7 @@ dq8_status dq8_blocks_rotations_to_model_f64(size_t lanes,
 /**
  * Computes model poses from rotations and translations. `locals` holds `count` local
  * poses of seven components: a unit quaternion (x, y, z, w), then a translation (x, y,
- * z). All else is as for dq8_local_to_model.
+ * z). Other arguments and errors are those of dq8_local_to_model.
  */
 dq8_status dq8_rotations_translations_to_model_f64(const int32_t *parents,
                                                    size_t joints,
@@ -1888,7 +1890,7 @@ dq8_status dq8_motion_from_matrix_3x4_f32(const float *matrix, float tolerance, 
 /**
  * Makes the motion of a matrix of four rows and four columns. `matrix` has sixteen
  * components, row by row. Returns DQ8_STATUS_NOT_AFFINE if the last row is not 0 0
- * 0 1. All else is as for dq8_motion_from_matrix_3x4.
+ * 0 1. Other arguments and errors are those of dq8_motion_from_matrix_3x4.
  */
 dq8_status dq8_motion_from_matrix_4x4_f32(const float *matrix, float tolerance, float *out);
 
@@ -1975,7 +1977,7 @@ dq8_status dq8_motion_from_matrix_3x4_f64(const double *matrix, double tolerance
 /**
  * Makes the motion of a matrix of four rows and four columns. `matrix` has sixteen
  * components, row by row. Returns DQ8_STATUS_NOT_AFFINE if the last row is not 0 0
- * 0 1. All else is as for dq8_motion_from_matrix_3x4.
+ * 0 1. Other arguments and errors are those of dq8_motion_from_matrix_3x4.
  */
 dq8_status dq8_motion_from_matrix_4x4_f64(const double *matrix, double tolerance, double *out);
 
@@ -2481,9 +2483,9 @@ dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -2522,9 +2524,9 @@ dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -2559,9 +2561,9 @@ dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -2597,9 +2599,9 @@ dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -2674,9 +2676,9 @@ dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -2715,9 +2717,9 @@ dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -2752,9 +2754,9 @@ dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -2790,9 +2792,9 @@ dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
 
 /**
  * Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
- * and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
- * of `rest` and of `posed` the position, normal and tangent are. All other elements of
- * `posed` keep their values.
+ * and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+ * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+ * other elements of `posed` keep their values.
  *
  * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
@@ -3740,8 +3742,8 @@ dq8_status dq8_resample_f32(const float *times,
  * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
  * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
  * sets `bad_time`, which may be null, to the index of the stamp or time. Returns
- * DQ8_STATUS_LENGTH if there is no pose, or if there is one pose only and the body is
- * to go on. The pose at a time that is NaN is NaN.
+ * DQ8_STATUS_LENGTH if there is no pose, or if there is only one pose and `outside`
+ * is 1. The pose at a time that is NaN is NaN.
  */
 dq8_status dq8_trajectory_sample_f32(const double *stamps,
                                      const double *poses,
@@ -3844,8 +3846,8 @@ dq8_status dq8_resample_f64(const double *times,
  * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
  * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
  * sets `bad_time`, which may be null, to the index of the stamp or time. Returns
- * DQ8_STATUS_LENGTH if there is no pose, or if there is one pose only and the body is
- * to go on. The pose at a time that is NaN is NaN.
+ * DQ8_STATUS_LENGTH if there is no pose, or if there is only one pose and `outside`
+ * is 1. The pose at a time that is NaN is NaN.
  */
 dq8_status dq8_trajectory_sample_f64(const double *stamps,
                                      const double *poses,

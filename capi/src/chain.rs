@@ -10,9 +10,9 @@ macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
             /// Computes `out[i] = links[0] * links[1] * ... * links[i]`, the model poses of a
-            /// chain. `links` and `out` hold `count` motions. This is fast if the chain has dozens
-            /// of links. Blocks hold one chain, with a segment of it in each lane, as
-            /// dq8_pack_chain writes them. `out` may be `links`.
+            /// chain. `links` and `out` hold `count` motions. This is faster than a loop if the
+            /// chain has dozens of links. Blocks hold one chain, with a segment of it in each lane,
+            /// as dq8_pack_chain writes them. `out` may be `links`.
             chain_products, blocks_chain_products(links: *const $R, out: *mut $R)
         }
     };

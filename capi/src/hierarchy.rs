@@ -22,13 +22,14 @@ type Root<L> = Input<DualQuat<<L as Layout>::Real>>;
 /// is one.
 ///
 /// # Safety
-/// Both arrays must have their elements, and no other thread may write them while `'a` lasts.
+/// Both inputs must point to as many elements as they count, and no other thread may write these
+/// elements while `'a` lasts.
 unsafe fn job<'a, L: Layout>(
     parents: &Input<u32>,
     root: &Root<L>,
 ) -> Result<Job<'a, StandsOn<'a, L::Record<8>>>, Status> {
-    // SAFETY: the caller guarantees that both arrays have their elements and that no other thread
-    // writes them.
+    // SAFETY: the caller guarantees that both inputs point to as many elements as they count, and
+    // that no other thread writes these elements.
     let (parents, root) = unsafe { (parents.slice(), root.slice()) };
     let job = Hierarchy::new(parents)?.job();
     Ok(job.on(match *root {
@@ -55,8 +56,8 @@ macro_rules! poses {
             let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
             let written = Output::<L::Record<8>>::new($to, count)?.span;
             disjoint(&[written], &[parents.span, root.span])?;
-            // SAFETY: the caller guarantees that `parents` and `root` have their elements, and
-            // `disjoint` has checked that the output overlaps neither.
+            // SAFETY: the caller guarantees that `parents` and `root` point to as many elements as
+            // they count, and `disjoint` has checked that the output overlaps neither.
             let $job = unsafe { job::<L>(&parents, &root)? };
             // SAFETY: the caller guarantees that both arrays of poses have `count` elements, and
             // that no other thread uses them.
@@ -188,7 +189,8 @@ macro_rules! functions {
             /// Computes model poses from rotations and fixed offsets. Animation clips often hold
             /// local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
             /// `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
-            /// are the same in all instances. All else is as for dq8_local_to_model.
+            /// are the same in all instances. Other arguments and errors are those of
+            /// dq8_local_to_model.
             rotations_to_model, blocks_rotations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 rotations: *const $R, offsets: *const $R, models: *mut $R,
@@ -197,7 +199,7 @@ macro_rules! functions {
         export! { $R $lanes
             /// Computes model poses from rotations and translations. `locals` holds `count` local
             /// poses of seven components: a unit quaternion (x, y, z, w), then a translation (x, y,
-            /// z). All else is as for dq8_local_to_model.
+            /// z). Other arguments and errors are those of dq8_local_to_model.
             rotations_translations_to_model, blocks_rotations_translations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
@@ -265,13 +267,14 @@ unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize)
 /// to `bad_joint`.
 ///
 /// # Safety
-/// `parents` must have its elements, and `bad_joint` must be null or point to a `usize` outside of
-/// `parents`. No other thread may write either while `'a` lasts.
+/// `parents` must point to as many elements as it counts, and `bad_joint` must be null or point to
+/// a `usize` outside of `parents`. No other thread may write either while `'a` lasts.
 pub(crate) unsafe fn checked<'a>(
     parents: &Input<u32>,
     bad_joint: &Output<usize>,
 ) -> Result<Hierarchy<'a>, Status> {
-    // SAFETY: the caller guarantees that `parents` has its elements and that they do not change.
+    // SAFETY: the caller guarantees that `parents` points to as many elements as it counts, and
+    // that these do not change.
     let hierarchy = Hierarchy::new(unsafe { parents.slice() });
     if let Err(
         HierarchyError::ParentNotBefore { joint, .. }

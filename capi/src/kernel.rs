@@ -40,8 +40,8 @@ macro_rules! kernel_or_in_place {
             by $kernel:ident, $in_place:ident
     ) => {
         /// # Safety
-        /// Each array must have `count` elements, and the motion must be there. No other thread may
-        /// use the output or write the inputs during the call.
+        /// Each array must have `count` elements, and `$motion`, if there is one, must point to a
+        /// motion. No other thread may use the output or write the inputs during the call.
         pub(super) unsafe fn $name<L: Layout>(
             $($motion: *const L::Real,)?
             $from: *const L::Real,
@@ -54,8 +54,8 @@ macro_rules! kernel_or_in_place {
                 let one = crate::span::Span::of($motion.cast::<dq8::DualQuat<L::Real>>(), 1)?;
                 let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
                 crate::span::disjoint(&[to.span], &[one])?;
-                // SAFETY: the caller guarantees that the motion is there, and `Span::of` has
-                // checked that its pointer is neither null nor misaligned.
+                // SAFETY: the caller guarantees that the pointer points to a motion, and `Span::of`
+                // has checked that it is neither null nor misaligned.
                 let $motion: dq8::DualQuat<L::Real> = unsafe { crate::memory::read($motion)? };
             )?
             $(

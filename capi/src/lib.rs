@@ -22,14 +22,14 @@
 //! Functions that exist for both `f32` and `f64` are in two submodules: `single` for `f32`, and
 //! `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
-//! The functions here leave the computing to `dq8`. They check pointers, turn them into slices,
-//! call `dq8`, and turn its errors into values of [`Status`]:
+//! The functions here do not compute themselves. They check pointers, turn them into slices, call
+//! `dq8`, and turn its errors into values of [`Status`]:
 //!
 //! ```text
 //! Input::new, Output::new    null, misaligned and too large arrays are refused
-//! span::disjoint             outputs that overlap anything are refused
-//! slice()                    unsafe: C has promised that the memory is there
-//! Status::of                 the error, if there is one, as a number
+//! span::disjoint             outputs that overlap other arrays are refused
+//! slice()                    unsafe: C guarantees that the arrays have their lengths
+//! Status::of                 the error as an integer, or DQ8_STATUS_OK
 //! ```
 //!
 //! No function allocates, except for those of the module `trajectory`, which needs the feature of

@@ -41,8 +41,9 @@ unsafe fn mean<R: Real>(
         influences.map(|(at, &motion)| (motion, weights.get(at).copied().unwrap_or(R::ONE)));
     let mean = internal::dib(influences, tolerance, max_iterations).ok_or(Status::NoInfluences)?;
     let motion = finite(mean.motion)?;
-    // SAFETY: the caller guarantees that both outputs are there. No input is read after these
-    // writes, so the outputs may overlap the inputs.
+    // SAFETY: the caller guarantees that `out` points to memory for a motion, and `converged` is
+    // null or points to an `i32`. No input is read after these writes, so the outputs may overlap
+    // the inputs.
     unsafe {
         out.write(motion);
         converged_to.write(i32::from(mean.converged));

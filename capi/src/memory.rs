@@ -26,14 +26,14 @@ impl<T: Copy> Input<T> {
     }
 
     /// # Safety
-    /// The array must have its elements, any bits must be valid for `T`, and no code may write the
-    /// elements while `'a` lasts.
+    /// The array must have `count` elements, any bits must be valid for `T`, and no code may write
+    /// the elements while `'a` lasts.
     pub(crate) unsafe fn slice<'a>(&self) -> &'a [T] {
         if self.count == 0 {
             return &[];
         }
         // SAFETY: `Span::of` has checked that the array is neither null nor misaligned nor too
-        // large. The caller guarantees that it has its elements and that no code writes them.
+        // large. The caller guarantees that it has `count` elements and that no code writes them.
         unsafe { slice::from_raw_parts(self.start, self.count) }
     }
 }
@@ -59,22 +59,23 @@ impl<T: Copy> Output<T> {
     }
 
     /// # Safety
-    /// The array must have its elements, any bits must be valid for `T`, and no other code may read
-    /// or write the elements while `'a` lasts.
+    /// The array must have `count` elements, any bits must be valid for `T`, and no other code may
+    /// read or write the elements while `'a` lasts.
     pub(crate) unsafe fn slice<'a>(&self) -> &'a mut [T] {
         if self.count == 0 {
             return &mut [];
         }
         // SAFETY: `Span::of` has checked that the array is neither null nor misaligned nor too
-        // large. The caller guarantees that it has its elements and that no other code uses them.
+        // large. The caller guarantees that it has `count` elements and that no other code uses
+        // them.
         unsafe { slice::from_raw_parts_mut(self.start, self.count) }
     }
 
     /// Writes the only element. Does nothing if C has passed null.
     ///
     /// # Safety
-    /// The element must be there if C has not passed null, and no other code may use it during the
-    /// call.
+    /// If C has not passed null, the pointer must point to an element that no other code uses
+    /// during the call.
     pub(crate) unsafe fn write(&self, value: T) {
         if self.count > 0 {
             // SAFETY: `Span::of` has checked that the pointer is neither null nor misaligned. The
@@ -122,8 +123,8 @@ pub(crate) fn place<T: Copy>(
 /// an output.
 ///
 /// # Safety
-/// The element must be there, any bits must be valid for `T`, and no other thread may write it
-/// during the call.
+/// `from` must point to an element, unless it is null or misaligned. Any bits must be valid for
+/// `T`, and no other thread may write the element during the call.
 pub(crate) unsafe fn read<T: Copy, R>(from: *const R) -> Result<T, Status> {
     let input = Input::<T>::new(from, 1)?;
     // SAFETY: `Input::new` has checked that the pointer is neither null nor misaligned. The caller
@@ -163,16 +164,16 @@ where
 /// overlap the input.
 ///
 /// # Safety
-/// Both values must be there, any bits must be valid for `A`, and no other thread may use the
-/// output or write the input during the call.
+/// `from` and `to` must each point to a value, any bits must be valid for `A`, and no other thread
+/// may use the output or write the input during the call.
 pub(crate) unsafe fn one<A: Copy, B: Copy, R>(
     from: *const R,
     to: *mut R,
     of: impl FnOnce(A) -> Result<B, Status>,
 ) -> Done {
     let to = Output::new(to, 1)?;
-    // SAFETY: the caller guarantees that both values are there and that no other thread uses them.
-    // The input is read before the output is written.
+    // SAFETY: the caller guarantees that `from` and `to` each point to a value that no other thread
+    // uses. The input is read before the output is written.
     unsafe { to.write(of(read(from)?)?) };
     Ok(())
 }
@@ -181,8 +182,8 @@ pub(crate) unsafe fn one<A: Copy, B: Copy, R>(
 /// may overlap the inputs.
 ///
 /// # Safety
-/// All three values must be there, any bits must be valid for `A` and `B`, and no other thread may
-/// use the output or write the inputs during the call.
+/// `a`, `b` and `to` must each point to a value, any bits must be valid for `A` and `B`, and no
+/// other thread may use the output or write the inputs during the call.
 pub(crate) unsafe fn two<A: Copy, B: Copy, C: Copy, R>(
     a: *const R,
     b: *const R,

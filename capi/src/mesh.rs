@@ -17,8 +17,8 @@ pub(crate) trait Mesh<R: Scalar + Weight> {
     ///
     /// # Safety
     /// The arrays of the mesh must have the elements of all its vertices, the skin must be made and
-    /// its arrays unchanged, and the palettes must have their elements. No other thread may use the
-    /// outputs or write the inputs during the call.
+    /// its arrays unchanged, and each palette must have as many elements as its count says. No
+    /// other thread may use the outputs or write the inputs during the call.
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
@@ -33,7 +33,8 @@ pub(crate) struct Arrays<R> {
     pub(crate) vertices: usize,
 }
 
-/// The array of positions, normals or tangents at rest, and the array for the posed ones.
+/// The array of positions, normals or tangents at rest, and the array to which the posed vectors
+/// are written.
 type Field<R> = (Input<[R; 3]>, Output<[R; 3]>);
 
 impl<R: Copy> Arrays<R> {
@@ -71,8 +72,9 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         let to = fields.map(|field| field.map_or(Span::NOWHERE, |(_, to)| to.span));
         disjoint(&to, &from)?;
         disjoint(&to, &by.spans)?;
-        // SAFETY: the caller guarantees that each array has the elements of all vertices, and the
-        // skin and palettes theirs. `disjoint` has checked that no output overlaps another array.
+        // SAFETY: the caller guarantees that each array has the elements of all vertices, that the
+        // arrays of the skin are unchanged, and that the palettes have their counts of elements.
+        // `disjoint` has checked that no output overlaps another array.
         unsafe {
             let (skin, palettes) = by.borrow();
             let rest = Surface {
@@ -143,8 +145,9 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
         let posed = Output::<R>::new(self.posed, numbers(to.stride)?)?;
         disjoint(&[posed.span], &[rest.span])?;
         disjoint(&[posed.span], &by.spans)?;
-        // SAFETY: the caller guarantees that each buffer has `stride` elements per vertex, and the
-        // skin and palettes theirs. `disjoint` has checked that the output overlaps no input.
+        // SAFETY: the caller guarantees that each buffer has `stride` elements per vertex, that the
+        // arrays of the skin are unchanged, and that the palettes have their counts of elements.
+        // `disjoint` has checked that the output overlaps no input.
         unsafe {
             let (skin, palettes) = by.borrow();
             let (rest, posed) = ((rest.slice(), from), (posed.slice(), to));

@@ -17,8 +17,8 @@ unsafe fn identity<R: Real>(out: *mut R) -> Done {
 }
 
 /// # Safety
-/// The motion and the memory for both outputs must be there. No other thread may use the outputs or
-/// write the motion during the call.
+/// `motion` must point to a motion, and `rotation` and `translation` to memory for the outputs. No
+/// other thread may use the outputs or write the motion during the call.
 unsafe fn to_rotation_translation<R: Real>(
     motion: *const R,
     rotation: *mut R,
@@ -26,9 +26,9 @@ unsafe fn to_rotation_translation<R: Real>(
 ) -> Done {
     let (rotation, translation) = (Output::new(rotation, 1)?, Output::new(translation, 1)?);
     disjoint(&[rotation.span, translation.span], &[])?;
-    // SAFETY: the caller guarantees that the motion and both outputs are there. The motion is read
-    // before the outputs are written, and `disjoint` has checked that the outputs do not overlap
-    // each other.
+    // SAFETY: the caller guarantees that all three pointers point to a motion or to memory for an
+    // output. The motion is read before the outputs are written, and `disjoint` has checked that
+    // the outputs do not overlap each other.
     unsafe {
         let motion: DualQuat<R> = read(motion)?;
         rotation.write(motion.rotation());
@@ -38,9 +38,9 @@ unsafe fn to_rotation_translation<R: Real>(
 }
 
 /// # Safety
-/// The motion must be there, and no other thread may write it during the call.
+/// `motion` must point to a motion that no other thread writes during the call.
 unsafe fn check_unit<R: Real>(motion: *const R, tolerance: R) -> Done {
-    // SAFETY: the caller guarantees that the motion is there and that no other thread writes it.
+    // SAFETY: the caller guarantees that `motion` points to a motion that no other thread writes.
     let motion: DualQuat<R> = unsafe { read(motion)? };
     if motion.is_unit(tolerance) { Ok(()) } else { Err(Status::NotUnit) }
 }
@@ -79,7 +79,7 @@ macro_rules! functions {
         export_one! { $R
             /// Makes the motion of a matrix of four rows and four columns. `matrix` has sixteen
             /// components, row by row. Returns DQ8_STATUS_NOT_AFFINE if the last row is not 0 0
-            /// 0 1. All else is as for dq8_motion_from_matrix_3x4.
+            /// 0 1. Other arguments and errors are those of dq8_motion_from_matrix_3x4.
             motion::from_matrix_4x4(matrix: *const $R, tolerance: $R, out: *mut $R) =
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix4(rows, tolerance)?))
         }

@@ -91,8 +91,8 @@ impl<R: Scalar + skinning::Weight> SkinParts<R> {
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
         disjoint(&[made.span, bad_vertex.span], &[joint_indices.span, weights.span])?;
-        // SAFETY: the caller guarantees that both arrays have their elements, and that these do not
-        // change while the skin is used, so they may be borrowed for `'static`.
+        // SAFETY: the caller guarantees that both arrays have `stride` elements per vertex, which
+        // do not change while the skin is used, so they may be borrowed for `'static`.
         let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
         let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
         let (by, how_much) = ((joint_indices, field(joint_field)), (weights, field(weight_field)));
@@ -187,11 +187,11 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
     /// Returns the skin, and its palettes as slices.
     ///
     /// # Safety
-    /// The arrays of the skin must be unchanged since it was made. The palettes must have their
-    /// elements, and no other thread may write them while `'p` lasts.
+    /// The arrays of the skin must be unchanged since it was made. Each palette must have as many
+    /// elements as its input counts, and no other thread may write them while `'p` lasts.
     pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, Palettes<'p, R>) {
-        // SAFETY: the caller guarantees that each palette has its elements and that no other thread
-        // writes them.
+        // SAFETY: the caller guarantees that each palette has as many elements as its input counts,
+        // and that no other thread writes them.
         unsafe {
             let (motions, matrices) = (self.motions.slice(), self.matrices.slice());
             (self.known, Palettes { motions, matrices, shares: self.shares.slice() })

@@ -12,9 +12,9 @@ use dq8::skinning::{self, DualBlend, Linear, Mixed, StretchedDualBlend};
 macro_rules! blends {
     ($($name:ident($($palette:ident),+) of $mesh:ident: $given:expr, |$by:ident| $blend:expr;)+) => {$(
         /// # Safety
-        /// The skin must be zeroed, or made and its arrays unchanged. The palettes and the mesh
-        /// must have all their elements. No other thread may use the outputs or write the inputs
-        /// during the call.
+        /// The skin must be zeroed, or made and its arrays unchanged. The palettes must have
+        /// `joints` entries, or one share per vertex, and the mesh must have the elements of all
+        /// its vertices. No other thread may use the outputs or write the inputs during the call.
         unsafe fn $name<R: Scalar + skinning::Weight>(
             skin: *const Skin<R>,
             $($palette: *const R,)+
@@ -22,7 +22,7 @@ macro_rules! blends {
             $mesh: impl Mesh<R>,
         ) -> Done {
             // SAFETY: the caller guarantees that the skin is zeroed or made, that the palettes and
-            // the mesh have their elements, and that no other thread uses them.
+            // the mesh have the stated lengths, and that no other thread uses them.
             unsafe {
                 let by = Posing::new(skin, joints, $given)?;
                 $mesh.pose(&by, |$by| $blend)
@@ -52,9 +52,9 @@ macro_rules! export_pose {
     ($R:ident $(#[doc = $about:literal])* $name:ident, $interleaved:ident($($palette:ident),*)) => {
         export_one! { $R
             /// Poses a vertex buffer, like the function without _interleaved poses arrays. `rest`
-            /// and `posed` hold `stride` elements per vertex. `from` and `to` say where in a vertex
-            /// of `rest` and of `posed` the position, normal and tangent are. All other elements of
-            /// `posed` keep their values.
+            /// and `posed` hold `stride` elements per vertex. `from` and `to` are the layouts of
+            /// `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
+            /// other elements of `posed` keep their values.
             ///
             /// Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
             /// and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another

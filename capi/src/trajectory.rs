@@ -21,7 +21,7 @@ pub struct Options {
     pub unit: f64,
     /// The pose before the first stamp and after the last stamp. 0: the body stands at the first or
     /// last pose. 1: it goes on as it moves between the first two or the last two poses. 2: a time
-    /// there is an error.
+    /// before the first or after the last stamp is an error.
     pub outside: i32,
     /// The frame of the results. 0: the world. 1: the body at the first stamp. 2: the body at the
     /// last stamp. 3: the body at `time`. 4: a frame whose pose in the world is `pose`.
@@ -51,11 +51,11 @@ struct Bad(Output<usize>);
 
 impl Bad {
     /// # Safety
-    /// The output must be empty, or its element must be there and unused by other code.
+    /// The output must be empty, or point to a `usize` that no other code uses.
     unsafe fn tell(&self, (status, index): (Status, Option<usize>)) -> Status {
         if let Some(index) = index {
-            // SAFETY: the caller guarantees that the output is empty, or that its element is there
-            // and unused.
+            // SAFETY: the caller guarantees that the output is empty, or points to a `usize` that
+            // no other code uses.
             unsafe { self.0.write(index) };
         }
         status
@@ -305,8 +305,8 @@ macro_rules! functions {
             /// Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
             /// it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
             /// sets `bad_time`, which may be null, to the index of the stamp or time. Returns
-            /// DQ8_STATUS_LENGTH if there is no pose, or if there is one pose only and the body is
-            /// to go on. The pose at a time that is NaN is NaN.
+            /// DQ8_STATUS_LENGTH if there is no pose, or if there is only one pose and `outside`
+            /// is 1. The pose at a time that is NaN is NaN.
             trajectory::sample(
                 stamps: *const f64, poses: *const f64, pose_count: usize, options: *const Options,
                 times: *const f64, out: *mut $R, twists: *mut $R, count: usize,

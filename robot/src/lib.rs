@@ -9,7 +9,7 @@
 //! The page `guide` (feature `urdf`) leads from a robot's file to inverse kinematics, and names the
 //! index of each array.
 //!
-//! | item | what it is |
+//! | item | meaning |
 //! |---|---|
 //! | [`Joint`], [`JointKind`], [`Mimic`] | the joint between a link and its parent link |
 //! | [`Mechanism`], [`Step`] | a tree of joints, screws or [`Dh`] rows, and its memory |
@@ -26,7 +26,7 @@
 //! computes one configuration, in any [`Real`](dq8::Real). A method of their jobs, such as [`Job`]
 //! and [`ReachJob`](ik::ReachJob), computes many configurations, one per lane.
 //!
-//! | one configuration | many |
+//! | one configuration | many configurations |
 //! |---|---|
 //! | [`Mechanism::link_poses`] | [`Job::poses`] |
 //! | [`Mechanism::link_pose`] | `mechanism.job().links(&links).poses(…)` |
@@ -49,8 +49,8 @@
 //!
 //! Without default features and with `libm` nothing is allocated and only `core` is linked; a
 //! mechanism borrows the caller's memory.
-//! [`dq8::guide::firmware`](https://docs.rs/dq8/latest/dq8/guide/firmware) says which of this is
-//! proved. The example is an arm of two joints and a tool:
+//! [`dq8::guide::firmware`](https://docs.rs/dq8/latest/dq8/guide/firmware) tells which of these
+//! properties are proved. The example is an arm of two joints and a tool:
 //!
 //! ```
 //! use dq8::DualQuat;

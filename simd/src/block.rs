@@ -2,8 +2,8 @@
 //!
 //! A block needs no transpose: one load reads component `c` of all lanes. Kernels over blocks are
 //! therefore the fastest. If a row is longer than a register, a kernel computes one part of the
-//! block after the other. A part is one register of each component ([`Native`]), so all components
-//! of a part fit in registers together.
+//! block after the other. A part is one register of each component ([`Native`]), so that all
+//! components of a part fit into the registers together.
 
 use crate::lanes::{Float, Lanes, Level};
 use bytemuck::{Pod, Zeroable};
@@ -133,9 +133,9 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        // The two loops do the same and differ in how they take `components`. A loop by value would
-        // make the compiler keep registers of 16 bytes on the stack. A loop by reference would make
-        // it schedule the code before the loop worse for larger registers.
+        // The two loops differ only in that they take `components` by value or by reference. With a
+        // loop by value the compiler keeps registers of 16 bytes on the stack. With a loop by
+        // reference it schedules the code before the loop worse for larger registers.
         if size_of::<Native<A, V>>() > 16 {
             for (row, component) in self.0.iter_mut().zip(components) {
                 if let Some(array) = part_of::<A, V>(row, part) {

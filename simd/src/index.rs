@@ -6,7 +6,7 @@ use core::ops::Not;
 /// greatest `usize`, which is beyond the end of every slice.
 ///
 /// The operator `as` would cut off the upper bits, so an index that is too large could become one
-/// that exists. It would then also no longer suffice to check the largest of many indices. `U` is
+/// that exists. Then a check of the largest of many indices would not suffice either. `U` is
 /// `usize` everywhere but in the tests, which take a type of 16 bits.
 #[inline(always)]
 pub(crate) fn saturated<U: TryFrom<u32> + Default + Not<Output = U>>(index: u32) -> U {

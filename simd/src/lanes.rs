@@ -58,8 +58,8 @@ pub trait Lanes:
     /// The level whose instructions these lanes need.
     type Level: Level;
     /// The lanes that fill one register: this type, or a narrower type if a vector of this type
-    /// needs several registers. A kernel that computes one register's part after the other keeps
-    /// its values in registers instead of spilling them to the stack.
+    /// needs several registers. A kernel over the narrower type keeps its values in registers
+    /// instead of spilling them to the stack.
     type Native: Lanes<Real = Self::Real, Level = Self::Level>;
     /// The array of the lanes in memory, `[Real; LANES]`.
     type Array: Pod + Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
@@ -72,7 +72,7 @@ pub trait Lanes:
     /// Returns a vector with `value` in every lane.
     fn splat(level: Self::Level, value: Self::Real) -> Self;
     /// Returns a vector with `value`, rounded to the element type, in every lane. This is for code
-    /// that holds lanes and no level.
+    /// that has lanes but no level.
     #[inline(always)]
     #[must_use]
     fn constant(self, value: f64) -> Self {
@@ -225,7 +225,7 @@ pub trait Lanes:
 
     /// Sums each group of four adjacent lanes, for four vectors at once. Lane `i` of a group of the
     /// result is (v₀ + v₂) + (v₁ + v₃), where v₀ to v₃ are the lanes of that group in
-    /// vector `i`. If the vectors are products, the sums are four dot products per group. `LANES`
+    /// vector `i`. If the vectors are products of components, each sum is a dot product. `LANES`
     /// must be a multiple of four.
     #[inline(always)]
     #[must_use]
@@ -310,9 +310,9 @@ pub trait Mask:
 
 /// An instruction set, held as a value that proves that the CPU has it.
 ///
-/// Anyone may construct [`Portable`](crate::Portable), because its lanes use only the instructions
-/// of the build target. The levels whose instructions are detected at run time, `Avx2` and
-/// `Avx512`, have a private field, so only their method `detect` can make a value. The trait is
+/// All code may construct [`Portable`](crate::Portable), because its lanes use only the
+/// instructions of the build target. The levels whose instructions are detected at run time, `Avx2`
+/// and `Avx512`, have a private field, so only their method `detect` can make a value. The trait is
 /// sealed.
 pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f32`.

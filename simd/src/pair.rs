@@ -69,9 +69,9 @@ where
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: lane `i` of the upper half reads at the offset of lane `L::LANES + i` of the
-        // pair. The caller guarantees four readable components at the offset of every lane of the
-        // pair, so both halves read only these components.
+        // SAFETY: the lower half reads four components at `from + offset(i)` for the lanes `i`
+        // below `L::LANES`, and the upper half for the lanes from `L::LANES` on. The caller
+        // guarantees that these components are readable for all lanes of the pair.
         let [a, b] = unsafe {
             [
                 L::load_quads(level, from, &offset),
@@ -93,9 +93,9 @@ where
         records: impl Fn(usize) -> [usize; 2],
         t: Self,
     ) -> [Self; 4] {
-        // SAFETY: lane `i` of the upper half reads the records of lane `L::LANES + i` of the pair.
-        // The caller guarantees that the records of every lane of the pair are readable, so both
-        // halves read only these records.
+        // SAFETY: the lower half reads the two records `records(i)` for the lanes `i` below
+        // `L::LANES`, and the upper half for the lanes from `L::LANES` on. The caller guarantees
+        // that these records are readable for all lanes of the pair.
         let [a, b] = unsafe {
             [
                 L::between_shorts(level, from, &records, t.0),
@@ -113,9 +113,10 @@ where
     }
     #[inline(always)]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the upper half begins at the address of lane `L::LANES` of the pair. The caller
-        // guarantees that the four components of every lane of the pair are writable and unused by
-        // other threads.
+        // SAFETY: the lower half writes four components at `to + i · stride` for the lanes `i`
+        // below `L::LANES`, and the upper half for the lanes from `L::LANES` on. The caller
+        // guarantees that these components are writable and unused by other threads for all lanes
+        // of the pair.
         unsafe {
             L::store_quads([x.0, y.0, z.0, w.0], to, stride);
             L::store_quads([x.1, y.1, z.1, w.1], to.add(L::LANES * stride), stride);
@@ -123,9 +124,9 @@ where
     }
     #[inline(always)]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: the upper half begins at the address of lane `L::LANES` of the pair. The caller
-        // guarantees that the three components of every lane of the pair are writable and unused by
-        // other threads.
+        // SAFETY: the lower half writes three components at `to + 3i` for the lanes `i` below
+        // `L::LANES`, and the upper half for the lanes from `L::LANES` on. The caller guarantees
+        // that these components are writable and unused by other threads for all lanes of the pair.
         unsafe {
             L::store_triples([x.0, y.0, z.0], to);
             L::store_triples([x.1, y.1, z.1], to.add(3 * L::LANES));

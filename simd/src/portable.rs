@@ -33,9 +33,9 @@ impl Level for Portable {
 }
 
 /// The lanes of one register of the build target, for each vector of `wide` ([`Lanes::Native`]). A
-/// register has at most 256 bits with AVX and at most 128 bits with SSE2, NEON or simd128. On a
-/// target without vector registers the lanes are a single float, because `wide` would emulate
-/// vectors there.
+/// register has at most 256 bits with AVX, and 128 bits with SSE2, NEON or simd128. On a target
+/// without vector registers the lanes are a single float, because `wide` would emulate vectors
+/// there.
 mod part {
     #[cfg(not(any(
         target_feature = "avx",
@@ -162,9 +162,10 @@ macro_rules! wide_lanes {
                 ) -> [Self; 4] {
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
-                        // SAFETY: the caller guarantees four readable components from
-                        // `from + offset(i)` on for each lane `i`, and an array has the alignment
-                        // of its elements.
+                        // SAFETY: this vector has four lanes, so the row is four components. The
+                        // caller guarantees that the four components from `from + offset(i)` on are
+                        // readable for each lane `i`, and an array has the alignment of its
+                        // elements.
                         *row = Self::new(unsafe { *from.add(offset(i)).cast::<[$real; $lanes]>() });
                     }
                     Self::$transpose(rows)
@@ -172,9 +173,10 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     for (i, row) in Self::$transpose(components).iter().enumerate() {
-                        // SAFETY: the caller guarantees four writable components from
-                        // `to + i · stride` on for each lane `i`, and an array has the alignment
-                        // of its elements.
+                        // SAFETY: this vector has four lanes, so the row is four components. The
+                        // caller guarantees that the four components from `to + i · stride` on are
+                        // writable for each lane `i`, and an array has the alignment of its
+                        // elements.
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
                 }
@@ -191,24 +193,22 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: the caller guarantees four readable components from
-                    // `from + offset(i)` on for each lane `i`, and `load_quads` reads only these
-                    // components.
+                    // SAFETY: `load_quads` reads the four components from `from + offset(i)` on for
+                    // each lane `i`, which the caller guarantees to be readable.
                     unsafe { aarch64::$quads::load_quads(from, offset) }
                 }
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
-                    // SAFETY: the caller guarantees four writable components from
-                    // `to + i · stride` on for each lane `i`, and `store_quads` writes only these
-                    // components.
+                    // SAFETY: `store_quads` writes the four components from `to + i · stride` on
+                    // for each lane `i`, which the caller guarantees to be writable.
                     unsafe { aarch64::$quads::store_quads(components, to, stride) }
                 }
             )?
             $(
                 #[inline(always)]
                 unsafe fn store_triples(components: [Self; 3], to: *mut $real) {
-                    // SAFETY: the caller guarantees three writable components per lane from `to`
-                    // on, and `store_triples` writes only these components.
+                    // SAFETY: `store_triples` writes three components per lane from `to` on, which
+                    // the caller guarantees to be writable.
                     unsafe { aarch64::$neon::store_triples(components, to) }
                 }
                 #[inline(always)]
@@ -216,8 +216,8 @@ macro_rules! wide_lanes {
                     components: [Self; C],
                     to: *mut $real,
                 ) -> bool {
-                    // SAFETY: the caller guarantees `C` writable components per lane from `to` on,
-                    // and `store_adjoining` writes only these components.
+                    // SAFETY: `store_adjoining` writes `C` components per lane from `to` on, which
+                    // the caller guarantees to be writable.
                     unsafe { aarch64::$neon::store_adjoining(components, to) }
                 }
                 #[inline(always)]
@@ -225,8 +225,8 @@ macro_rules! wide_lanes {
                     _: Portable,
                     from: *const $real,
                 ) -> Option<[Self; C]> {
-                    // SAFETY: the caller guarantees `C` readable components per lane from `from`
-                    // on, and `load_adjoining` reads only these components.
+                    // SAFETY: `load_adjoining` reads `C` components per lane from `from` on, which
+                    // the caller guarantees to be readable.
                     unsafe { aarch64::$neon::load_adjoining::<C>(from) }
                 }
             )?
@@ -237,9 +237,10 @@ macro_rules! wide_lanes {
                     from: *const $real,
                     offset: impl Fn(usize) -> usize,
                 ) -> [Self; 4] {
-                    // SAFETY: lane `i` of the upper half reads at the offset of lane
-                    // `$lanes / 2 + i` of this vector. The caller guarantees four readable
-                    // components at the offset of every lane of this vector.
+                    // SAFETY: the lower half reads four components at `from + offset(i)` for the
+                    // lanes `i` below `$lanes / 2`, and the upper half for the lanes from
+                    // `$lanes / 2` on. The caller guarantees that these components are readable for
+                    // all lanes.
                     let [[a, b, c, d], [e, f, g, h]] = unsafe {
                         let upper = |lane| offset($lanes / 2 + lane);
                         [$half::load_quads(level, from, &offset), $half::load_quads(level, from, upper)]
@@ -249,9 +250,10 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     let halves = components.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
-                    // SAFETY: the upper half begins at the address of lane `$lanes / 2` of this
-                    // vector. The caller guarantees four writable components from
-                    // `to + i · stride` on for every lane `i` of this vector.
+                    // SAFETY: the lower half writes four components at `to + i · stride` for the
+                    // lanes `i` below `$lanes / 2`, and the upper half for the lanes from
+                    // `$lanes / 2` on. The caller guarantees that these components are writable for
+                    // all lanes.
                     unsafe {
                         $half::store_quads(halves.map(|half| half[0]), to, stride);
                         let upper = to.add($lanes / 2 * stride);

@@ -15,17 +15,17 @@
 //! ```text
 //! load_strided(from, stride):
 //!     if there is one lane:                   copy the record
-//!     if C = 1 and the records adjoin:        load the numbers as they are
+//!     if C = 1 and the records adjoin:        load the components as they are
 //!     if C ≥ 3 and the slice is long enough:  transpose, four components at a time
-//!     else:                                   move one number at a time, in a cold function
+//!     else:                                   move one component at a time, in a cold function
 //! ```
 //!
-//! 1. If `C` is not a multiple of four, the last two transposes overlap: components 0 to 6 are read
-//!    as 0 to 3 and 3 to 6. So no load reads outside of the record. The overlap costs no time,
-//!    because a transpose of three components takes as long as a transpose of four.
+//! 1. If `C` is not a multiple of four, the last two transposes overlap. For example, components 0
+//!    to 6 are read as 0 to 3 and 3 to 6, so that no load reads outside of the record. The overlap
+//!    costs no time, because a transpose of three components takes as long as a transpose of four.
 //! 2. A load of records of three components also reads the component after each record, and drops
-//!    it. The slice must contain this fourth component, so the cold function loads the vector that
-//!    ends with the last record of a slice.
+//!    it. The slice must contain this fourth component. After the last record of a slice there is
+//!    none, so the cold function loads the vector that ends with this record.
 //! 3. The cold function takes and returns arrays, not vectors, so the loop around the call keeps
 //!    its vectors in registers.
 
@@ -92,7 +92,7 @@ pub trait Records: Lanes {
         Self::store_strided(components, to, None);
     }
     /// Loads every `stride`-th record, from the first record on, and is otherwise like
-    /// [`load_records`](Self::load_records). `None` stands for a stride of 1 that the compiler
+    /// [`load_records`](Self::load_records). `None` means a stride of 1, which the compiler then
     /// knows as a constant.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_strided<const C: usize>(
@@ -133,8 +133,8 @@ pub trait Records: Lanes {
             _ => flat.len() >= reach(Self::LANES, spacing, const { if C < 4 { 4 } else { C } }),
         };
         if const { C < 3 } || !all {
-            // `padding` is passed by value. By reference, a caller with a constant would have to
-            // keep it on the stack for this call.
+            // `padding` is passed by value. If it were passed by reference, a caller with a
+            // constant would have to store it to the stack for this call.
             let rows = load_each::<Self, C>(from, stride.unwrap_or(1), *padding);
             let mut components = [Self::splat(level, Self::Real::default()); C];
             let mut component = 0;
@@ -205,7 +205,7 @@ pub trait Records: Lanes {
         })
     }
     /// Stores to every `stride`-th record, from the first record on, and is otherwise like
-    /// [`store_records`](Self::store_records). `None` stands for a stride of 1 that the compiler
+    /// [`store_records`](Self::store_records). `None` means a stride of 1, which the compiler then
     /// knows as a constant.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_strided<const C: usize>(

@@ -28,7 +28,8 @@ pub(crate) fn numbers(record: Shorts) -> [i16; 4] {
     [word as i16, (word >> 16) as i16, (word >> 32) as i16, (word >> 48) as i16]
 }
 
-/// Interpolates one component of one lane after the other, for any lanes.
+/// Interpolates record by record: one lane after the other, and one component after the other. It
+/// works for all lane types.
 ///
 /// # Safety
 /// For each lane, the records `from + a` and `from + b` with `[a, b] = records(lane)` must be
@@ -48,8 +49,8 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     let weights = t.mul_add(t.constant(16384.0), in_last_bits).to_array();
     let mut rows = [L::Array::zeroed(); 4];
     for lane in 0..L::LANES {
-        // SAFETY: `record` is one of the two of `records(lane)`, and the caller guarantees that
-        // both are readable after `from`.
+        // SAFETY: `record` is one of the two indices of `records(lane)`, and the caller guarantees
+        // that both records, `from + record`, are readable.
         let [a, b] = records(lane).map(|record| numbers(unsafe { *from.add(record) }));
         let sum = weights.as_ref()[lane];
         let weight =
@@ -64,8 +65,8 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     [L::load(level, x), L::load(level, y), L::load(level, z), L::load(level, w)]
 }
 
-/// Big-endian targets take the code for any lanes also for four lanes, because a load of a record
-/// into a register would swap the bytes of its integers there.
+/// Big-endian targets use [`one_by_one`] for four lanes too, because a load of a record into a
+/// register would swap the bytes of its integers there.
 #[cfg(target_endian = "big")]
 pub(crate) use one_by_one as four_at_once;
 
@@ -96,8 +97,8 @@ pub(crate) unsafe fn four_at_once(
     // a₂a₃ b₀b₁ b₂b₃.
     let mut rows = [f32x4::ZERO; 4];
     for (lane, row) in rows.iter_mut().enumerate() {
-        // SAFETY: `record` is one of the two of `records(lane)`, and the caller guarantees that
-        // both are readable after `from`.
+        // SAFETY: `record` is one of the two indices of `records(lane)`, and the caller guarantees
+        // that both records, `from + record`, are readable.
         *row = bytemuck::cast(records(lane).map(|record| unsafe { *from.add(record) }));
     }
     let [a01, a23, b01, b23]: [u32x4; 4] = bytemuck::cast(f32x4::transpose(rows));

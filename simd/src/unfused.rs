@@ -82,21 +82,21 @@ impl<L: Lanes> Lanes for Unfused<L> {
         from: *const L::Real,
         offset: impl Fn(usize) -> usize,
     ) -> [Self; 4] {
-        // SAFETY: the caller guarantees four readable components from `from + offset(i)` on for
-        // each lane `i`, and `L` has the same lanes.
+        // SAFETY: `L` has the same lanes, and the caller guarantees that the four components from
+        // `from + offset(i)` on are readable for each lane `i`.
         let [x, y, z, w] = unsafe { L::load_quads(level.0, from, offset) };
         [Self(x), Self(y), Self(z), Self(w)]
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
-        // SAFETY: the caller guarantees four writable components from `to + i · stride` on for
-        // each lane `i`, and `L` has the same lanes.
+        // SAFETY: `L` has the same lanes, and the caller guarantees that the four components from
+        // `to + i · stride` on are writable for each lane `i`.
         unsafe { L::store_quads([x.0, y.0, z.0, w.0], to, stride) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
-        // SAFETY: the caller guarantees three writable components per lane from `to` on, and `L`
-        // has the same lanes.
+        // SAFETY: `L` has the same lanes, and the caller guarantees that three components per lane
+        // from `to` on are writable.
         unsafe { L::store_triples([x.0, y.0, z.0], to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -104,8 +104,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
         level: Self::Level,
         from: *const L::Real,
     ) -> Option<[Self; C]> {
-        // SAFETY: the caller guarantees `C` readable components per lane from `from` on, and `L`
-        // has the same lanes.
+        // SAFETY: `L` has the same lanes, and the caller guarantees that `C` components per lane
+        // from `from` on are readable.
         let components = unsafe { L::load_adjoining::<C>(level.0, from) };
         components.map(
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -118,8 +118,8 @@ impl<L: Lanes> Lanes for Unfused<L> {
             #[cfg_attr(not(opt_level_0), inline(always))]
             |component| component.0,
         );
-        // SAFETY: the caller guarantees `C` writable components per lane from `to` on, and `L` has
-        // the same lanes.
+        // SAFETY: `L` has the same lanes, and the caller guarantees that `C` components per lane
+        // from `to` on are writable.
         unsafe { L::store_adjoining(components, to) }
     }
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! for each step:
-//!     frame ← frame of the parent          the last, or from the written pose
+//!     frame ← frame of the parent          the last frame, or from the stored pose
 //!     frame ← frame moved by half_offset   to the joint
 //!     frame ← frame moved by the joint     to the link
 //!     pose of the link ← frame · link_rotation

@@ -150,7 +150,8 @@ impl<E: Element<8>, C> Jacobians<'_, E, C> {
 
 /// Columns are computed in the frame [`World`], in which a joint's column is the same for all links
 /// that it carries, and stored for the first of these links. At the end of a group, the columns of
-/// the other links are made from these columns, and all are converted to the requested frame.
+/// the other links are made from these columns, and all columns are converted to the requested
+/// frame.
 impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
     E: Element<8>,

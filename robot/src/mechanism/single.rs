@@ -298,7 +298,7 @@ impl<R: Real> Step<R> {
     }
 
     /// Returns the body twist that rate `index` of the joint gives to its link. On firmware the
-    /// function is not inlined, so that the image holds it once.
+    /// function is not inlined, so that the image contains its code once.
     #[cfg_attr(target_os = "none", inline(never))]
     fn body_twist(&self, index: usize, values: &[R]) -> Twist<R> {
         BodyScrews(values).screw(self, index)

@@ -5,10 +5,10 @@
 //!
 //! # The plan for one configuration
 //!
-//! With one configuration there are no others to fill the lanes, and the pose of each link depends
-//! on the pose of its parent. So as much as possible is computed once, when the mechanism is made.
-//! A link's *base frame* has the origin of the link's frame, and is turned so that it is parallel
-//! to the base while every value is zero:
+//! With one configuration, no other configurations fill the lanes, and the pose of each link
+//! depends on the pose of its parent. So as much as possible is computed once, when the mechanism
+//! is made. A link's *base frame* has the origin of the link's frame, and is turned so that it is
+//! parallel to the base while every value is zero:
 //!
 //! ```text
 //!   link frames, as in the file     base frames: same origins, axes of the base
@@ -224,7 +224,7 @@ impl<R: Real> Step<R> {
 /// `V` holds the values of the joints.
 ///
 /// The implementation on lanes uses halves of angles and distances, because its products need only
-/// the halves. The other two use whole angles and distances.
+/// the halves. The other two implementations use whole angles and distances.
 pub(crate) trait JointFrame<R: Real, V>: Copy {
     /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
@@ -286,8 +286,8 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
 
 /// The twists that a joint gives to its link if one of its rates is 1. They are written once for
 /// each kind of joint, in [`screw`](Self::screw). The implementers on lanes and for one
-/// configuration of floats give spatial twists, in the frame of the base. The one for any `Real`
-/// gives body twists, in the frame of the link.
+/// configuration of floats give spatial twists, in the frame of the base. The implementer for any
+/// `Real` gives body twists, in the frame of the link.
 pub(crate) trait JointScrews<R: Real> {
     /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
@@ -461,7 +461,7 @@ pub(crate) enum Moves {
     AboutY,
     AboutZ,
     AboutAny,
-    /// Any other joint; few robots have such joints.
+    /// Any other joint that moves; few robots have such joints.
     General,
 }
 

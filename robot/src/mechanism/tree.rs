@@ -299,11 +299,11 @@ pub(crate) fn finish<R: Real>(
 
 /// Puts the steps in depth-first order, the largest branch last.
 ///
-/// While one branch of a link is computed, the pose of the link is kept for its other children. As
-/// each branch is no larger than the last one, at most log₂(n) + 1 poses are kept at a time (the
-/// Strahler number of the tree), so memory of a fixed size is enough.
-// Steps are large, so none is copied to the stack. The function is not inlined: otherwise its stack
-// frame and the frame of `plan` would be needed at the same time.
+/// While one branch of a link is computed, the pose of the link is kept for its other children.
+/// Each branch is no larger than the last branch, so at most log₂(n) + 1 poses are kept at a time
+/// (the Strahler number of the tree), and memory of a fixed size is enough.
+// Steps are large, so no step is copied to the stack. The function is not inlined: otherwise its
+// stack frame and the frame of `plan` would be needed at the same time.
 #[inline(never)]
 fn order<R>(steps: &mut [Step<R>]) {
     let count = steps.len();
@@ -360,9 +360,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// joint, from the base outward, and each joint is carried by the one before. Link N is the
     /// tool, fixed to the last joint. `steps` must hold at least N + 1 steps.
     ///
-    /// A screw is the motion that a value of 1 gives to all links beyond the joint while all other
-    /// values are zero, in the frame of the base. The caller does not have to choose frames for the
-    /// links.
+    /// A screw is the motion, in the frame of the base, that a value of 1 gives to all links beyond
+    /// the joint while all other values are zero. The caller need not choose frames for the links.
     ///
     /// | angle | slide | joint |
     /// |---|---|---|
@@ -372,8 +371,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     ///
     /// Each screw is paired with the limits of its joint, infinite for a joint without limits.
     /// `tool` is the pose of the tool while all values are zero. Axes and tool are normalized, so
-    /// input with four decimals is precise enough. A component of the moment along the axis is
-    /// taken for rounding, and is left out.
+    /// input with four decimals is precise enough. A component of the moment along the axis counts
+    /// as rounding, and is left out.
     ///
     /// While all values are zero, the frames of the links are parallel to the base. The frame of a
     /// hinge is at the point of its axis that is nearest to the frame before it, so
@@ -398,8 +397,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     ///
     /// # Errors
     /// If an axis or the tool is farther than 10⁻³ from unit or not finite (errors name the tool
-    /// as joint N), a screw is none of these three, limits are not in order, or there are fewer
-    /// than N + 1 steps. In any of these cases `steps` may have been written.
+    /// as joint N), a screw is not one of the three kinds in the table, limits are not in order, or
+    /// there are fewer than N + 1 steps. In any of these cases `steps` may have been written.
     // The function is not inlined: otherwise its stack frame would be part of the frame of a caller
     // that goes on to a search by inverse kinematics.
     #[inline(never)]

@@ -205,7 +205,8 @@ pub(crate) trait LaneValues<L: Lanes> {
     }
 }
 
-/// The index `first` while no values are loaded. It differs from any real index by more than four.
+/// The index `first` while no values are loaded. It differs from the index of every value by more
+/// than four.
 const NOWHERE: usize = usize::MAX / 2;
 
 /// The values of a group of configurations. Four consecutive values are loaded at a time, and kept
@@ -318,8 +319,8 @@ impl Group {
     }
 
     /// Prefetches the memory to which the next group will write `these` of its `count` items. The
-    /// CPU's own prefetcher does not recognise the pattern, as a step writes to as many places as
-    /// there are lanes. The prefetch saves a third of the time if the output does not fit the
+    /// CPU's own prefetcher does not follow these writes, because a step writes to as many places
+    /// as there are lanes. The prefetch saves a third of the time if the output does not fit the
     /// caches.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn prefetch_next<Y: Layout, V: Level, E>(

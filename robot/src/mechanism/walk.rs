@@ -16,7 +16,7 @@
 //! A [`Task`] writes the pose, adds a column to a Jacobian, or passes the link's velocity on to its
 //! children.
 //!
-//! # Why it is as it is
+//! # Reasons
 //!
 //! - *The stack is laid out beforehand.* A pose that children still need is kept in a slot, whose
 //!   index was chosen when the mechanism was made. A link's largest subtree comes last and takes
@@ -38,8 +38,9 @@ use dq8::storage::Layout;
 use dq8::{Kernel, Scalar};
 use dq8_simd::{Float, Lanes, Level};
 
-/// The greatest count of poses that are kept for children: log₂ of the count of joints, plus one.
-/// [`Mechanism::new`] puts the steps in an order for which this holds.
+/// The greatest count of poses that the loop keeps for children at a time. [`Mechanism::new`]
+/// orders the steps so that this count is at most log₂ of the count of joints, plus one, which is
+/// less than 32 for all mechanisms that fit into memory.
 pub(crate) const SLOTS: usize = 32;
 
 /// The work that a kernel does with each link, for poses in the layout `Y`.
@@ -54,8 +55,8 @@ pub(crate) trait Task<Y: Layout> {
     type Carried<V: Level>: Copy;
     /// Returns the state before the first group of configurations.
     fn start<V: Level>(&self, level: V) -> Self::State<V>;
-    /// Returns the quantities that links on the base take from it in place of a parent's, such as a
-    /// twist of zero.
+    /// Returns the quantities of the base, such as a twist of zero. Links on the base take them in
+    /// place of the quantities of a parent link.
     fn base<V: Level>(level: V) -> Self::Carried<V>;
     /// Begins a group of configurations, before its links are visited.
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -132,8 +133,9 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                         continue;
                     }
                     position += 1;
-                    // Slots are below `SLOTS`, so the remainder changes none. It tells the compiler
-                    // that the slots are within the array, so that the loop has no bounds check.
+                    // Slots are below `SLOTS`, so the remainder changes no slot. It shows the
+                    // compiler that the slots are within the array, so that the loop has no bounds
+                    // check.
                     let from = step.parent_slot as usize % SLOTS;
                     let to = step.slot as usize % SLOTS;
                     let is_root = step.parent == NONE;
@@ -171,7 +173,7 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         Self { rotation: [zero, zero, zero, zero.constant(1.0)], half: [zero; 3] }
     }
 
-    /// Returns the frame of a joint that stands on the base.
+    /// Returns the frame of the joint of `step`, which stands on the base.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn on_base(level: L::Level, step: &Step<L::Real>) -> Self {
         let rotation = vector::splat(level, step.rotation);
@@ -194,7 +196,7 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         ]
     }
 
-    /// Returns the frame of a joint that stands on a link with this pose.
+    /// Returns the frame of the joint of `step`, which stands on a link with the pose `self`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn joint_frame(self, step: &Step<L::Real>) -> Self {
         let level = self.half[0].level();
@@ -332,7 +334,7 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
 
     /// Returns the cosine and the sine from the cache of `values`, which computes the cosines and
     /// sines of four consecutive values at a time. The cache ignores multipliers and offsets, so
-    /// the joint must mimic no other.
+    /// the joint must mimic no other joint.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn own_half_angle(self, step: &Step<L::Real>, values: &mut N) -> [L; 2] {
         let level = self.half[0].level();
@@ -432,8 +434,8 @@ impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
 }
 
 impl<L: Lanes> LinkFrames<L> {
-    /// Returns the rate, or NaN if the pose of the link is NaN. Even then the screw of the joint
-    /// may be finite, and the velocity of the link must not be.
+    /// Returns the rate, or NaN if the pose of the link is NaN. The screw of the joint may be
+    /// finite even then, but the velocity of the link must be NaN too.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn nan_if_nowhere(&self, rate: L) -> L {
         let [.., w] = self.link.rotation;

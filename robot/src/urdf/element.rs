@@ -1,6 +1,6 @@
-//! An element of a URDF file. Its attributes and child elements are read by name. Any other part is
-//! an error if it says where links are or looks like a misspelling of a part that is read, and a
-//! warning otherwise.
+//! An element of a URDF file. Its attributes and child elements are read by name. Any other part
+//! gives an error if it describes where links are, or if its name looks like a misspelling of a
+//! name that is read. Otherwise it gives a warning.
 
 use super::error::{UrdfError, UrdfWarning};
 use roxmltree::Node;
@@ -74,8 +74,8 @@ impl<'f> Element<'f> {
         elements.map(move |node| Element { node, ..self })
     }
 
-    /// Checks all parts of the element. A part that elements of the kind `place` neither read nor
-    /// may ignore gives an error or a warning.
+    /// Checks all parts of the element. A part that is neither read in elements of the kind `place`
+    /// nor may be ignored gives an error or a warning.
     pub(crate) fn check(
         self,
         place: &Place,
@@ -138,8 +138,9 @@ impl<'f> Element<'f> {
         }
         let parts = if place.numbers { JOINT.elements } else { "" };
         let mut names = place.names().chain(parts.split_terminator(' '));
-        // Only a name without a prefix of its own can be a misspelling. With one, only the exact
-        // name of a part, in any case, is an error.
+        // Only a name without a prefix of its own can be a misspelling. A name with a prefix is an
+        // error only if, without the prefix, it is exactly the name of a part, in upper or lower
+        // case.
         let meant = if own {
             meant(name, names)
         } else {
@@ -159,7 +160,7 @@ impl<'f> Element<'f> {
     }
 
     /// Returns the first child element of this name, if there is one. Other readers of URDF also
-    /// take the first.
+    /// take the first element.
     pub(crate) fn child(self, name: &str) -> Option<Element<'f>> {
         self.children(name).next()
     }
@@ -204,12 +205,12 @@ fn instead(name: &str, meant: &str) -> String {
     if name == meant { String::new() } else { format!("; did you mean {meant:?}?") }
 }
 
-/// A kind of element, with the names of its parts. A part that is not read there is an error if its
-/// name is among these, or is close to one of them ([`meant`]). Any other name has nothing to do
-/// with where links are.
+/// A kind of element, with the names of its parts. A part that is not read is an error if its name
+/// is one of these names, or close to one of them ([`meant`]). Other parts do not describe where
+/// links are.
 pub(crate) struct Place {
-    /// The attributes that are read. Names are separated by spaces, in this field and the next
-    /// three.
+    /// The attributes that are read. In this field and the next three, names are separated by
+    /// spaces.
     pub(crate) attributes: &'static str,
     /// The child elements that are read.
     pub(crate) elements: &'static str,

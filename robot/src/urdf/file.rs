@@ -129,7 +129,7 @@ impl JointElement {
             *own = axis(joint, warnings)?;
         }
         let limits = if has_limits { limits(joint, unsaid, warnings)? } else { None };
-        // Speed and effort do not say where links are, so a wrong value of these is never an error.
+        // Speed and effort do not say where links are, so a wrong value of them is never an error.
         let drive = joint.child("limit").map_or(Drive::FREE, Drive::of);
         let mut mimic = None;
         if let Some(element) = joint.child("mimic") {

@@ -48,8 +48,8 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     let mut nodes = Vec::with_capacity(robot.links.len());
     let mut done = vec![false; robot.links.len()];
     for link in 0..robot.links.len() {
-        // The loop goes from a link up to an ancestor that is done already; then the links on the
-        // way are appended in the order from that ancestor down.
+        // The loop goes from a link up to an ancestor that is done already; then the links on this
+        // path are appended in the order from that ancestor down.
         let (mut way, mut next) = (Vec::new(), Some(link));
         while let Some(link) = next.filter(|&link| !done[link]) {
             if way.len() > robot.links.len() {
@@ -105,8 +105,8 @@ impl Leader {
     }
 }
 
-/// Returns, for each joint that mimics another, the joint with a value of its own that it follows
-/// in the end. In some files the mimicked joint mimics a third joint.
+/// Returns, for each joint that mimics another joint, the joint with a value of its own that it
+/// follows in the end. In some files the mimicked joint mimics a third joint.
 pub(crate) fn leaders(
     joints: &[JointElement],
     by_name: &HashMap<&str, usize>,

@@ -4,7 +4,7 @@ use super::error::{UrdfError, UrdfWarning};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-/// The text of a file, decoded from its bytes, and how the decoding went.
+/// The text of a file, decoded from its bytes, and facts about the decoding.
 struct Decoded<'b> {
     text: Cow<'b, str>,
     /// The name of the encoding from which the text was decoded.
@@ -170,8 +170,8 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
             }
             let what = match tag.matches('=').count() {
                 _ if depth > DEPTH => format!("elements are nested more than {DEPTH} deep"),
-                // Some of these signs may stand inside values, so the attributes are now counted
-                // exactly.
+                // Some of the counted signs of equality may stand inside attribute values, so the
+                // attributes are now counted exactly.
                 many if many > ATTRIBUTES && attributes(tag) > ATTRIBUTES => {
                     format!("it has more than {ATTRIBUTES} attributes")
                 }

@@ -10,8 +10,9 @@ use wide::f64x2;
 /// For each lane, the four `f64` from `from + offset(lane)` on must be readable.
 #[inline(always)]
 pub(crate) unsafe fn load_quads(from: *const f64, offset: impl Fn(usize) -> usize) -> [f64x2; 4] {
-    // SAFETY: each load reads two of the four `f64` at a lane's offset, which the caller guarantees
-    // to be readable. All registers have 128 bits, so the transmute keeps the size.
+    // SAFETY: each load reads two of the four `f64` from `from + offset(lane)` on, for lane 0 or 1,
+    // which the caller guarantees to be readable. All registers have 128 bits, so both types of the
+    // transmute have the same size.
     unsafe {
         let (a, b) = (from.add(offset(0)), from.add(offset(1)));
         let (xy_a, zw_a) = (vld1q_f64(a), vld1q_f64(a.add(2)));
@@ -32,8 +33,9 @@ pub(crate) unsafe fn load_quads(from: *const f64, offset: impl Fn(usize) -> usiz
 /// thread may use them during the call.
 #[inline(always)]
 pub(crate) unsafe fn store_quads(components: [f64x2; 4], to: *mut f64, stride: usize) {
-    // SAFETY: each store writes two of the four `f64` at a lane's place, which the caller
-    // guarantees to be writable. All registers have 128 bits, so the transmute keeps the size.
+    // SAFETY: each store writes two of the four `f64` from `to + lane · stride` on, for lane 0 or
+    // 1, which the caller guarantees to be writable. All registers have 128 bits, so both types of
+    // the transmute have the same size.
     unsafe {
         let [x, y, z, w]: [float64x2_t; 4] = transmute(components);
         vst1q_f64(to, vzip1q_f64(x, y));

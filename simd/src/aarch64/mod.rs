@@ -1,5 +1,5 @@
 //! Transposes of records, and single dual quaternions, by instructions of NEON, for the lanes of
-//! [`Portable`](crate::Portable). The arithmetic of these lanes is in `wide`.
+//! [`Portable`](crate::Portable). The crate `wide` has the arithmetic of these lanes.
 //!
 //! NEON has instructions for *structures*: `ld3` reads three components of each of four records
 //! into three registers. This module uses them where LLVM's models of Neoverse N1, Neoverse V2 and

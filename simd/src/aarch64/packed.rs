@@ -24,8 +24,9 @@ const DOUBLE: [[u64; 4]; 3] = {
 fn signs() -> [uint32x4_t; 3] {
     // SAFETY: both types have the same size, and any bits are valid for integers.
     let mut signs = unsafe { transmute::<[[u32; 4]; 3], [uint32x4_t; 3]>(SINGLE) };
-    // The assembly hides the constants from the compiler. Without it, the compiler would move the
-    // changes of signs to other places and load two of the constants for every product.
+    // The assembly hides the constants from the compiler, which then loads them into registers
+    // once. Without it, the compiler would fold the sign changes into other operations and load two
+    // of the constants again for every product.
     for row in &mut signs {
         // SAFETY: the assembly is a comment without an instruction, so it changes no register or
         // memory.
@@ -40,7 +41,7 @@ impl PackedDualQuat for f32x8 {
     #[inline(always)]
     fn splat_each(_: Self::Level, from: &[f32; 8]) -> [Self; 8] {
         // SAFETY: this module is compiled only for targets with NEON. The loads read the first and
-        // the last four of the array's eight `f32`, and an `f32x8` is two registers.
+        // the last four of the array's eight `f32`, and an `f32x8` has the size of two registers.
         unsafe {
             let (p, q) = (vld1q_f32(from.as_ptr()), vld1q_f32(from.as_ptr().add(4)));
             let twice = |one: float32x4_t| transmute::<[float32x4_t; 2], Self>([one, one]);
@@ -59,8 +60,8 @@ impl PackedDualQuat for f32x8 {
     #[inline(always)]
     fn columns(self) -> [Self; 4] {
         let [s, t, u] = signs();
-        // SAFETY: this module is compiled only for targets with NEON, and an `f32x8` is two
-        // registers.
+        // SAFETY: this module is compiled only for targets with NEON, and an `f32x8` has the size
+        // of two registers, so the transmutes keep the size.
         unsafe {
             let [p, q]: [uint32x4_t; 2] = transmute(self);
             let join = |p, q| transmute::<[uint32x4_t; 2], Self>([p, q]);
@@ -79,8 +80,8 @@ impl PackedDualQuat for f32x8 {
 impl PackedDualQuat for f64x8 {
     #[inline(always)]
     fn columns(self) -> [Self; 4] {
-        // SAFETY: this module is compiled only for targets with NEON, and an `f64x8` is four
-        // registers.
+        // SAFETY: this module is compiled only for targets with NEON, and an `f64x8` has the size
+        // of four registers, so the transmutes keep the size.
         unsafe {
             let [p_xy, p_zw, q_xy, q_zw]: [uint64x2_t; 4] = transmute(self);
             let swapped = |v| vextq_u64::<1>(v, v);

@@ -1,12 +1,12 @@
-//! [`Gather`]: the choice of a table's row for each lane.
+//! [`Gather`]: reads of a table in which each lane reads a row of its own.
 //!
 //! The table is a clip that is played for many instances. A row of the table holds the poses of one
 //! frame. Each lane is an instance, which is at a frame of its own.
 //!
 //! ```text
-//! Gather::new(frames, pitch)          finds the greatest frame, once
-//!   .rows(first)                      finds the beginning of each lane's row
-//! load_gathered(table, rows, column)  needs one comparison: has the greatest row that record?
+//! Gather::new(frames, pitch)          finds the greatest frame
+//!   .rows(first)                      finds where each lane's row begins
+//! load_gathered(table, rows, column)  checks only that the greatest row has the record
 //! ```
 
 use crate::MAX_LANES;
@@ -74,7 +74,7 @@ impl<'f> Gather<'f> {
         // for them.
         for (start, &frame) in starts.iter_mut().zip(frames.get(..L::LANES)?) {
             // If the product wraps, the row is beyond the end of every table. Then the greatest row
-            // is too, and `load_gathered` refuses it.
+            // is also beyond the end, and `load_gathered` refuses to read.
             *start = (frame as usize).wrapping_mul(self.pitch.wrapping_mul(C));
         }
         Some(GatheredRows { starts, greatest: self.greatest })
@@ -89,7 +89,7 @@ impl<'f> Gather<'f> {
 }
 
 /// The rows of a [`Gather`] that the lanes of a vector read, in a table of records of `C`
-/// components. One value serves for all columns of the table.
+/// components. The same rows serve for all columns of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct GatheredRows<const C: usize> {
     /// The index, in components, at which each row begins in the table.

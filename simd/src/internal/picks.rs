@@ -67,9 +67,9 @@ pub struct CheckedIndices<'a, J> {
 }
 
 impl<'a, J: Index> CheckedIndices<'a, J> {
-    /// Checks that every index is below `bound`, the count of records that may be read. The rows
-    /// are those that lie in `indices` as a whole. There are none if `columns` is 0 or more than
-    /// `stride`.
+    /// Checks that every index is below `bound`, the count of records that may be read. Rows begin
+    /// `stride` indices apart and have `columns` indices; a row that the end of `indices` cuts off
+    /// does not count. There are no rows if `columns` is 0 or more than `stride`.
     ///
     /// # Errors
     /// Returns the row and the column of the first index that is not below `bound`.
@@ -90,7 +90,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         Ok(Self { indices, columns, stride, bound })
     }
 
-    /// Returns the slice of indices, with the memory between rows.
+    /// Returns the slice of indices, including the memory between rows.
     #[inline(always)]
     #[must_use]
     pub fn indices(self) -> &'a [J] {
@@ -123,7 +123,8 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
 
-    /// Returns the count of records that a table must have at least to be read by these indices.
+    /// Returns the bound of the indices, which is the least count of records of a table that they
+    /// may read.
     #[inline(always)]
     #[must_use]
     pub fn bound(self) -> usize {
@@ -139,9 +140,9 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         Some(PickRows { rows: self.fours(first)?.first_chunk()?, bound: self.bound })
     }
 
-    /// Combines `count` rows of four indices, from row `first` on, with the table whose records
-    /// they name. Returns `None` if there are fewer rows, if `columns` or `stride` is not four, or
-    /// if the table has fewer records than [`bound`](Self::bound).
+    /// Checks that `count` rows of four indices, from row `first` on, stay inside `table`, and
+    /// returns the rows paired with the table. Returns `None` if there are fewer rows, if `columns`
+    /// or `stride` is not four, or if the table has fewer records than [`bound`](Self::bound).
     #[inline(always)]
     #[must_use]
     pub fn all_in_place<'t, R, const C: usize>(
@@ -162,7 +163,8 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     }
 }
 
-/// Rows of four indices that adjoin in memory, with a table that has the records of all indices.
+/// Rows of four indices that adjoin in memory, paired with a table that has a record for each
+/// index.
 #[derive(Clone, Copy, Debug)]
 pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
     rows: &'a [[J; RECORDS_PER_LANE]],
@@ -204,7 +206,7 @@ unsafe fn records<J: Index, R, const C: usize>(
 }
 
 /// Four indices per lane, copied from [`CheckedIndices`]. This is for rows that
-/// [`CheckedIndices::in_place`] refuses, because they are not four indices each that adjoin.
+/// [`CheckedIndices::in_place`] refuses, because they do not have four indices or do not adjoin.
 #[derive(Clone, Debug)]
 pub struct Picks<'a, J> {
     rows: [[J; RECORDS_PER_LANE]; MAX_LANES],
@@ -279,8 +281,8 @@ pub struct PickRows<'a, J> {
 }
 
 impl<'a, J: Index> PickRows<'a, J> {
-    /// Combines these indices with the table whose records they name. Returns `None` if the table
-    /// is empty or has fewer records than the bound of the indices.
+    /// Checks that these indices stay inside `table`, and returns them paired with the table.
+    /// Returns `None` if the table is empty or has fewer records than the bound of the indices.
     #[inline(always)]
     #[must_use]
     pub fn of<'t, R, const C: usize>(self, table: &'t [[R; C]]) -> Option<Picked<'a, 't, J, R, C>> {
@@ -289,10 +291,10 @@ impl<'a, J: Index> PickRows<'a, J> {
     }
 }
 
-/// Four indices per lane, with a table that has the records of all indices.
+/// Four indices per lane, paired with a table that has a record for each index.
 ///
-/// An index becomes an address just before the record is read. A version that computed the offsets
-/// of many lanes as a vector, and stored them first, took a third longer.
+/// An index is converted to an address just before the record is read. A version that first
+/// computed the offsets of many lanes as a vector and stored them took a third longer.
 #[derive(Clone, Copy, Debug)]
 pub struct Picked<'p, 't, J, R, const C: usize> {
     rows: &'p [[J; RECORDS_PER_LANE]; MAX_LANES],

@@ -110,7 +110,8 @@ macro_rules! pod {
             @define transparent [0] $(#[$($attribute)+])* $seen struct $name<$number>($shown $type);
         }
     };
-    // A call of this rule from outside of the macro makes the same checks as a call of the others.
+    // If code outside of the macro calls this rule directly, the same checks are made as for the
+    // other rules.
     (@define $layout:ident [$($field:tt)+] $(#[$($attribute:tt)+])*
         $seen:vis struct $name:ident<$number:ident> $fields:tt $($end:tt)?) => {
         $crate::pod! { @without_padding $layout }

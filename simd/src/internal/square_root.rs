@@ -1,5 +1,5 @@
 //! The square root of one float, which `core` does not have. It compiles to one instruction on
-//! targets that have an instruction for it.
+//! targets that have a square root instruction.
 
 /// True if `wide` computes the square root of a vector quickly: by an instruction of the target, or
 /// by `std`. On other targets `wide` computes it in `f64` by operations on integers.

@@ -6,7 +6,7 @@
 //! reads would be unsound:
 //!
 //! ```text
-//! keys                 four 16-bit numbers each
+//! keys                 four 16-bit integers each
 //! clips                first key, frames, step (keys from one frame to the next), row
 //! rows[row][column]    an entry, 2 · offset + m: m is 1 if the column moves in the clip, else 0
 //! ```
@@ -25,8 +25,8 @@
 //!
 //! ```text
 //! Tracks::new(keys, clips, rows)    checks the key of every column at the last frame of every clip
-//! Tracks::place(clip, frame)        a TrackPlace, which users may keep: it is six plain numbers
-//! Tracks::placed(places)            checks that each is what `place` makes: PlacedTracks
+//! Tracks::place(clip, frame)        a TrackPlace, six plain integers that users may keep
+//! Tracks::placed(places)            checks that `place` has made each: PlacedTracks
 //! PlacedTracks::between(…)          reads two keys per lane and interpolates, without checks
 //! ```
 
@@ -55,7 +55,7 @@ const BEYOND_CACHE: usize = 1 << 17;
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
-    /// The first key of each clip, its count of frames, its step and its row.
+    /// For each clip: its first key, its count of frames, its step and its row.
     clips: &'a [[Word; 4]],
     /// The entries of all rows, row by row.
     rows: &'a [Entry],
@@ -173,11 +173,12 @@ impl<'a> Tracks<'a> {
         Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, origins, steps: [0, step] })
     }
 
-    /// Combines these clips with places in them, one per lane or instance, and checks the places.
+    /// Checks that `place` of these tracks returns each of the places, and returns the tracks
+    /// paired with the places. There is one place per lane or instance.
     ///
     /// # Errors
-    /// Returns the index of the first place that [`place`](Self::place) does not make for these
-    /// clips.
+    /// Returns the index of the first place that [`place`](Self::place) of these tracks does not
+    /// return.
     pub fn placed<'p>(self, places: &'p [TrackPlace]) -> Result<PlacedTracks<'a, 'p>, usize> {
         let there = |place: &TrackPlace| {
             let after = place.origins[1].wrapping_sub(place.origins[0]);
@@ -203,7 +204,7 @@ struct Clip {
 
 /// A frame of a packed clip, with the places of its keys in the file. `PackedClips::place` makes
 /// it. It is plain data that users may keep or change, so it is checked again when it is used. A
-/// place that [`Tracks::place`] would not make for the clips is then an error.
+/// place that [`Tracks::place`] of the clips does not return is then an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct TrackPlace {
@@ -217,30 +218,34 @@ pub struct TrackPlace {
     /// 1 is the clip's step, for a column that moves.
     steps: [u32; 2],
 }
-// SAFETY: the struct is six integers of 32 bits, for which zero bytes are valid.
+// SAFETY: the struct has only integer fields, for which zero bytes are valid.
 unsafe impl Zeroable for TrackPlace {}
 // SAFETY: the struct is six integers of 32 bits without padding, and any bits are valid integers.
 unsafe impl Pod for TrackPlace {}
 
-/// Clips with places in them, one per lane or instance, all of them checked.
+/// Tracks paired with places in their clips, one per lane or instance. All places have been
+/// checked.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedTracks<'a, 'p> {
     tracks: Tracks<'a>,
-    /// Invariant: `Tracks::place` of these tracks makes each of these places.
+    /// Invariant: each place was returned by `Tracks::place` of these tracks, or is equal to such a
+    /// place.
     places: &'p [TrackPlace],
 }
 
 impl<'a> PlacedTracks<'a, '_> {
-    /// Returns these clips with a range of the places, which is empty if an end of the range is
+    /// Returns these tracks with a range of the places, which is empty if an end of the range is
     /// beyond the last place.
     #[must_use]
     pub fn part(self, places: core::ops::Range<usize>) -> Self {
         Self { places: self.places.get(places).unwrap_or_default(), ..self }
     }
 
-    /// Interpolates a column between two frames, by [`Lanes::between_shorts`]: lane `i` is at place
-    /// `first + i` and has lane `i` of `t` as its parameter. Lanes after the last place take the
-    /// last place. Returns `None` if there is no place, or no such column.
+    /// Interpolates a column of the tracks between two frames, and returns the four components of
+    /// the key, each in a vector. Lane `i` is the part `t` (lane `i` of `t`) of the way from the
+    /// frame at place `first + i` to the next frame, as [`Lanes::between_shorts`] computes it.
+    /// Lanes after the last place take the last place. Returns `None` if there is no place, or no
+    /// such column.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between<L: Lanes>(
         self,
@@ -298,8 +303,8 @@ impl<'a> PlacedTracks<'a, '_> {
         if !(column.is_multiple_of(KEYS_PER_LINE) || last) || keys.len() < BEYOND_CACHE {
             return;
         }
-        // This loop is inlined. Around a call, the loop that samples the clip would spill its
-        // registers to the stack.
+        // The function is inlined. If it were called, the loop that samples the clip would spill
+        // its registers to the stack around the call.
         for place in self.places.get(first..).unwrap_or_default().iter().take(lanes) {
             let Some(&entry) = rows.get(place.row as usize + column) else { return };
             for key in place.keys(entry).into_iter().filter_map(|key| keys.get(key)) {
@@ -308,9 +313,10 @@ impl<'a> PlacedTracks<'a, '_> {
         }
     }
 
-    /// Interpolates several columns at one place, by [`Lanes::between_shorts`]: lane `i` has column
-    /// `first + i` and lane `i` of `t` as its parameter. Lanes after the last column take the last
-    /// column. Returns `None` if there is no such place, or if the clips have no columns.
+    /// Interpolates several columns at one place, as [`between`](Self::between) does one column:
+    /// lane `i` has column `first + i` and lane `i` of `t` as its part of the way. Lanes after the
+    /// last column take the last column. Returns `None` if there is no such place, or if the clips
+    /// have no columns.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between_columns<L: Lanes>(
         self,

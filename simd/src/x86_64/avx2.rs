@@ -12,7 +12,7 @@ use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
 /// The level of AVX2 and FMA: eight `f32` or four `f64` at a time. Only [`Avx2::detect`] makes a
-/// value.
+/// value, so a value proves that the CPU has the instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx2(());
 
@@ -60,7 +60,8 @@ impl Level for Avx2 {
             align_frame();
             kernel()
         }
-        // SAFETY: only `detect` makes `self`, after it has found AVX2 and FMA.
+        // SAFETY: `with_avx2` needs AVX2 and FMA. Only `detect` makes `self`, after it has found
+        // that the CPU has both.
         unsafe { with_avx2(kernel) }
     }
 }
@@ -125,11 +126,12 @@ vector! {
     select |mask, yes, no| _mm256_blendv_pd(no.0, yes.0, mask.0);
 }
 
-/// Defines the mask of a lane type: a vector in which all bits of a lane are ones (true) or all are
-/// zeros (false).
+/// Defines the mask of a lane type: a register in which each lane has all bits one (true) or all
+/// bits zero (false), and an [`Avx2`] as the proof that the CPU has the instructions.
 macro_rules! mask {
     ($name:ident = $register:ident, $lanes:literal; $and:ident; $or:ident; $xor:ident; $ones:expr; $bits:ident) => {
-        /// One truth value per lane: all bits of a lane are ones (true) or all are zeros (false).
+        /// One truth value per lane: each lane of the register has all bits one (true) or all bits
+        /// zero (false).
         #[derive(Clone, Copy, Debug)]
         pub struct $name($register, Avx2);
 

@@ -12,7 +12,7 @@ use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
 /// The level of AVX-512 F, VL and DQ: sixteen `f32` or eight `f64` at a time. Only
-/// [`Avx512::detect`] makes a value.
+/// [`Avx512::detect`] makes a value, so a value proves that the CPU has the instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx512(());
 
@@ -80,14 +80,14 @@ impl Level for Avx512 {
             align_frame();
             kernel()
         }
-        // SAFETY: only `detect` makes `self`, after it has found AVX2, FMA and AVX-512 F, VL and
-        // DQ.
+        // SAFETY: `with_avx512` needs AVX2, FMA and AVX-512 F, VL and DQ. Only `detect` makes
+        // `self`, after it has found that the CPU has all of them.
         unsafe { with_avx512(kernel) }
     }
 }
 
-/// A mask of up to 16 lanes: bit `i` is the truth value of lane `i`, and the bits after the last
-/// lane are zero.
+/// A mask of up to 16 lanes, as integer bits: bit `i` is the truth value of lane `i` (1 is true),
+/// and the bits after the last lane are zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const LANES: u32>(u32);
 

@@ -1,4 +1,4 @@
-//! [`PackedDualQuat`]: one dual quaternion in one register, or in two.
+//! [`PackedDualQuat`]: one dual quaternion in one register, or in two registers of half the size.
 
 use super::avx2;
 use super::avx512;
@@ -13,7 +13,7 @@ use core::arch::x86_64::*;
 const SIGNS: [[f64; 4]; 3] =
     [[0.0, 0.0, -0.0, -0.0], [-0.0, 0.0, 0.0, -0.0], [0.0, -0.0, 0.0, -0.0]];
 
-/// Returns [`SIGNS`], repeated in every group of four lanes.
+/// Returns [`SIGNS`] with the four signs of each column repeated in every group of four lanes.
 const fn signs_f32<const N: usize>() -> [[f32; N]; 3] {
     let mut signs = [[0.0; N]; 3];
     let mut i = 0;
@@ -24,7 +24,7 @@ const fn signs_f32<const N: usize>() -> [[f32; N]; 3] {
     signs
 }
 
-/// Returns [`SIGNS`], repeated in every group of four lanes.
+/// Returns [`SIGNS`] with the four signs of each column repeated in every group of four lanes.
 const fn signs_f64<const N: usize>() -> [[f64; N]; 3] {
     let mut signs = [[0.0; N]; 3];
     let mut i = 0;
@@ -35,8 +35,9 @@ const fn signs_f64<const N: usize>() -> [[f64; N]; 3] {
     signs
 }
 
-/// Computes [`PackedDualQuat::columns`] of the register `$v`: each column but the last is a
-/// permutation of every group of four lanes, and an exclusive or that flips signs.
+/// Computes [`PackedDualQuat::columns`] of the register `$v`. The last column is the register
+/// itself. Each other column is a permutation of every group of four lanes, followed by an
+/// exclusive or that flips signs.
 macro_rules! columns {
     ($v:expr, $signs:expr, $permute:ident, $xor:ident, $load:ident) => {{
         let [x, y, z] = $signs;
@@ -50,8 +51,8 @@ macro_rules! columns {
 }
 
 /// Computes [`PackedDualQuat::columns`] with AVX-512, whose permutations pick lanes from two
-/// vectors. So all signs are flipped once, and each column picks lanes from the vector and from its
-/// negative.
+/// vectors. So the negative of the vector is computed once, and each column picks its lanes from
+/// the vector and from its negative.
 #[inline]
 #[target_feature(enable = "avx512f,avx512vl")]
 fn picked_columns(v: __m256) -> [__m256; 4] {
@@ -60,9 +61,10 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
     // half is permuted like the lower half.
     let [y, z] = [[10, 3, 0, 9], [1, 8, 3, 10]].map(|[a, b, c, d]| {
         let mut from = _mm256_setr_epi32(a, b, c, d, a + 4, b + 4, c + 4, d + 4);
-        // The assembly hides the constant from the compiler, which would replace the permutation by
-        // two instructions and gain nothing (docs/measured.md, *Picked numbers*). SAFETY: the
-        // assembly is a comment without an instruction, so it changes no register or memory.
+        // The assembly hides the constant from the compiler, which would otherwise replace the
+        // permutation by two instructions, without a gain (docs/measured.md, *Picked numbers*).
+        // SAFETY: the assembly is a comment without an instruction, so it changes no register or
+        // memory.
         unsafe {
             asm!("/* {0} */", inout(ymm_reg) from, options(pure, nomem, nostack, preserves_flags));
         }

@@ -16,17 +16,17 @@
 //! Shuffles inside of groups are quick, and no component has to cross from one group to another.
 //! The transpose is its own inverse, so a store transposes first and then writes the records.
 //!
-//! These functions take registers and pointers without any proof. The lane types that call them
-//! prove that the CPU has the instructions, and the callers of the lanes' `unsafe` methods
-//! guarantee the memory.
+//! These functions are `unsafe`, because registers and pointers prove nothing. The lane types that
+//! call them prove that the CPU has the instructions, and the callers of the lanes' `unsafe`
+//! methods guarantee that the memory may be read or written.
 #![allow(clippy::missing_safety_doc, reason = "stated once, below, for all functions")]
 
 use core::arch::x86_64::*;
 
 // Safety of all functions of this file: the CPU must have the instructions of the register's type.
-// For each lane there must be memory for a record of four components. A load reads the record from
-// `at + offset(lane)` on, a store writes it from `at + lane · stride` on, and a store of triples
-// writes three components from `at + 3 · lane` on.
+// For each lane, a load reads the four components from `at + offset(lane)` on, a store writes the
+// four components from `at + lane · stride` on, and a store of triples writes the three components
+// from `at + 3 · lane` on. This memory must be readable or writable.
 
 /// Defines the transpose of the 4 × 4 components in each 128-bit group of four registers.
 macro_rules! transpose_singles {
@@ -73,8 +73,8 @@ sum_singles! { f32x8_sum, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256
 sum_singles! { f32x16_sum, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps, _mm512_add_ps }
 
 /// Defines the loads and stores for a register type. `join` makes one register of the records of
-/// lanes i, i + 4, i + 8 and so on, each of which `get` loads. `split` takes a register apart into
-/// its groups.
+/// lanes i, i + 4, i + 8 and so on, and loads each record with the macro `get`. `split` splits a
+/// register into its 128-bit groups.
 macro_rules! single_quads {
     (
         $load:ident, $store:ident, $triples:ident, $register:ident, $transpose:ident, $shuffle:ident;

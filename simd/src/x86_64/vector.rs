@@ -1,7 +1,7 @@
 //! The macro that defines a lane type by its register and its instructions.
 
-/// Defines the lane type `$name`: the lanes `[$real; $lanes]` in a `$register`, with a `$level`,
-/// which proves that the CPU has the instructions.
+/// Defines the lane type `$name`: a `$register` that holds the lanes `[$real; $lanes]`, and a
+/// `$level`, which proves that the CPU has the instructions.
 ///
 /// This is a macro because the lane types differ in the names of their intrinsics, which a generic
 /// `impl` cannot take as parameters. Comparisons and `select` are given as expressions, because
