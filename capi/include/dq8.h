@@ -362,7 +362,7 @@ typedef int32_t dq8_status;
 
 /**
  * The instruction sets that functions of arrays and blocks may use, each with more instructions
- * than the one before.
+ * than the previous set.
  */
 enum dq8_backend
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -1095,7 +1095,7 @@ dq8_status dq8_backend_limit(int32_t most);
  * Makes results the same on every machine, bit by bit. This concerns functions of arrays and
  * blocks, in all threads and from now on. The value 1 switches this on, and functions then take
  * 1.0 to 1.5 times as long. The value 0, which is the state at the start, switches it off. The
- * limit of dq8_backend_limit holds all the same. Functions of one motion have the same bits on
+ * limit of dq8_backend_limit holds in both states. Functions of one motion have the same bits on
  * every machine in either state.
  *
  * Returns DQ8_STATUS_UNKNOWN_VALUE if `reproducible` is neither 0 nor 1, or if it is 1 and the
@@ -2509,7 +2509,8 @@ dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
  * at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
  * `posed_tangents`, which must not overlap any other array. `normals` and
  * `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
- * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
+ * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` differs from that of the
+ * skin.
  */
 dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                const float *matrices,
@@ -2702,7 +2703,8 @@ dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
  * at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
  * `posed_tangents`, which must not overlap any other array. `normals` and
  * `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
- * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
+ * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` differs from that of the
+ * skin.
  */
 dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                const double *matrices,
@@ -3758,9 +3760,9 @@ dq8_status dq8_trajectory_sample_f32(const double *stamps,
 /**
  * Moves points that a moving body has measured into one frame. The body measured point
  * i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
- * time moves the point. The frame is that of the options. The result is a scan as if
- * it had been measured at one moment. `moved` may be `points`. Trajectory, options and
- * errors are those of dq8_trajectory_sample.
+ * time moves the point. The field `frame` of the options selects the frame of the
+ * results. The result is a scan as if it had been measured at one moment. `moved` may
+ * be `points`. Trajectory, options and errors are those of dq8_trajectory_sample.
  */
 dq8_status dq8_trajectory_deskew_f32(const double *stamps,
                                      const double *poses,
@@ -3862,9 +3864,9 @@ dq8_status dq8_trajectory_sample_f64(const double *stamps,
 /**
  * Moves points that a moving body has measured into one frame. The body measured point
  * i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
- * time moves the point. The frame is that of the options. The result is a scan as if
- * it had been measured at one moment. `moved` may be `points`. Trajectory, options and
- * errors are those of dq8_trajectory_sample.
+ * time moves the point. The field `frame` of the options selects the frame of the
+ * results. The result is a scan as if it had been measured at one moment. `moved` may
+ * be `points`. Trajectory, options and errors are those of dq8_trajectory_sample.
  */
 dq8_status dq8_trajectory_deskew_f64(const double *stamps,
                                      const double *poses,

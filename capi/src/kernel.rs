@@ -1,9 +1,9 @@
 //! Macros that define, for a kernel over slices, the function that is generic over the layout of
 //! the arrays: plain or in blocks.
 
-/// Defines the function of a kernel that reads arrays and writes an array. The number after an
-/// array's name is the count of components of an element. After the arrays, there may be one more
-/// argument. The expression after its `=` converts it from the type in C to the type that the
+/// Defines the function of a kernel that reads arrays and writes an array. The integer after an
+/// array's name is the count of components of an element. One more argument may follow the arrays.
+/// The expression after its `=` converts the argument from its type in C to the type that the
 /// kernel takes.
 macro_rules! kernel {
     (

@@ -32,9 +32,9 @@
 //! Status::of                 the error as an integer, or DQ8_STATUS_OK
 //! ```
 //!
-//! No function allocates, except for those of the module `trajectory`, which needs the feature of
-//! that name. No function panics. A panic would abort the program, because it must not leave an
-//! `extern "C"` function.
+//! No function allocates, except for functions of the module `trajectory`, which needs the feature
+//! of the same name. No function panics. A panic would abort the program, because it must not leave
+//! an `extern "C"` function.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[macro_use]

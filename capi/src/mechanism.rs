@@ -52,8 +52,8 @@ pub struct Mechanism<R> {
 
 type Known<R> = dq8_robot::Mechanism<'static, R>;
 
-/// Asserts that the structs of C have room for those of `dq8_robot`. An array of [`Step`] must hold
-/// the steps of `dq8_robot`, behind them its joints while they are checked, and the padding that
+/// Asserts that the structs of C have room for the structs of `dq8_robot`. An array of [`Step`]
+/// must hold the steps of `dq8_robot`, then the joints while they are checked, and the padding that
 /// aligns both.
 macro_rules! fits {
     ($($R:ident)*) => {$(const _: () = {

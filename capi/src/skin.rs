@@ -136,8 +136,8 @@ pub(crate) struct Pointers<R> {
     pub(crate) motions: Option<*const R>,
     /// Matrices or stretches, of twelve components per joint.
     pub(crate) matrices: Option<*const R>,
-    /// Shares, one per vertex, and the number of vertices of the mesh. If this number differs from
-    /// that of the skin, posing the mesh returns an error.
+    /// Shares, one per vertex, and the number of vertices of the mesh. If the skin has another
+    /// number of vertices, posing the mesh returns an error.
     pub(crate) shares: Option<(*const R, usize)>,
 }
 

@@ -131,7 +131,8 @@ macro_rules! functions {
             /// at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
             /// `posed_tangents`, which must not overlap any other array. `normals` and
             /// `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
-            /// Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` is not that of the skin.
+            /// Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` differs from that of the
+            /// skin.
             linear, linear_interleaved(matrices)
         }
         export_pose! { $R

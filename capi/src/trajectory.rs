@@ -186,7 +186,8 @@ unsafe fn moved<R: Scalar, const BACK: bool>(
     disjoint(&[out.span, bad.0.span], &[stamps.span, poses.span, times.span, options])?;
     disjoint(&[bad.0.span], &[cloud.span])?;
     // SAFETY: the caller guarantees that each array has as many elements as its count says.
-    // `disjoint` has checked all overlaps but that of `points` and `moved`, which `from_to` checks.
+    // `disjoint` has checked all pairs of arrays for overlaps except `points` and `moved`, which
+    // `from_to` checks.
     unsafe {
         let path = Trajectory::new(stamps.slice(), poses.slice());
         let path = path.map_err(|error| bad.tell(fault(error)))?;
@@ -321,9 +322,9 @@ macro_rules! functions {
         export_one! { $R
             /// Moves points that a moving body has measured into one frame. The body measured point
             /// i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
-            /// time moves the point. The frame is that of the options. The result is a scan as if
-            /// it had been measured at one moment. `moved` may be `points`. Trajectory, options and
-            /// errors are those of dq8_trajectory_sample.
+            /// time moves the point. The field `frame` of the options selects the frame of the
+            /// results. The result is a scan as if it had been measured at one moment. `moved` may
+            /// be `points`. Trajectory, options and errors are those of dq8_trajectory_sample.
             trajectory::deskew(
                 stamps: *const f64, poses: *const f64, pose_count: usize, options: *const Options,
                 times: *const f64, points: *const $R, moved: *mut $R, count: usize,

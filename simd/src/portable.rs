@@ -61,7 +61,7 @@ mod part {
     };
 }
 
-/// A mask of [`wide`]: a vector in which all bits of a lane are ones (true) or all are zeros
+/// A mask of [`wide`]: a vector in which each lane has all bits one (true) or all bits zero
 /// (false).
 #[derive(Clone, Copy, Debug)]
 pub struct WideMask<V>(V);

@@ -376,9 +376,9 @@ pub trait KeysAt<R, const C: usize>: Copy + Send + Sync {
 /// number of components of a pose.
 ///
 /// Instances that play different clips can share one call in two ways. One way is
-/// [`PackedClips`](super::PackedClips). In the other, the keys of all clips lie in one array, one
-/// clip after the other; then add the number of frames before a clip to each frame that the clip's
-/// [`Clip::place`](super::Clip::place) returns.
+/// [`PackedClips`](super::PackedClips). In the other way, the keys of all clips lie in one array,
+/// one clip after the other; then add the number of frames before a clip to each frame that the
+/// clip's [`Clip::place`](super::Clip::place) returns.
 ///
 /// ```
 /// use dq8::hierarchy::{Clip, Sampled};

@@ -252,8 +252,8 @@ where
     }
 }
 
-/// Crowds are equal if their joints, instances and records are; lanes without an instance do not
-/// count.
+/// Crowds are equal if their numbers of joints and instances and their records are equal. Lanes
+/// without an instance do not count.
 impl<R: Scalar, const N: usize, const C: usize> PartialEq for Crowd<R, N, C>
 where
     [R; N]: Row<Real = R>,

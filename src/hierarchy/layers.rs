@@ -215,8 +215,8 @@ brief!([W: Debug, A: Debug, B: Debug, R, const C: usize, const ADDS: bool] Layer
 });
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
-    /// Blends from the poses of `base` (weight 0) to those of `layer` (weight 1); `weights` has one
-    /// weight for each instance.
+    /// Makes a blend from the poses of `base` (weight 0) to the poses of `layer` (weight 1);
+    /// `weights` has one weight for each instance.
     pub fn blend(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
@@ -249,7 +249,7 @@ impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C
         Some(weight * factor)
     }
 
-    /// Blends or adds the poses of the layer to those of the base.
+    /// Blends the poses of the layer over the poses of the base, or adds them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn over<L: Lanes>(&self, base: [L; C], layer: [L; C], weight: L) -> [L; C]
     where

@@ -307,10 +307,11 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         let first = instance * joints;
         let lanes = E::Layout::records::<V>();
         let root = run.root_of(instance);
-        // Three stages for as many joints as there are lanes. First their locals are made, with a
-        // joint in each lane. Then each joint is multiplied onto its parent, with the components of
-        // one product in the lanes. Last the epilogue runs, again with a joint in each lane.
-        // Motions that lie in memory skip the first stage, and the products read them there.
+        // The loop has three stages, each for as many joints as there are lanes. First their locals
+        // are made, with a joint in each lane. Then each joint is multiplied onto its parent, with
+        // the components of one product in the lanes. Last the epilogue runs, again with a joint in
+        // each lane. Motions that lie in memory skip the first stage, and the products read them
+        // there.
         let in_memory = locals.motions();
         let mut made = [identity(); MAX_LANES];
         for start in run.joints.clone().step_by(lanes) {

@@ -236,8 +236,8 @@ where
         };
         slot.prefetch(level, self.entries, E::Layout::records::<V>());
         let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
-        // Each order has a store of its own, so that the compiler need not move all registers to
-        // those that one common store would expect (*Kept apart*, docs/measured.md).
+        // Each order has a store of its own, so that the compiler need not move values between
+        // registers to reach a common store (*Kept apart*, docs/measured.md).
         match self.order {
             MatrixOrder::Rows => {
                 M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());

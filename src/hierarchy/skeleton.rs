@@ -353,7 +353,7 @@ impl Skeleton {
     }
 }
 
-/// Skeletons are equal if their parents and their names are.
+/// Skeletons are equal if their parents and their names are equal.
 impl PartialEq for Skeleton {
     fn eq(&self, other: &Self) -> bool {
         (&self.parents, &self.names) == (&other.parents, &other.names)

@@ -6,10 +6,10 @@ use crate::storage::shape::ShapeError;
 use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
-/// A way to blend the motions of joints, with a vertex in each lane: [`sum`](Self::sum) adds the
-/// palette entries of a group of influences by weight, and [`map`](Self::map) makes of the sum the
-/// map that moves a surface. `R` is the element type. The trait is sealed, because only this crate
-/// can name the types that its methods take.
+/// A way to blend the motions of joints, with a vertex in each lane: the weighted sum of the
+/// palette entries of a vertex's joints, and the map by which a finished sum moves a surface. `R`
+/// is the element type. The trait is sealed, because only this crate can name the types that its
+/// methods take.
 pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// The type of the weighted sum: matrices, or dual quaternions.
     #[doc(hidden)]

@@ -38,7 +38,7 @@ impl<'a, R: Scalar> Linear<'a, R> {
 /// A 3×4 matrix in two registers: the first holds rows 0 and 1, and the second holds row 2.
 type Rows<R, V> = (<R as Float>::Packed<V>, <R as Float>::Half<V>);
 
-/// Returns the weighted sum of four matrices.
+/// Returns the sum of the four `matrices`, each multiplied by its weight.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn blended<R: Scalar, V: Level>(
     level: V,

@@ -14,10 +14,10 @@ use dq8_simd::internal::{CheckedIndices, Index, PickRows, PickedInPlace, Picks};
 /// The joints that move each vertex and their weights. A skin is checked once, and then poses
 /// meshes any number of times.
 ///
-/// `joints` holds the joints of the first vertex, then those of the second, and so on, the same
-/// number for each vertex. `weights` holds the weights in the same order. Fill unused influences
-/// with any joint and weight 0. Joints are `u8`, `u16` or `u32`; for the types of weights see
-/// [`Weight`].
+/// `joints` holds the joints of the first vertex, then the joints of the second vertex, and so on,
+/// the same number for each vertex. `weights` holds the weights in the same order. Fill unused
+/// influences with any joint and weight 0. Joints are `u8`, `u16` or `u32`; for the types of
+/// weights see [`Weight`].
 ///
 /// ```
 /// use dq8::skinning::{Skin, SkinningError};

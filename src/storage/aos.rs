@@ -185,7 +185,8 @@ impl<R: Scalar> Element<6> for LinearFirst<R> {
     }
 }
 
-/// Swaps the halves of the rows, and of the columns, of a 6×6 matrix.
+/// Swaps the first three rows of a 6×6 matrix with the last three rows, and its first three
+/// columns with the last three columns.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn others<T: Copy>(matrix: [T; 36]) -> [T; 36] {
     let mut changed = matrix;

@@ -14,8 +14,8 @@ use dq8_simd::{Lanes, Level};
 pub struct Tile {
     pub(crate) element: usize,
     pub(crate) register: usize,
-    /// The distance between two records. `None` means 1, a constant that lets the compiler simplify
-    /// the addresses.
+    /// The distance between the records of neighbouring lanes, in records. `None` means 1, a
+    /// constant that lets the compiler simplify the addresses.
     pub(crate) stride: Option<usize>,
 }
 

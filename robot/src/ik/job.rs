@@ -25,7 +25,7 @@ where
 {
     /// Changes the values of one configuration until each goal is at its target: `targets[i]`
     /// belongs to `goals[i]`. Nothing is allocated. `scratch` must have at least the length
-    /// [`scratch_len`](Self::scratch_len), and may hold anything.
+    /// [`scratch_len`](Self::scratch_len), and may have any content.
     ///
     /// Targets are normalized. The outcome is [`Outcome::Invalid`](super::Outcome::Invalid), and
     /// `values` is untouched, if a target is farther than 10⁻³ from unit, an option is out of
@@ -203,7 +203,7 @@ impl<R: Scalar> ReachJob<'_, R> {
 
     /// Solves as [`solve`](Self::solve) does, without allocation and on the calling thread.
     /// `scratch` must have at least the length [`batch_scratch_len`](Reach::batch_scratch_len), and
-    /// may hold anything.
+    /// may have any content.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations, or there is too little scratch;
@@ -269,9 +269,9 @@ impl<R: Scalar, const RESTARTS: bool, const TRACK: bool> Kernel for Batch<'_, R,
 impl<R: Scalar> ReachJob<'_, R> {
     /// Tracks targets in clips of frames; `clips` has the number of frames of each clip. Each frame
     /// starts from the result of the previous frame. The first frame of a clip starts from its own
-    /// entry in `values`; the entries of the other frames may be anything. A lane computes a clip
-    /// and then takes the next clip, so clips may have any lengths. If there are at least as many
-    /// clips as lanes, no lane is idle until the last clips. Each frame is one call of
+    /// entry in `values`; the entries of the other frames may have any content. A lane computes a
+    /// clip and then takes the next clip, so clips may have any lengths. If there are at least as
+    /// many clips as lanes, no lane is idle until the last clips. Each frame is one call of
     /// [`Reach::track`](super::Reach::track). A frame with an invalid target keeps the values of
     /// the frame before it, and is reported as [`Invalid`](super::Outcome::Invalid).
     ///
@@ -335,7 +335,7 @@ impl<R: Scalar> ReachJob<'_, R> {
 
     /// Tracks targets in clips as [`sequence`](Self::sequence) does, without allocation and on the
     /// calling thread. `scratch` must have at least the length
-    /// [`batch_scratch_len`](super::Reach::batch_scratch_len), and may hold anything.
+    /// [`batch_scratch_len`](super::Reach::batch_scratch_len), and may have any content.
     ///
     /// # Errors
     /// The errors of [`sequence`](Self::sequence), and an error if `scratch` is too short. Nothing

@@ -144,14 +144,14 @@ pub struct Tracking<R> {
     pub start_weight: R,
 }
 
-/// Sets [`Options::track`] and no weights.
+/// Makes tracking options of [`Options::track`], with weights of zero.
 impl<R: Real> Default for Tracking<R> {
     fn default() -> Self {
         Options::track().into()
     }
 }
 
-/// Sets these options and no weights.
+/// Converts options to tracking options whose weights are zero.
 impl<R: Real> From<Options<R>> for Tracking<R> {
     fn from(options: Options<R>) -> Self {
         Self { options, posture_weight: R::ZERO, start_weight: R::ZERO }

@@ -270,8 +270,8 @@ pub(super) fn check_scratch(length: usize, expected: usize) -> Result<(), ShapeE
     if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }
 
-/// Returns `numbers` plus the number of elements by which the first element may have to move to a
-/// cache line.
+/// Returns `numbers`, a length in elements of type `R`, plus the elements of one cache line. So
+/// there is room to begin the scratch at a cache line.
 const fn padded<R>(numbers: usize) -> usize {
     numbers.saturating_add(LINE / size_of::<R>())
 }

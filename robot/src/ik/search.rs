@@ -424,8 +424,8 @@ impl<R: Real> Lane<R> {
         let arrived = measured.angular <= options.angular_tolerance
             && measured.linear <= options.linear_tolerance
             && !self.out_of_reach;
-        // The best values are updated before the search can end, because the report is about the
-        // best values and not about the last ones.
+        // The best values are updated before the search can end, because the report has the errors
+        // of the best values and not of the last values.
         let is_best = if has_weights {
             self.is_new || self.is_nearer(&measured)
         } else if TRACK && !self.converged && measured.square.is_finite() {

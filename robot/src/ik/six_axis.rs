@@ -151,8 +151,8 @@ pub struct Solution<R> {
 }
 
 /// The joints at which a solution is singular. Either two solutions coincide there, because the
-/// target is at the edge of the reach; or there are infinitely many solutions, of which the one
-/// with the angle of the start is given.
+/// target is at the edge of the reach; or there are infinitely many solutions, of which the
+/// solution with the angle of the start is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular {

@@ -96,8 +96,9 @@ impl Links for &[usize] {
 }
 
 impl<R: Scalar, S: Links> Job<'_, R, S> {
-    /// Checks that the links exist, that the output called `what` holds a whole number of
-    /// configurations with `width` elements each, and that the values are as many.
+    /// Checks that the links exist, that the output with the name `what` holds a whole number of
+    /// configurations with `width` elements each, and that the values are for the same number of
+    /// configurations.
     pub(crate) fn check<'r, Y: Layout, T: JointValues<Y>>(
         &'r self,
         values: &'r [T],

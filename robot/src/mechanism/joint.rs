@@ -234,7 +234,7 @@ errors! {
             => "joint {joint} has the limits {low} and {high}: the first must not exceed the second, and the joint must \
                 have exactly one value";
         /// A joint cannot mimic another joint. The other joint does not exist, is the joint itself,
-        /// or mimics a third, or one of the two joints does not have exactly one value.
+        /// or mimics a third joint, or one of the two joints does not have exactly one value.
         Mimic { joint: usize = "The joint.", other: usize = "The joint that it should mimic." }
             => "joint {joint} cannot mimic joint {other}: each must have exactly one value, and joint {other} must not \
                 mimic another";

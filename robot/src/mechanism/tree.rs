@@ -357,8 +357,8 @@ fn order<R>(steps: &mut [Step<R>]) {
 impl<'a, R: Real> Mechanism<'a, R> {
     /// Makes a serial arm from a product of exponentials, exp(½ξ₁q₁) … exp(½ξ_N q_N) tool
     /// (Brockett 1984; Lynch & Park, *Modern Robotics*, 2017, eq. 4.14). Each of the N screws is a
-    /// joint, from the base outward, and each joint is carried by the one before. Link N is the
-    /// tool, fixed to the last joint. `steps` must hold at least N + 1 steps.
+    /// joint, from the base outward, and each joint carries the next joint. Link N is the tool,
+    /// fixed to the last joint. `steps` must hold at least N + 1 steps.
     ///
     /// A screw is the motion, in the frame of the base, that a value of 1 gives to all links beyond
     /// the joint while all other values are zero. The caller need not choose frames for the links.

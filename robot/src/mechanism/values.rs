@@ -10,8 +10,8 @@ use dq8_simd::{Block, Lanes, Level, Records, Row};
 /// An item of a slice of joint values, or rates, that can be used with poses in the layout `Y`.
 /// Three layouts exist. For poses in any layout, values are plain floats `[configuration][value]`,
 /// or columns: a slice `[configuration]` for each value. For poses in blocks, values may also be
-/// [`Block`](dq8::storage::Block)s of one component with as many lanes,
-/// `[configuration block][value]`. The trait is sealed.
+/// [`Block`](dq8::storage::Block)s of one component, `[configuration block][value]`, with as many
+/// lanes as the blocks of poses. The trait is sealed.
 ///
 /// If values are plain and poses are in blocks, the last block may have lanes without a
 /// configuration. The poses in these lanes are computed from values that are all zero.

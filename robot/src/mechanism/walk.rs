@@ -110,7 +110,7 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     // Poses in plain slices are transposed with shuffles, which cost more with more lanes. In f64 a
     // link takes so long to compute that eight lanes still save a third of the time: 36 ns instead
     // of 53 for the seven links of an arm. In f32 sixteen lanes save as much on CPUs with quick
-    // shuffles, and nothing on others.
+    // shuffles, and nothing on other CPUs.
     const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE || K::WIDE;
     const SHUFFLES: bool = !Y::WIDE && <Y::Real as Float>::SINGLE;
 

@@ -277,12 +277,14 @@ impl Place {
         all.flat_map(|all| all.split_terminator(' '))
     }
 
-    /// Returns `true` for an attribute that is read here or may be ignored.
+    /// Returns `true` for an attribute that is read in elements of this kind, or may be ignored in
+    /// them.
     pub(crate) fn has_attribute(&self, name: &str) -> bool {
         [self.attributes, self.known].into_iter().any(|all| has(all, name))
     }
 
-    /// Returns `true` for a child element that is read here or may be ignored.
+    /// Returns `true` for a child element that is read in elements of this kind, or may be ignored
+    /// in them.
     pub(crate) fn has_element(&self, name: &str) -> bool {
         [self.elements, self.known].into_iter().any(|all| has(all, name))
     }

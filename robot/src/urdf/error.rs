@@ -31,8 +31,8 @@ errors! {
             what: String = "What is missing."
         }
             => "not a URDF file: line {line}: {element}: {what} is missing";
-        /// An attribute must hold a fixed count of finite numbers, such as three for `xyz`, and
-        /// does not.
+        /// An attribute does not hold the required count of finite numbers, such as three for
+        /// `xyz`.
         Numbers {
             line: u32 = "The line on which the element begins.",
             element: String = "The element.",

@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | 2 or 3 components | `ld2`, `ld3` | `st2`, `st3` |
 //! | 4 components | `ld4` | shuffles: `st4` takes twice as long on V2 |
-//! | 8 components | shuffles: two `ld4` need as many shuffles after them as they save | shuffles |
+//! | 8 components | shuffles: two `ld4` save no shuffles in all | shuffles |
 
 pub(crate) mod f32x4;
 pub(crate) mod f64x2;

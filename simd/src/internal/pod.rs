@@ -56,7 +56,7 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 /// `derive` and `serde` are resolved where the macro is called, and the calling crate may have
 /// attributes of its own with these names. So the macro also checks the finished struct, and a
 /// struct with padding or with an alignment of its own does not compile. No other name in the macro
-/// is resolved there.
+/// is resolved where the macro is called.
 ///
 /// ```
 /// dq8_simd::pod! {

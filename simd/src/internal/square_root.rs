@@ -63,6 +63,6 @@ mod without_vectors {
     #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
     pub(super) use libm::sqrtf as f32;
     // Some FPUs, such as that of the Cortex-M4F, have no double precision. No stable `cfg` tells
-    // these FPUs apart, so `libm` computes the root of an `f64`.
+    // these FPUs from FPUs with double precision, so `libm` computes the root of an `f64`.
     pub(super) use libm::sqrt as f64;
 }

@@ -209,13 +209,13 @@ struct Clip {
 #[repr(C)]
 pub struct TrackPlace {
     clip: u32,
-    /// The index of the row's first entry.
+    /// The index of the first entry of the clip's row, in the table of rows.
     row: u32,
-    /// The indices of the keys from which offsets count: element 0 for a column that stays, element
-    /// 1 for a column that moves.
+    /// The indices of the keys from which the offsets of entries count: element 0 for columns that
+    /// stay, element 1 for columns that move.
     origins: [u32; 2],
-    /// The distances to the key of the next frame: element 0 is 0, for a column that stays. Element
-    /// 1 is the clip's step, for a column that moves.
+    /// The distances from a key to the key of the next frame: element 0, for columns that stay,
+    /// is 0. Element 1, for columns that move, is the clip's step.
     steps: [u32; 2],
 }
 // SAFETY: the struct has only integer fields, for which zero bytes are valid.

@@ -12,8 +12,8 @@
 // | `quads.rs` | transposes between records of four or three components and vectors |
 // | `shorts.rs` | interpolation between records of four 16-bit integers |
 // | `packed.rs` | one dual quaternion in a register |
-// | `avx2.rs` | `Avx2`: 8 lanes of `f32`, 4 lanes of `f64`, and half as many of each |
-// | `avx512.rs` | `Avx512`: 16 lanes of `f32`, 8 lanes of `f64`, and a half and a quarter of each |
+// | `avx2.rs` | `Avx2`: 8 and 4 lanes of `f32`, 4 and 2 lanes of `f64` |
+// | `avx512.rs` | `Avx512`: 16, 8 and 4 lanes of `f32`, 8, 4 and 2 lanes of `f64` |
 
 mod avx2;
 mod avx512;

@@ -52,8 +52,8 @@ transpose_singles! { transpose_f32x4, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, 
 transpose_singles! { transpose_f32x8, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps }
 transpose_singles! { transpose_f32x16, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps }
 
-/// Defines the sums of the four lanes in each 128-bit group: lane `i` of a group of the result is
-/// the sum of that group in register `i`.
+/// Defines a function that sums the four lanes in each 128-bit group of four registers. Lane `i` of
+/// a group of the result is the sum of the same group of register `i`.
 macro_rules! sum_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident, $add:ident) => {
         #[cfg_attr(not(opt_level_0), inline(always))]
@@ -215,8 +215,8 @@ pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
     }
 }
 
-/// Returns the sums of the halves of four registers: lane `i` of a half of the result is the sum of
-/// that half of register `i`.
+/// Sums each half of four registers: lane `i` of the lower half of the result is the sum of the
+/// lower half of register `i`, and likewise for the upper halves.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_sum([a, b, c, d]: [__m512d; 4]) -> __m512d {
     // SAFETY: the caller guarantees that the CPU has the instructions of this register, and they
