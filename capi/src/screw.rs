@@ -35,7 +35,7 @@ unsafe fn blend<R: Real>(motions: *const R, weights: *const R, count: usize, out
 }
 
 /// Returns the eight values of a screw in C: the direction and the moment of its axis, the angle,
-/// the slide.
+/// and the slide.
 fn numbers<R: Copy>(screw: Screw<R>) -> [R; 8] {
     let ([lx, ly, lz], [mx, my, mz]) = (screw.axis.direction, screw.axis.moment);
     [lx, ly, lz, mx, my, mz, screw.angle, screw.slide]

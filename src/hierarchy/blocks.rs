@@ -44,8 +44,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Blocks<'_, '_, E, L
         let joints = run.parents.len();
         let pass = Pass { level, run, locals };
         let mut batch = pass.batch();
-        // If a block has several registers, they are computed in turns, and one block at a time is
-        // enough.
+        // If a row of a block fills several registers, these registers are computed in turns, and
+        // the loop computes one block at a time.
         let one_at_a_time = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
         let side_by_side = if OVERLAPS && !one_at_a_time { 2 } else { 1 };
         // `models` holds whole instances, so `joints` is not 0 where there is a model. The compiler

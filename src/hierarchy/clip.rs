@@ -413,8 +413,8 @@ impl<'s, W: Law<C>, P: KeysAt<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P
     /// Makes locals of many instances from a place and a parameter `t` for each instance. In a
     /// [`Clip`](super::Clip), a place is the index of a frame; in packed clips it is the result of
     /// [`PackedClips::place`](super::PackedClips::place). Values of `t` outside [0, 1] extrapolate
-    /// beyond the two frames of a `Clip`; packed clips clamp them to [0, 1]. NaN makes poses of
-    /// NaN.
+    /// beyond the two frames of a `Clip`; packed clips clamp them to [0, 1]. A `t` of NaN gives
+    /// poses of NaN.
     ///
     /// # Errors
     /// If `places` and `t` differ in length, a frame is not in the clip or is its last, which no

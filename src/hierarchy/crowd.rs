@@ -183,8 +183,8 @@ where
         crowd
     }
 
-    /// Iterates over the instances, each an iterator over its poses as [`instance`](Self::instance)
-    /// gives them.
+    /// Iterates over the instances. Each item is an iterator over the poses of one instance, as
+    /// [`instance`](Self::instance) returns it.
     pub fn iter(
         &self,
     ) -> impl ExactSizeIterator<Item = impl ExactSizeIterator<Item = DualQuat<R>>> {

@@ -438,7 +438,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         let Self { level, run, locals } = self;
         let joints = run.joints.clone();
         let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
-        // The base of roots is in memory, like the models of all other parents (*One source*,
+        // The base of roots is stored to memory, so that products read it in the same way as the
+        // models of parents, and no registers are moved to join two paths (*One source*,
         // docs/measured.md).
         let mut base = Models::<E, V>::zeroed();
         let base = if let Some(root) = run.root.load(level, instance, 0) {

@@ -192,8 +192,8 @@ impl Renormalize {
     }
 }
 
-/// A computation that runs for each model while the model is in registers, such as that of a
-/// palette entry.
+/// A computation that runs for each model while the model is in registers, such as the computation
+/// of a palette entry.
 pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
     /// `true` if the epilogue computes something.
     const ACTIVE: bool;

@@ -231,7 +231,7 @@ impl Skeleton {
     /// Gives each joint a name; a joint whose text is empty has no name.
     ///
     /// # Errors
-    /// If the number of names differs from that of joints, or two joints have the same name.
+    /// If there are not as many names as joints, or two joints have the same name.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.

@@ -16,8 +16,8 @@ use dq8_simd::{Lanes, Mask, Records};
 /// real part and the real part of the pivot is negative. The pivot is the motion of the joint of
 /// greatest weight, or of the first such joint. So the signs of the palette's entries have no
 /// effect, and the mesh does not jump when a joint turns through 2π. If σᵢ is exactly half a
-/// turn from the pivot, both signs are equally near. Then the sign is chosen that makes the first
-/// nonzero component of (w, x, y, z) positive.
+/// turn from the pivot, both signs are equally near. Then σᵢ and the pivot both count with the
+/// sign that makes their first nonzero component of (w, x, y, z) positive.
 ///
 /// A vertex with a single influence of weight 1 moves by exactly the motion of its joint. Normals
 /// and tangents turn with σ.

@@ -85,7 +85,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Self::packed(joint_count, influences, joints, weights, given)
     }
 
-    /// Makes a skin of joints that adjoin in memory, with `given` weights for each vertex.
+    /// Makes a skin of joints and weights without other fields between the vertices. Each vertex
+    /// has `influences` joints and `given` weights.
     fn packed(
         palette: usize,
         influences: usize,
@@ -100,8 +101,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Self::checked(palette, influences, (joints, influences), (weights, given))
     }
 
-    /// Checks joints and weights, each with its distance from a vertex to the next, and makes a
-    /// skin of them.
+    /// Checks the joints and the weights, and makes a skin of them. Each slice comes with its
+    /// stride, the number of elements from a vertex to the next.
     pub(super) fn checked(
         palette: usize,
         influences: usize,

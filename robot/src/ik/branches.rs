@@ -36,11 +36,11 @@ use dq8::batch::{DualQuat, atan2, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::{Float, Lanes};
 
-/// The distance by which a target may be out of reach, in roundoffs of the arm's size. The rounding
-/// error of a computed pose is some ten of these units.
+/// The distance by which a target may be out of reach, in units of the roundoff times the arm's
+/// size. The rounding error of a computed pose is about ten of these units.
 const REACH_SLACK: f64 = 64.0;
-/// The distance from the edge of the reach within which two solutions count as one, in roundoffs of
-/// the arm's size.
+/// The distance from the edge of the reach within which two solutions count as one, in units of the
+/// roundoff times the arm's size.
 const MERGE_SLACK: f64 = 16.0;
 /// The sine of the angle between axes that count as parallel, in units of roundoff.
 const PARALLEL_SLACK: f64 = 32.0;
@@ -48,7 +48,8 @@ const PARALLEL_SLACK: f64 = 32.0;
 /// roundoff.
 const SINGULAR_SLACK: f64 = 4096.0;
 
-/// The limits `REACH_SLACK` to `SINGULAR_SLACK` on lanes. `reach` and `merge` are lengths.
+/// The four limits above, such as [`REACH_SLACK`], multiplied by their units, with a register for
+/// each. `reach` and `merge` are lengths.
 #[derive(Clone, Copy)]
 struct Slack<L> {
     reach: L,
@@ -184,8 +185,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Finds the first three angles, which put the wrist into place, for an arm with a parallel
-    /// elbow: the shoulder, and two links in a plane.
+    /// Finds the first three angles, which put the wrist into place, for an arm whose second and
+    /// third axis are parallel: the shoulder, and two links in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn parallel_elbow(&self, places: &mut [Branch<L>; 4]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -472,8 +473,8 @@ impl<L: Lanes> Complex<L> {
     /// It is NaN if `v` or `w` is parallel to the axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn onto(axis: [L; 3], v: [L; 3], w: [L; 3]) -> Self {
-        // Only the parts at right angles to the axis count. If they are small, products of the
-        // whole vectors would lose them by rounding.
+        // Only the parts of `v` and `w` at right angles to the axis matter. If they are small,
+        // products of the whole vectors would lose them by rounding.
         let (v, w) = (vector::cross(axis, v), vector::cross(axis, w));
         Self::unit(vector::dot(v, w), vector::dot(axis, vector::cross(v, w)))
     }

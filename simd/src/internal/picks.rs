@@ -177,8 +177,8 @@ impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
     #[must_use]
     pub fn records(&self, row: usize) -> Option<[&'t [R; C]; RECORDS_PER_LANE]> {
         let &row = self.rows.get(row)?;
-        // SAFETY: only `all_in_place` makes this type, from indices that are all below a bound. It
-        // has checked that the table has at least as many records as the bound.
+        // SAFETY: only `all_in_place` makes this type, from indices that are all below a bound,
+        // after it has checked that the table has at least as many records as the bound.
         Some(unsafe { records(row, self.table) })
     }
 }

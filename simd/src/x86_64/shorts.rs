@@ -50,9 +50,9 @@ pub(super) unsafe fn f32x8_between(
         let to = _mm256_castps_si256(to);
         let from_a = _mm256_sub_epi16(_mm256_set1_epi32(16384), to);
         let weights = _mm256_blend_epi16::<0xAA>(from_a, _mm256_slli_epi32::<16>(to));
-        // The shuffle `pair` brings a₀a₁a₂a₃ b₀b₁b₂b₃ to a₀b₀ a₁b₁ a₂b₂
-        // a₃b₃. The lower half of the register holds lane i, and the upper half holds lane
-        // i + 4.
+        // The shuffle `pair` reorders 16-bit integers: it brings a₀a₁a₂a₃ b₀b₁b₂b₃
+        // to a₀b₀ a₁b₁ a₂b₂ a₃b₃. The lower half of the register holds lane i, and
+        // the upper half holds lane i + 4.
         let pair = _mm256_set_epi8(
             15, 14, 7, 6, 13, 12, 5, 4, 11, 10, 3, 2, 9, 8, 1, 0, //
             15, 14, 7, 6, 13, 12, 5, 4, 11, 10, 3, 2, 9, 8, 1, 0,
