@@ -39,8 +39,8 @@ use dq8::{Kernel, Scalar};
 use dq8_simd::{Float, Lanes, Level};
 
 /// The greatest count of poses that the loop keeps for children at a time. [`Mechanism::new`]
-/// orders the steps so that this count is at most log₂ of the count of joints, plus one, which is
-/// less than 32 for all mechanisms that fit into memory.
+/// orders the steps so that this count is at most log₂ of the count of joints, plus one. That is
+/// less than 32, because a mechanism has fewer than 2²⁸ joints.
 pub(crate) const SLOTS: usize = 32;
 
 /// The work that a kernel does with each link, for poses in the layout `Y`.
