@@ -7,13 +7,6 @@
 //! ```
 //!
 //! The coefficients A, B and C are analytic in u and are computed by [`even`](super::even).
-//!
-//! ```text
-//! J_l(x) y   = y +   A(u) x×y + B(u) x×(x×y)
-//! J_l⁻¹(x) y = y − ½      x×y + C(u) x×(x×y)
-//! ```
-//!
-//! The coefficients are analytic in u: see [`even`](super::even).
 
 use super::even::{exponential_integrals, half_cotangent};
 use super::{Dual, DualQuat, vector};

@@ -27,29 +27,6 @@
 //! other lanes keep their bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad
 //! (`f64`). A larger float is known to no more than 2⁻⁸ rad, so every component is then NaN,
 //! because the motion would not be unit.
-//!
-//! ```text
-//! Θ² = C K²      Θ / sin Θ = K / cos(Θ/2)
-//! ```
-//!
-//! on dual numbers, f(a + εb) = f(a) + ε b f′(a): value and derivative from one polynomial
-//! ([`even`](super::even)). There is no axis, no branch on the angle and no division by a sine. The
-//! obvious form would be slerp weights of the dual cosine X = ⟨a, b⟩; this one is better in two
-//! ways:
-//!
-//! - **C is not computed from 1 − X.** For poses that almost agree, 1 − X has lost the angle,
-//!   which does no harm between the poses but ruins extrapolation (t = 1000 along a tiny screw).
-//!   `log` and `pow` take C from the vector part, ScLERP from the difference b − a, which is
-//!   exact there.
-//! - **ScLERP is centred on the midpoint.** With m = (a+b)/2 and h = (b−a)/2, which are
-//!   orthogonal, and τ = 2t − 1, σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h.
-//!   Weights of a and b cancel outside [0, 1]; those of m and h do not, and their arguments are
-//!   half as large.
-//!
-//! Beyond (π/2)² the argument of cos √v is reduced, but only if some lane needs it; lanes that
-//! do not need it keep their bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad
-//! (`f64`). Beyond, a float is known to no more than 2⁻⁸ rad, and every component is NaN rather
-//! than a motion that is not unit.
 
 use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;
@@ -161,12 +138,6 @@ impl<L: Lanes> DualQuat<L> {
     ///
     /// For poses that almost agree the difference b − a is exact, whereas their cosine has lost
     /// it.
-    ///
-    /// ```text
-    /// σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h
-    /// ```
-    ///
-    /// The difference b − a is exact for poses that almost agree, where their cosine has lost it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp(self, other: Self, t: L) -> Self {
         let opposite = self.real().dot(other.real()).lt(t.constant(0.0));

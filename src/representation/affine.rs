@@ -14,7 +14,7 @@ crate::macros::pod! {
     /// part is the number |p|², and the only term with v is pvp*, a rotation times |p|². Divided
     /// by |p|² to be a point again, with the real part 1, it is a rotation and a translation. So
     /// *every* σ with p ≠ 0 keeps distances and handedness. If only the dual part is read and
-    /// nothing is divided, it scales uniformly, by the factor of Arends ch. 5 §6.1, but an
+    /// not divided by |p|², the map scales uniformly, by the factor of Arends ch. 5 §6.1. But an
     /// expression with a real part other than 1 is not a point. No other single product avb of
     /// quaternions helps: its norm is the product of the norms, so it lengthens all vectors alike,
     /// and neither scales directions differently nor shears. A reflection is such a product with
@@ -47,7 +47,7 @@ crate::macros::pod! {
     }
 }
 
-/// The identity.
+/// The default is the identity.
 impl<R: Real> Default for Affine<R> {
     fn default() -> Self {
         Self::IDENTITY
@@ -163,7 +163,7 @@ impl<R: Real> Affine<R> {
     }
 }
 
-/// Returns the map that applies `other` first, then `self`.
+/// The product applies `other` first, then `self`.
 impl<R: Real> Mul for Affine<R> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {

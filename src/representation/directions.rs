@@ -8,9 +8,10 @@ use crate::scalar::{DualQuat, Quat, vector};
 
 impl<R: Real> Quat<R> {
     /// Returns the axis n, of length 1, and the angle θ in [0, π] radians of a unit quaternion,
-    /// where ±q = cos(θ/2) + n sin(θ/2). The [canonical](crate::DualQuat::canonical) one of ±q
-    /// is taken: w ≥ 0, and at half a turn, where both n and −n are axes, the first component
-    /// of n that is not zero is positive. The identity has the axis (1, 0, 0).
+    /// where ±q = cos(θ/2) + n sin(θ/2). Of q and −q, the
+    /// [canonical](crate::DualQuat::canonical) quaternion is taken. It has w ≥ 0, and for half a
+    /// turn, where both n and −n are axes, the first component of n that is not zero is positive.
+    /// The identity has the axis (1, 0, 0).
     ///
     /// The angle is twice the arctangent of |n sin(θ/2)| and w, which is accurate for all angles.
     /// The alternative 2 arccos w loses half of the digits of a small angle.
@@ -33,8 +34,9 @@ impl<R: Real> Quat<R> {
         (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
     }
 
-    /// The turn by |v| radians about the direction of v, which is the exponential of v/2. The
-    /// vector v may be any; the error of a large angle is the error of its rounding.
+    /// Returns the turn by |v| radians about the direction of v, which is the exponential of v/2.
+    /// The vector v may have any length; the result for a large angle is as inexact as the rounding
+    /// of the angle makes it.
     ///
     /// ```
     /// use dq8::Quat;
@@ -42,8 +44,8 @@ impl<R: Real> Quat<R> {
     /// ```
     #[doc(alias("from_rotvec", "rotvec", "rotation_vector", "exp3"))]
     pub fn from_scaled_axis(v: [R; 3]) -> Self {
-        // Here cos(θ/2) = 1 and sin(θ/2)/θ = ½ to the last place. These constants also keep the
-        // derivatives of dual numbers finite.
+        // For so small an angle, cos(θ/2) = 1 and sin(θ/2)/θ = ½ to the last place. These
+        // constants also keep the derivatives of dual numbers finite.
         if vector::dot(v, v) < R::EPSILON {
             return Self::from_parts(vector::scale(v, R::HALF), R::ONE);
         }
@@ -67,8 +69,8 @@ impl<R: Real> Quat<R> {
         crate::scalar::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
         let short = if self.points_back() { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());
-        // Here θ/sin(θ/2) = 2/cos(θ/2) to the last place. This form also keeps the derivatives
-        // of dual numbers finite.
+        // For so small an angle, θ/sin(θ/2) = 2/cos(θ/2) to the last place. This form also keeps
+        // the derivatives of dual numbers finite.
         let scale = if squared < R::EPSILON {
             R::TWO / short.w()
         } else {
@@ -157,13 +159,13 @@ impl<R: Real> Quat<R> {
         }
         let side = vector::cross(unit(forward), unit(up));
         let columns = gram_schmidt([0, 1, 2].map(|row| [forward[row], up[row], side[row]]))?;
-        // forward × up is −x.
+        // The cross product forward × up has the direction −x.
         Ok(Self::from_matrix3(columns.map(|[z, y, side]| [-side, y, z])))
     }
 
-    /// Changes signs in a sequence so that each quaternion is the one of ±q that is nearer to its
-    /// predecessor. Both are the same rotation, but sums, differences and plots depend on the sign.
-    /// The first quaternion keeps its sign.
+    /// Changes signs in a sequence of quaternions: q becomes −q where −q is nearer to the
+    /// quaternion before it. Both are the same rotation, but sums, differences and plots depend on
+    /// the sign. The first quaternion keeps its sign.
     ///
     /// ```
     /// use dq8::Quat;
@@ -198,8 +200,8 @@ impl<R: Real> DualQuat<R> {
         Ok(Self::from_rotation_translation(rotation, eye))
     }
 
-    /// Changes signs like [`Quat::make_continuous`], so that the real part of each motion is the
-    /// nearer one to its predecessor.
+    /// Changes signs like [`Quat::make_continuous`]: σ becomes −σ where its real part is then
+    /// nearer to that of the motion before it.
     pub fn make_continuous(samples: &mut [Self]) {
         make_continuous(samples, |a, b| a.real().dot(b.real()));
     }

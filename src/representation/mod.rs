@@ -1,5 +1,5 @@
-//! Other representations of rotations and rigid motions, and of the affine maps that are more than
-//! a motion.
+//! Other representations of rotations and rigid motions, and affine maps, which also scale, shear
+//! and mirror.
 //!
 //! The unit quaternion connects all of them. Kenwright (§3) compares Euler angles, axis and angle,
 //! matrices, and quaternions with a translation. Each is one call away from [`Quat`] or
@@ -19,8 +19,9 @@
 //! | rotation and translation | `DualQuat::from` | [`RotationTranslation`]`::from` |
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
-//! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under
-//! the same names. Where an operation here returns an error, its name on lanes ends in `_checked`.
+//! The types of lanes in [`batch`](crate::batch) have the operations for axis and angle, coordinate
+//! axes, arcs and matrices under the same names. Where an operation here returns an error, the name
+//! of its form on lanes ends in `_checked`.
 
 mod affine;
 mod directions;
