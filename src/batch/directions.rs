@@ -6,8 +6,9 @@ use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
-    /// Returns the axis, of length 1, and the angle in [0, π] radians of unit quaternions, both of
-    /// the [canonical](DualQuat::canonical) one of ±q. The identity has the axis (1, 0, 0).
+    /// Returns the axis, of length 1, and the angle in [0, π] radians of unit quaternions q. Both
+    /// are taken from the [canonical](DualQuat::canonical) choice of ±q. The identity has the axis
+    /// (1, 0, 0).
     ///
     /// ```
     /// use dq8::{batch::Quat, simd::f32x4};

@@ -14,14 +14,16 @@ use crate::geometry::{Twist, Wrench};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// Returns the twist moved by unit σ: ω′ = Rω and v′ = Rv + t × ω′.
+    /// Returns the twist moved by unit σ, with the angular part ω′ = Rω and the linear part
+    /// v′ = Rv + t × ω′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn adjoint(self, twist: Twist<L>) -> Twist<L> {
         let (angular, linear) = self.carry(twist.angular, twist.linear);
         Twist { angular, linear }
     }
 
-    /// Returns the wrench moved by unit σ: f′ = Rf and τ′ = Rτ + t × f′.
+    /// Returns the wrench moved by unit σ, with the force f′ = Rf and the torque τ′ = Rτ + t
+    /// × f′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn coadjoint(self, wrench: Wrench<L>) -> Wrench<L> {
         let (force, torque) = self.carry(wrench.force, wrench.torque);

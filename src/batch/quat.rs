@@ -82,7 +82,7 @@ impl<L: Lanes> Quat<L> {
         [self.0[0], self.0[1], self.0[2]]
     }
 
-    /// Returns `true` in the lanes where −q, and not q, is the canonical one of ±q: the first
+    /// Returns `true` in the lanes where −q, and not q, is the canonical choice of ±q: the first
     /// component of q that is not zero, in the order w, x, y, z, is negative.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn points_back(self) -> L::Mask {

@@ -68,7 +68,8 @@ impl<L: Lanes> DualQuat<L> {
         }
     }
 
-    /// Returns σ = cos(θ̂/2) + sin(θ̂/2)(l + εm); the axis must have length 1.
+    /// Returns the motion cos(θ̂/2) + sin(θ̂/2)(l + εm) of a screw with the dual angle θ̂,
+    /// the direction l and the moment m of its axis. The direction must have length 1.
     ///
     /// The result is NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`:
     /// 2⁴⁵), because a larger angle is known to no more than a 256th of a radian. The same
@@ -83,8 +84,9 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(axis, half_angle * sinc))
     }
 
-    /// Returns (θ̂/2)(l + εm) of the [canonical](Self::canonical) one of ±σ. It is the vector
-    /// part of σ times Θ/sin Θ with Θ = θ̂/2.
+    /// Returns the logarithm (θ̂/2)(l + εm) of the [canonical](Self::canonical) choice of ±σ,
+    /// with the dual angle θ̂ and the axis l + εm of its screw. It is the vector part of σ
+    /// times Θ/sin Θ with Θ = θ̂/2.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn log(self) -> DualVector<L> {
         let sigma = self.canonical();
@@ -101,8 +103,8 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(log, sinc))
     }
 
-    /// Returns σᵗ of the [canonical](Self::canonical) one of ±σ; `t` may differ from lane to
-    /// lane. The result is NaN where t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵
+    /// Returns σᵗ of the [canonical](Self::canonical) choice of ±σ; `t` may differ from lane
+    /// to lane. The result is NaN where t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵
     /// (`f64`), and where t is beyond 10¹⁹ (`f32`) or 10¹⁵⁴ (`f64`), because t² overflows.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn pow(self, t: L) -> Self {
@@ -113,8 +115,9 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
     }
 
-    /// Returns √σ of the [canonical](Self::canonical) one of ±σ. Its scalar part is cos(Θ/2),
-    /// where Θ is half the dual angle, and its vector part is that of σ divided by 2 cos(Θ/2).
+    /// Returns √σ of the [canonical](Self::canonical) choice of ±σ. Its scalar part is
+    /// cos(Θ/2), where Θ is half the dual angle, and its vector part is that of σ divided by 2
+    /// cos(Θ/2).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sqrt(self) -> Self {
         let sigma = self.canonical();
@@ -258,8 +261,8 @@ impl<L: Lanes> Arc<L> {
         Self { sum, back, chord_squared, arc_over_chord, half_secant }
     }
 
-    /// Returns cos(τΘ/2)/cos(Θ/2) m + τ K sinc(τΘ/2) h with τ = 2t − 1 and sinc x =
-    /// sin(x)/x.
+    /// Returns the motion at `t`, which is cos(τΘ/2)/cos(Θ/2) m + τ K sinc(τΘ/2) h with τ =
+    /// 2t − 1 and sinc x = sin(x)/x.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn at(&self, t: L) -> DualQuat<L> {
         // The weight is −τK/2, because `back` is −2h. Its square times C is (τΘ/2)².

@@ -5,7 +5,7 @@ use crate::geometry::{Line, Plane};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// Returns the point Rv + t; σ must be unit.
+    /// Returns the point Rv + t, with the rotation matrix R and the translation t of a unit σ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_point(self, point: [L; 3]) -> [L; 3] {
@@ -31,21 +31,23 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(p, q).half_translation()
     }
 
-    /// Returns the direction Rv; σ must be unit.
+    /// Returns the direction Rv, with the rotation matrix R of a unit σ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_vector(self, vector: [L; 3]) -> [L; 3] {
         self.real().rotate(vector)
     }
 
-    /// Returns the line with l′ = Rl and m′ = Rm + t × l′; σ must be unit.
+    /// Returns the line moved by unit σ, with the direction l′ = Rl and the moment m′ = Rm + t
+    /// × l′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn transform_line(self, line: Line<L>) -> Line<L> {
         let (direction, moment) = self.carry(line.direction, line.moment);
         Line { direction, moment }
     }
 
-    /// Returns the plane with n′ = Rn and d′ = d + n′·t; σ must be unit.
+    /// Returns the plane moved by unit σ, with the normal n′ = Rn and the offset d′ = d +
+    /// n′·t.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn transform_plane(self, plane: Plane<L>) -> Plane<L> {
         let normal = self.real().rotate(plane.normal);

@@ -141,7 +141,7 @@ fn cathetus<L: Lanes>(x: L) -> L {
     ((one - x) * (one + x)).sqrt()
 }
 
-/// arcsin x, radians; NaN for |x| > 1.
+/// Returns arcsin x in radians, or NaN for |x| > 1.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn asin<L: Lanes>(x: L) -> L {
     let (sine, cosine) = (x.abs(), cathetus(x));

@@ -61,7 +61,7 @@ pub fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     ]
 }
 
-/// Returns `yes` in the lanes in which the mask is set, and `no` in the others.
+/// Returns `yes` in the lanes in which the mask is set, and `no` in all other lanes.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {

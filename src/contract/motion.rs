@@ -148,7 +148,7 @@ shared_trait! {
         fn to_matrix3x4(self) -> [[Self::Real; 4]; 3];
         /// Returns the rows of the matrix [R | t] and the row 0 0 0 1.
         fn to_matrix4(self) -> [[Self::Real; 4]; 4];
-        /// Returns the screw of the canonical one of ±σ.
+        /// Returns the screw of the canonical choice of ±σ.
         fn to_screw(self) -> Screw<Self::Real>;
 
         /// Returns σ• = p − εq.
@@ -179,13 +179,13 @@ shared_trait! {
         /// Returns `true` where every component differs by at most `tolerance`.
         fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
 
-        /// Returns the point Rv + t.
+        /// Returns the point Rv + t, with the rotation R and the translation t of σ.
         fn transform_point(self, point: [Self::Real; 3]) -> [Self::Real; 3];
-        /// Returns the direction Rv.
+        /// Returns the direction Rv, with the rotation R of σ.
         fn transform_vector(self, vector: [Self::Real; 3]) -> [Self::Real; 3];
-        /// Returns the line Rl + ε(Rm + t × Rl).
+        /// Returns the moved line Rl + ε(Rm + t × Rl).
         fn transform_line(self, line: Line<Self::Real>) -> Line<Self::Real>;
-        /// Returns the plane with n′ = Rn and d′ = d + n′·t.
+        /// Returns the moved plane, with the normal n′ = Rn and the offset d′ = d + n′·t.
         fn transform_plane(self, plane: Plane<Self::Real>) -> Plane<Self::Real>;
 
         /// Returns normalize((1−t)a ± tb), with the sign of the shorter way.
@@ -207,7 +207,8 @@ shared_trait! {
         /// t t_b, which serves for comparisons with `sclerp`.
         fn slerp_lerp(self, other: Self, t: Self::Real) -> Self;
 
-        /// Returns the logarithm (θ̂/2)(l + εm).
+        /// Returns the logarithm (θ̂/2)(l + εm), with the dual angle θ̂ and the axis l + εm
+        /// of the screw.
         fn log(self) -> DualVector<Self::Real>;
         /// Returns cos ĥ + sin ĥ (l + εm) for the logarithm ĥ(l + εm). On lanes, and for `f32`
         /// and `f64`, the result is NaN beyond a half angle of 2¹⁶ rad (`f32`) or 2⁴⁵ rad

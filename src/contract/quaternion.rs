@@ -65,7 +65,7 @@ shared_trait! {
 
         /// Returns cos(θ/2) + n sin(θ/2) for the axis n and the angle θ.
         fn from_axis_angle(axis: [Self::Real; 3], angle: Self::Real) -> Self;
-        /// Returns the axis n and the angle θ of the canonical one of ±q.
+        /// Returns the axis n and the angle θ of the canonical choice of ±q.
         fn to_axis_angle(self) -> ([Self::Real; 3], Self::Real);
         /// Returns the turn by |v| radians about v.
         fn from_scaled_axis(v: [Self::Real; 3]) -> Self;
@@ -107,7 +107,7 @@ shared_trait! {
         fn angle_to(self, other: Self) -> Self::Real;
         /// Returns normalize((1−t)a ± tb), with the sign of the shorter way.
         fn nlerp(self, other: Self, t: Self::Real) -> Self;
-        /// Returns a(a*b)ᵗ by the shorter way.
+        /// Returns a(a*b)ᵗ, from a = `self` to b = `other` by the shorter way.
         fn slerp(self, other: Self, t: Self::Real) -> Self;
     }
 }
