@@ -6,9 +6,9 @@ use dq8_simd::Lanes;
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Dual<L> {
-    /// a, the real part.
+    /// The real part a.
     pub real: L,
-    /// b, the dual part.
+    /// The dual part b.
     pub dual: L,
 }
 

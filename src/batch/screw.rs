@@ -182,7 +182,8 @@ impl<L: Lanes> Quat<L> {
     }
 }
 
-/// Functions of Θ, half the dual angle of motions with p_w ≥ 0.
+/// The functions of Θ, half the dual angle, from which logarithms and powers of motions with p_w
+/// ≥ 0 are computed.
 pub(super) struct HalfAngle<L> {
     /// The squared chord C = 4 sin²(Θ/2).
     chord_squared: Dual<L>,

@@ -1,6 +1,6 @@
-//! The macro that defines a trait which scalars and lanes share. One list of methods makes the
-//! trait, and a second macro. That macro writes the `impl` of the trait for a type, by calls of the
-//! type's inherent methods.
+//! The macro that defines a trait which scalars and lanes share. One list of methods makes two
+//! things: the trait, and a macro that writes the `impl` of the trait for a type, by calls of the
+//! inherent methods of the type.
 
 /// Defines the trait, and the macro `$delegate` that implements it for a type. The type must have
 /// every method of the list `inherent` as an inherent method: in the `impl`, `Self::name` resolves

@@ -82,7 +82,7 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> Quat<R> {
-    /// The turn by `angle` radians about the x axis, cos(θ/2) + i sin(θ/2).
+    /// Returns the turn by `angle` radians about the x axis, cos(θ/2) + i sin(θ/2).
     ///
     /// ```
     /// use dq8::Quat;
@@ -93,21 +93,21 @@ impl<R: Real> Quat<R> {
         Self::from_axis_angle([R::ONE, R::ZERO, R::ZERO], angle)
     }
 
-    /// The turn by `angle` radians about the y axis, cos(θ/2) + j sin(θ/2).
+    /// Returns the turn by `angle` radians about the y axis, cos(θ/2) + j sin(θ/2).
     pub fn from_rotation_y(angle: R) -> Self {
         Self::from_axis_angle([R::ZERO, R::ONE, R::ZERO], angle)
     }
 
-    /// The turn by `angle` radians about the z axis, cos(θ/2) + k sin(θ/2).
+    /// Returns the turn by `angle` radians about the z axis, cos(θ/2) + k sin(θ/2).
     pub fn from_rotation_z(angle: R) -> Self {
         Self::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle)
     }
 
-    /// The smallest turn that takes the direction of `from` to the direction of `to`, two vectors
-    /// of any length. For unit vectors a and b, with n along a × b, it is |a + b|/2 + n |b −
-    /// a|/2 (after Kahan 2006). Opposite directions have many such turns; the turn here is about an
-    /// axis orthogonal to `from`, next to the coordinate axis that is farthest from `from`. The
-    /// result is NaN for a zero vector.
+    /// Returns the smallest turn that takes the direction of `from` to the direction of `to`, two
+    /// vectors of any length. For unit vectors a and b, with n along a × b, it is |a + b|/2 + n |b
+    /// − a|/2 (after Kahan 2006). Opposite directions have many such turns; the turn here is
+    /// about an axis orthogonal to `from`, next to the coordinate axis that is farthest from
+    /// `from`. The result is NaN for a zero vector.
     ///
     /// The sum and the difference are accurate for the smallest angles and near half a turn, where
     /// a·b has lost digits.
@@ -135,9 +135,9 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, sine), cosine).normalize()
     }
 
-    /// The rotation that takes the z axis to the direction `forward`, and the y axis as near to
-    /// `up` as possible. The lengths of the vectors do not matter. For cameras that look along −z
-    /// (glTF, OpenGL), pass −forward.
+    /// Returns the rotation that takes the z axis to the direction `forward`, and the y axis as
+    /// near to `up` as possible. The lengths of the vectors do not matter. For cameras that look
+    /// along −z (glTF, OpenGL), pass −forward.
     ///
     /// # Errors
     /// If a vector is zero (the error has column 0 for `forward` and 1 for `up`) or not finite, or
@@ -180,9 +180,9 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The pose at `eye` whose z axis points to `target`, and whose y axis is as near to `up` as
-    /// possible: [`Quat::look_to`] with a translation. Its inverse is the view transform of a
-    /// camera that looks along z.
+    /// Returns the pose at `eye` whose z axis points to `target`, and whose y axis is as near to
+    /// `up` as possible: [`Quat::look_to`] with a translation. Its inverse is the view transform of
+    /// a camera that looks along z.
     ///
     /// # Errors
     /// If `target` equals `eye`, `up` is zero or along the way from `eye` to `target`, or a

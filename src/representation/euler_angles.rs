@@ -186,9 +186,10 @@ impl<R: Real> Quat<R> {
 /// The order of the axes of Euler angles, and the frame of the axes. There are 24 orders, listed in
 /// [`EulerOrder::ALL`].
 ///
-/// Kenwright (§3.3) says twelve and prints eleven, three of them twice. There are six orders with
-/// three different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler
-/// angles), and the axes of each may move with the body or stay fixed.
+/// Kenwright (§3.3) speaks of twelve orders and prints eleven, three of them twice. There are six
+/// orders with three different axes (Tait–Bryan) and six whose last axis is the first one again
+/// (proper Euler angles). In each of the twelve orders the axes may move with the body or stay
+/// fixed.
 ///
 /// ```
 /// use dq8::{representation::{EulerAxes, EulerFrame, EulerOrder}};

@@ -62,7 +62,7 @@ errors! {
         } => "no rotation: column {column} lies in the span of those before it (the sine of the angle is {sine})";
         /// The matrix mirrors: its determinant is negative.
         Mirrors {
-            /// The determinant of its columns, each divided by its length.
+            /// The determinant of the matrix after each column is divided by its length.
             determinant: f64,
         } => "no rotation: the determinant of the normalized columns is {determinant}";
         /// The matrix squeezes space into a line or a point, so many rotations are equally near.

@@ -45,7 +45,7 @@ impl<R: Real> Quat<R> {
         vector::scale(self.to_scaled_axis(), R::HALF)
     }
 
-    /// The exponential cos |v| + sin |v| v/|v|, the turn by 2|v| radians about v: it is
+    /// Returns the exponential cos |v| + sin |v| v/|v|, the turn by 2|v| radians about v: it is
     /// [`from_scaled_axis`](Self::from_scaled_axis) of 2v. The vector v may have any length.
     #[inline]
     pub fn exp(log: [R; 3]) -> Self {
@@ -68,8 +68,8 @@ impl<R: Real> Quat<R> {
         Self::from_scaled_axis(vector::scale(self.to_scaled_axis(), t))
     }
 
-    /// The intrinsic mean of unit quaternions, all with the same weight. Their signs do not matter.
-    /// It is [`DualQuat::mean`] of rotations.
+    /// Returns the intrinsic mean of unit quaternions, all with the same weight. Their signs do not
+    /// matter. It is [`DualQuat::mean`] of rotations.
     ///
     /// ```
     /// use dq8::Quat;
@@ -90,7 +90,7 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The motion of URDF's `<origin xyz rpy>`: roll, pitch and yaw about fixed axes
+    /// Returns the motion of URDF's `<origin xyz rpy>`: roll, pitch and yaw about fixed axes
     /// ([`Quat::from_rpy`]), then the translation.
     ///
     /// ```
@@ -104,8 +104,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(Quat::from_rpy(roll, pitch, yaw), xyz)
     }
 
-    /// The turn by `angle` radians about `axis` through the origin: [`Quat::from_axis_angle`]. The
-    /// axis must have length 1.
+    /// Returns the turn by `angle` radians about `axis` through the origin:
+    /// [`Quat::from_axis_angle`]. The axis must have length 1.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -114,21 +114,21 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation(Quat::from_axis_angle(axis, angle))
     }
 
-    /// The turn by `angle` radians about the x axis: [`Quat::from_rotation_x`].
+    /// Returns the turn by `angle` radians about the x axis: [`Quat::from_rotation_x`].
     #[inline]
     #[must_use]
     pub fn from_rotation_x(angle: R) -> Self {
         Self::from_rotation(Quat::from_rotation_x(angle))
     }
 
-    /// The turn by `angle` radians about the y axis: [`Quat::from_rotation_y`].
+    /// Returns the turn by `angle` radians about the y axis: [`Quat::from_rotation_y`].
     #[inline]
     #[must_use]
     pub fn from_rotation_y(angle: R) -> Self {
         Self::from_rotation(Quat::from_rotation_y(angle))
     }
 
-    /// The turn by `angle` radians about the z axis: [`Quat::from_rotation_z`].
+    /// Returns the turn by `angle` radians about the z axis: [`Quat::from_rotation_z`].
     #[inline]
     #[must_use]
     pub fn from_rotation_z(angle: R) -> Self {
@@ -161,8 +161,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(rotation, self.translation())
     }
 
-    /// The intrinsic mean of unit motions, all with the same weight. Their signs do not matter. The
-    /// iteration [`dib`](Self::dib) runs until only rounding is left.
+    /// Returns the intrinsic mean of unit motions, all with the same weight. Their signs do not
+    /// matter. The iteration [`dib`](Self::dib) runs until only rounding is left.
     ///
     /// Returns `None` if there are no poses, if a component is not finite, and if the steps are not
     /// within rounding after 64 iterations. Poses more than a quarter of a turn from their mean may
