@@ -1,4 +1,5 @@
-//! Linear blending, and the intrinsic mean of motions, which starts from it.
+//! Linear blends of rotations and motions, and the intrinsic mean of motions, whose iteration
+//! starts from a linear blend.
 
 use super::length::Length;
 use super::{DualQuat, Quat, vector};
@@ -6,7 +7,8 @@ use crate::geometry::{DualVector, Mean};
 use dq8_simd::{Lanes, Mask};
 
 impl<L: Lanes> Quat<L> {
-    /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
+    /// Returns (1−t)a ± tb divided by its norm, with a = `self`, b = `other` and the sign of the
+    /// shorter way; `t` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let away = other.dot(self).lt(t.constant(0.0));
@@ -16,7 +18,8 @@ impl<L: Lanes> Quat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
+    /// Returns (1−t)a ± tb divided by its dual norm, with a = `self`, b = `other` and the sign
+    /// of the shorter way; `t` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let weight = other.weight_toward(self, t);
@@ -24,8 +27,8 @@ impl<L: Lanes> DualQuat<L> {
         other.scale_onto(weight, start).normalize()
     }
 
-    /// Σ ±wᵢσᵢ exactly normalized, each sign turned toward the first motion; `None` without
-    /// influences.
+    /// Returns Σ ±wᵢσᵢ divided by its dual norm, for influences (σᵢ, wᵢ). Each sign
+    /// turns σᵢ toward the first motion. Returns `None` without influences.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dlb(influences: &[(Self, L)]) -> Option<Self> {
@@ -37,8 +40,8 @@ impl<L: Lanes> DualQuat<L> {
         Some(sum.normalize())
     }
 
-    /// Σ ±wᵢσᵢ exactly normalized, each sign turned toward the sum so far; `None` without
-    /// influences.
+    /// Returns Σ ±wᵢσᵢ divided by its dual norm, for influences (σᵢ, wᵢ). Each sign
+    /// turns σᵢ toward the sum of the influences before it. Returns `None` without influences.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dlb_running(influences: &[(Self, L)]) -> Option<Self> {
@@ -50,7 +53,7 @@ impl<L: Lanes> DualQuat<L> {
         Some(sum.normalize())
     }
 
-    /// sσ + onto
+    /// Returns sσ + onto, with s = `factor`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scale_onto(self, factor: L, onto: Self) -> Self {
         Self::new(
@@ -59,7 +62,8 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// `weight`, negated where σ points away from `pivot`.
+    /// Returns `weight`, negated in the lanes where σ and `pivot` lie on opposite sides: the
+    /// scalar product of their real parts is negative.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn weight_toward(self, pivot: Self, weight: L) -> L {
         let away = self.real().dot(pivot.real()).lt(weight.constant(0.0));
@@ -68,11 +72,13 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// Σ wᵢ log(b*σᵢ) = 0, from the linear blend by b ← b exp(Σ wᵢ log(b*σᵢ) / Σ
-    /// wᵢ), a step of at most `tolerance` being none; `None` without influences.
+    /// Returns the mean b, for which Σ wᵢ log(b*σᵢ) = 0. The iteration b ← b exp(Σ wᵢ
+    /// log(b*σᵢ) / Σ wᵢ) starts from [`dlb`](Self::dlb) and ends where a step is at most
+    /// `tolerance`. Returns `None` without influences.
     ///
-    /// A lane that has arrived is left as it is while its neighbours go on, and counts its own
-    /// iterations: neither its mean nor its count depends on them.
+    /// A lane that has reached its mean keeps it while other lanes still iterate, and each lane
+    /// counts its own iterations. So neither the mean nor the count of a lane depends on other
+    /// lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dib(
@@ -95,8 +101,8 @@ impl<L: Lanes> DualQuat<L> {
             let half_turn = Length::of(step.real, one).value();
             let turn = half_turn + half_turn;
             let slide = Length::of(step.dual, one).value();
-            // This is not the negation of `converged`: both are false for NaN, whose lanes need no
-            // further step.
+            // `goes_on` is not the negation of `converged`: both are false in lanes that are NaN,
+            // which need no further step.
             let goes_on = tolerance.lt(turn) | length_tolerance.lt(slide);
             if made == max_iterations || !goes_on.any() {
                 let converged = turn.le(tolerance) & slide.le(length_tolerance);
@@ -109,7 +115,7 @@ impl<L: Lanes> DualQuat<L> {
         }
     }
 
-    /// Σ wᵢ log(σ*σᵢ) / Σ wᵢ
+    /// Returns Σ wᵢ log(σ*σᵢ) / Σ wᵢ, the step from σ to the mean; `total` is Σ wᵢ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn mean_log(self, influences: &[(Self, L)], total: L) -> DualVector<L> {
         let zero = total.constant(0.0);

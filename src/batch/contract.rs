@@ -1,4 +1,4 @@
-//! The contracts that the types of this room keep.
+//! The traits [`Motion`], [`Quaternion`] and [`DualNumber`], implemented for the types on lanes.
 
 use super::{Dual, DualQuat, Quat};
 use crate::contract::sealed::Sealed;

@@ -1,11 +1,12 @@
-//! Velocity: σ̇ from twists and back, and integration of a constant twist.
+//! Velocities: the derivative σ̇ from a twist, the twist from σ̇, and the integration of a
+//! constant twist.
 
 use super::{DualQuat, Quat, vector};
 use crate::geometry::{DualVector, Twist};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// ½ξσ, ξ = ω + εv the spatial twist.
+    /// Returns the derivative σ̇ = ½ξσ for the spatial twist ξ = ω + εv.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn derivative_spatial(self, twist: Twist<L>) -> Self {
         let half = half(twist);
@@ -13,7 +14,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(times_left(half.real, self.real()), dual)
     }
 
-    /// ½σξ, ξ = ω + εv the body twist.
+    /// Returns the derivative σ̇ = ½σξ for the body twist ξ = ω + εv.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn derivative_body(self, twist: Twist<L>) -> Self {
         let half = half(twist);
@@ -21,7 +22,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(times_right(self.real(), half.real), dual)
     }
 
-    /// 2σ̇σ* of unit σ
+    /// Returns the spatial twist 2σ̇σ* of unit σ, where σ̇ is `derivative`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn spatial_twist(self, derivative: Self) -> Twist<L> {
         let two = self.real().w().constant(2.0);
@@ -35,7 +36,7 @@ impl<L: Lanes> DualQuat<L> {
         }
     }
 
-    /// 2σ*σ̇ of unit σ
+    /// Returns the body twist 2σ*σ̇ of unit σ, where σ̇ is `derivative`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn body_twist(self, derivative: Self) -> Twist<L> {
         let two = self.real().w().constant(2.0);
@@ -49,15 +50,17 @@ impl<L: Lanes> DualQuat<L> {
         }
     }
 
-    /// ½ωr + ½ε(ṫr + ½tωr), `angular` ω in fixed axes and `linear` ṫ; σ must be unit.
-    /// Here as ½ξσ with the spatial twist ξ = ω + ε(ṫ + t × ω).
+    /// Returns the derivative σ̇ = ½ωr + ½ε(ṫr + ½tωr) of unit σ, where `angular` is ω
+    /// in fixed axes and `linear` is ṫ. It is computed as ½ξσ with the spatial twist ξ = ω +
+    /// ε(ṫ + t × ω).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn derivative_from_velocity(self, angular: [L; 3], linear: [L; 3]) -> Self {
         let at_origin = vector::cross_onto(self.translation(), angular, linear);
         self.derivative_spatial(Twist { angular, linear: at_origin })
     }
 
-    /// (ω, ṫ) of unit σ, both in fixed axes: ṫ = v + ω × t of the spatial twist.
+    /// Returns (ω, ṫ) of unit σ, both in fixed axes. With the spatial twist ω + εv, ṫ = v +
+    /// ω × t.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn velocity(self, derivative: Self) -> ([L; 3], [L; 3]) {
@@ -66,14 +69,15 @@ impl<L: Lanes> DualQuat<L> {
         (twist.angular, linear)
     }
 
-    /// exp(½ξ), the motion that a constant twist makes in unit time. NaN where |ω| is beyond
-    /// 2¹⁷ radians (`f32`; `f64`: 2⁴⁶), and so for the integrals.
+    /// Returns exp(½ξ), the motion that a constant twist ξ makes in unit time. The result is NaN
+    /// where |ω| is beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶). The same holds for the
+    /// angle |ω| dt in the two methods that integrate.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_twist(twist: Twist<L>) -> Self {
         Self::exp(half(twist))
     }
 
-    /// 2 log σ, the constant twist that makes the motion in unit time.
+    /// Returns 2 log σ, the constant twist that makes the motion in unit time.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn to_twist(self) -> Twist<L> {
         let log = self.log();
@@ -81,47 +85,50 @@ impl<L: Lanes> DualQuat<L> {
         Twist { angular: vector::scale(log.real, two), linear: vector::scale(log.dual, two) }
     }
 
-    /// 2 log(a*b), the constant body twist that takes a to b in unit time by the shorter way.
+    /// Returns 2 log(a*b), the constant body twist that takes a = `self` to b = `other` in unit
+    /// time by the shorter way.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn twist_to(self, other: Self) -> Twist<L> {
         (self.conjugate() * other).to_twist()
     }
 
-    /// exp(½ξ dt) σ, ξ a constant spatial twist; `dt` may differ from lane to lane.
+    /// Returns exp(½ξ dt) σ for a constant spatial twist ξ; `dt` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn integrate_spatial(self, twist: Twist<L>, dt: L) -> Self {
         Self::from_twist(twist.scale(dt)) * self
     }
 
-    /// σ exp(½ξ dt), ξ a constant body twist; `dt` may differ from lane to lane.
+    /// Returns σ exp(½ξ dt) for a constant body twist ξ; `dt` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn integrate_body(self, twist: Twist<L>, dt: L) -> Self {
         self * Self::from_twist(twist.scale(dt))
     }
 }
 
-/// ½ω + ½εv
+/// Returns ½ω + ½εv of the twist ω + εv.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn half<L: Lanes>(twist: Twist<L>) -> DualVector<L> {
     let half = twist.angular[0].constant(0.5);
     DualVector { real: vector::scale(twist.angular, half), dual: vector::scale(twist.linear, half) }
 }
 
-/// vq for a pure quaternion v: (w v + v × r, −v·r)
+/// Returns vq for a pure quaternion v. With q = w + r, the vector part is w v + v × r and the
+/// scalar part is −v·r.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn times_left<L: Lanes>(v: [L; 3], q: Quat<L>) -> Quat<L> {
     let xyz = vector::cross_onto(v, q.xyz(), vector::scale(v, q.w()));
     Quat::from_parts(xyz, -vector::dot(v, q.xyz()))
 }
 
-/// qv for a pure quaternion v: (w v + r × v, −r·v)
+/// Returns qv for a pure quaternion v. With q = w + r, the vector part is w v + r × v and the
+/// scalar part is −r·v.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn times_right<L: Lanes>(q: Quat<L>, v: [L; 3]) -> Quat<L> {
     let xyz = vector::cross_onto(q.xyz(), v, vector::scale(v, q.w()));
     Quat::from_parts(xyz, -vector::dot(q.xyz(), v))
 }
 
-/// The vector part of ab*, w_b a − w_a b − a × b, plus `onto`.
+/// Returns the vector part of ab*, which is w_b a − w_a b − a × b, plus `onto`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn before_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
     let onto = vector::scale_onto(a.xyz(), b.w(), onto);
@@ -129,7 +136,7 @@ fn before_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
     vector::cross_onto(b.xyz(), a.xyz(), onto)
 }
 
-/// The vector part of a*b, w_a b − w_b a − a × b, plus `onto`.
+/// Returns the vector part of a*b, which is w_a b − w_b a − a × b, plus `onto`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn after_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
     let onto = vector::scale_onto(b.xyz(), a.w(), onto);

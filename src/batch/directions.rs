@@ -6,8 +6,9 @@ use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
-    /// The axis, of length 1, and the angle in [0, π] radians of unit quaternions, of the
-    /// [canonical](DualQuat::canonical) one of ±q. No turn has the axis (1, 0, 0).
+    /// Returns the axis, of length 1, and the angle in [0, π] radians of unit quaternions q. Both
+    /// are taken from the [canonical](DualQuat::canonical) choice of ±q. The identity has the axis
+    /// (1, 0, 0).
     ///
     /// ```
     /// use dq8::{batch::Quat, simd::f32x4};
@@ -30,8 +31,8 @@ impl<L: Lanes> Quat<L> {
         (axis, L::select(still, zero * short.w(), turn + turn))
     }
 
-    /// The turn by |v| radians about the direction of v. NaN where |v| is beyond 2¹⁷ (`f32`) or
-    /// 2⁴⁶ (`f64`) radians.
+    /// Returns the turn by |v| radians about the direction of v. The result is NaN where |v| is
+    /// beyond 2¹⁷ (`f32`) or 2⁴⁶ (`f64`) radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_scaled_axis(v: [L; 3]) -> Self {
         let zero = v[0].constant(0.0);
@@ -40,7 +41,8 @@ impl<L: Lanes> Quat<L> {
         DualQuat::exp(log).real()
     }
 
-    /// The axis of unit quaternions times the angle, of length [0, π]; zero for no turn.
+    /// Returns the axis of unit quaternions times the angle, a vector with a length in [0, π]. The
+    /// identity gives zero.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_scaled_axis(self) -> [L; 3] {
@@ -52,29 +54,30 @@ impl<L: Lanes> Quat<L> {
 }
 
 impl<L: Lanes> Quat<L> {
-    /// The turns by `angle` radians about the x axis.
+    /// Returns the turns by `angle` radians about the x axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_rotation_x(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
         Self::from_axis_angle([one, zero, zero], angle)
     }
 
-    /// The turns by `angle` radians about the y axis.
+    /// Returns the turns by `angle` radians about the y axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_rotation_y(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
         Self::from_axis_angle([zero, one, zero], angle)
     }
 
-    /// The turns by `angle` radians about the z axis.
+    /// Returns the turns by `angle` radians about the z axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_rotation_z(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
         Self::from_axis_angle([zero, zero, one], angle)
     }
 
-    /// The least turns that take the direction of `from` to that of `to`, vectors of any length;
-    /// about the axis most across `from` where they are opposite, NaN for a zero vector.
+    /// Returns the smallest turns that take the direction of `from` to the direction of `to`, two
+    /// vectors of any length. Between opposite directions the turn is about an axis orthogonal to
+    /// `from`, next to the coordinate axis that is farthest from `from`. A zero vector gives NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_rotation_arc(from: [L; 3], to: [L; 3]) -> Self {
         let one = from[0].constant(1.0);
@@ -82,7 +85,8 @@ impl<L: Lanes> Quat<L> {
         let (sum, difference) = (vector::add(a, b), vector::sub(b, a));
         let across = vector::cross(sum, difference);
         let length = Length::of(across, one);
-        // Exactly opposite, or the same: then the sine is zero and the axis does not matter.
+        // The directions are opposite or equal. Any axis across turns a direction into its
+        // opposite, and for equal directions the sine is zero, so the axis has no effect.
         let straight = length.value().eq(one.constant(0.0));
         let axis = vector::select(straight, vector::any_across(a), length.divide_all(across));
         let (cosine, sine) = (Length::of(sum, one).value(), Length::of(difference, one).value());

@@ -6,48 +6,49 @@ use dq8_simd::Lanes;
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Dual<L> {
-    /// a, the real part.
+    /// The real part a.
     pub real: L,
-    /// b, the dual part.
+    /// The dual part b.
     pub dual: L,
 }
 
 impl<L: Lanes> Dual<L> {
-    /// a + εb
+    /// Makes a + εb.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn new(real: L, dual: L) -> Self {
         Self { real, dual }
     }
 
-    /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
+    /// Returns f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn apply(self, value: L, derivative: L) -> Self {
         Self::new(value, self.dual * derivative)
     }
 
-    /// s(a + εb) for a real number s.
+    /// Returns s(a + εb) for a real number s.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real * factor, self.dual * factor)
     }
 
-    /// √(a + εb) = √a + ε b/(2√a)
+    /// Returns √(a + εb) = √a + ε b/(2√a).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
         self.apply(root, root.constant(0.5) / root)
     }
 
-    /// 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7)
+    /// Returns 1/(a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
-        // The two factors are multiplied one after the other, because their square may overflow or
-        // become zero where the product with b does not.
+        // The dual part is multiplied by 1/a twice, because 1/a² may overflow or become zero where
+        // b/a² does neither.
         Self::new(recip, -(self.dual * recip) * recip)
     }
 
-    /// [`recip`](Self::recip), and the lanes without one: a is zero or not finite. Those are NaN.
+    /// Returns [`recip`](Self::recip), and the mask of the lanes without an inverse, in which a is
+    /// zero or not finite. These lanes are NaN.
     ///
     /// ```
     /// use dq8::{batch::Dual, simd::{Mask, f32x4}};
@@ -65,7 +66,8 @@ impl<L: Lanes> Dual<L> {
         (Self::new(real, dual), failed)
     }
 
-    /// aⁿ + ε b n aⁿ⁻¹ for whole n, the same in every lane, by squaring.
+    /// Returns aⁿ + ε b n aⁿ⁻¹ for an integer n, the same in every lane, by repeated
+    /// squaring.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn powi(self, n: i32) -> Self {
         let one = Self::new(self.real.constant(1.0), self.real.constant(0.0));
@@ -77,7 +79,7 @@ sums_by_part! {
     [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] Dual<L>: (real) (dual)
 }
 
-/// ac + ε(ad + bc)
+/// The product ac + ε(ad + bc) of a + εb and c + εd.
 impl<L: Lanes> Mul for Dual<L> {
     type Output = Self;
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -86,7 +88,7 @@ impl<L: Lanes> Mul for Dual<L> {
     }
 }
 
-/// a/c + ε(bc − ad)/c²
+/// The quotient a/c + ε(bc − ad)/c² of a + εb and c + εd.
 impl<L: Lanes> Div for Dual<L> {
     type Output = Self;
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -6,8 +6,8 @@ use dq8_simd::{Block, Lanes, Level, Records, Row};
 
 /// Dual quaternions σ = p + εq, one per lane: [`DualQuat`](crate::DualQuat) on lanes.
 ///
-/// Conventions and laws are those of [`Motion`](crate::Motion); formulas, sources and examples
-/// stand on the scalar type.
+/// The conventions and laws are those of [`Motion`](crate::Motion). The documentation of
+/// [`DualQuat`](crate::DualQuat) has the formulas with their sources, and examples.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct DualQuat<L> {
@@ -16,13 +16,13 @@ pub struct DualQuat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// p + εq
+    /// Makes p + εq.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn new(real: Quat<L>, dual: Quat<L>) -> Self {
         Self { real, dual }
     }
 
-    /// The identity in every lane.
+    /// Returns the identity in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn identity(level: L::Level) -> Self {
         let one = Quat::<L>::identity(level);
@@ -36,13 +36,13 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_array(vector::splat(level, motion.into()))
     }
 
-    /// From the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
+    /// Makes dual quaternions from the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_array([px, py, pz, pw, qx, qy, qz, qw]: [L; 8]) -> Self {
         Self::new(Quat::from_xyzw(px, py, pz, pw), Quat::from_xyzw(qx, qy, qz, qw))
     }
 
-    /// From a dual number and a dual vector (Jia eq. 15).
+    /// Makes dual quaternions from a dual number, the scalar part, and a dual vector (Jia eq. 15).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_dual_parts(scalar: Dual<L>, vector: DualVector<L>) -> Self {
         Self::new(
@@ -51,8 +51,9 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// Lane `i` from record `i`, `[px, py, pz, pw, qx, qy, qz, qw]`: plain dual quaternions in
-    /// memory, transposed on the way in. Lanes without a record hold the identity.
+    /// Loads record `i`, `[px, py, pz, pw, qx, qy, qz, qw]`, into lane `i`. The records are plain
+    /// dual quaternions in memory and are transposed while they are loaded. Lanes without a record
+    /// hold the identity.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load_records(level: L::Level, records: &[[L::Real; 8]]) -> Self {
         let (zero, one) = (L::Real::default(), L::Real::from(1.0));
@@ -60,13 +61,13 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_array(L::load_records(level, records, identity))
     }
 
-    /// Record `i` from lane `i`; records beyond the last lane are left as they were.
+    /// Stores lane `i` in record `i`. Records beyond the last lane are not changed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_records(self, records: &mut [[L::Real; 8]]) {
         L::store_records(self.to_array(), records);
     }
 
-    /// The lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
+    /// Returns the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_array(self) -> [L; 8] {
@@ -75,63 +76,64 @@ impl<L: Lanes> DualQuat<L> {
         [px, py, pz, pw, qx, qy, qz, qw]
     }
 
-    /// p, the real part.
+    /// Returns p, the real part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn real(self) -> Quat<L> {
         self.real
     }
 
-    /// q, the dual part.
+    /// Returns q, the dual part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn dual(self) -> Quat<L> {
         self.dual
     }
 
-    /// p_w + εq_w
+    /// Returns the dual number p_w + εq_w, the scalar part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn dual_scalar(self) -> Dual<L> {
         Dual::new(self.real.w(), self.dual.w())
     }
 
-    /// The three dual components in addition to [`dual_scalar`](Self::dual_scalar).
+    /// Returns the three dual components of the vector part, which
+    /// [`dual_scalar`](Self::dual_scalar) leaves out.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn dual_vector(self) -> DualVector<L> {
         DualVector { real: self.real.xyz(), dual: self.dual.xyz() }
     }
 
-    /// σ• = p − εq
+    /// Returns σ• = p − εq.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn conjugate_dual(self) -> Self {
         Self::new(self.real, -self.dual)
     }
 
-    /// σ* = p* + εq*, the inverse of a unit σ
+    /// Returns σ* = p* + εq*, the inverse of a unit σ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn conjugate(self) -> Self {
         Self::new(self.real.conjugate(), self.dual.conjugate())
     }
 
-    /// σ⋄ = p* − εq*
+    /// Returns σ⋄ = p* − εq*.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn conjugate_both(self) -> Self {
         let [x, y, z, w] = self.dual.to_array();
         Self::new(self.real.conjugate(), Quat::from_xyzw(x, y, z, -w))
     }
 
-    /// sσ for a real number s a lane
+    /// Returns sσ for one real number s per lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real.scale(factor), self.dual.scale(factor))
     }
 
-    /// (a + εb)σ for one dual number per lane
+    /// Returns (a + εb)σ for one dual number a + εb per lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale_dual(self, factor: Dual<L>) -> Self {
         let dual = self.real.scale_onto(factor.dual, self.dual.scale(factor.real));
         Self::new(self.real.scale(factor.real), dual)
     }
 
-    /// (a + εb)σ + onto
+    /// Returns (a + εb)σ + onto for one dual number a + εb per lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scale_dual_onto(self, factor: Dual<L>, onto: Self) -> Self {
         let turned = self.dual.scale_onto(factor.real, onto.dual);
@@ -141,14 +143,15 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b)
+    /// Returns the scalar product ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), a dual number.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn dot(self, other: Self) -> Dual<L> {
         let across = self.real.dot(other.dual) + self.dual.dot(other.real);
         Dual::new(self.real.dot(other.real), across)
     }
 
-    /// `true` if every component of the two differs by at most `tolerance`; false for NaN.
+    /// Returns `true` in the lanes where each component differs by at most `tolerance`, and `false`
+    /// where a difference is NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {
@@ -160,14 +163,15 @@ impl<L: Lanes> DualQuat<L> {
         close
     }
 
-    /// Every component is neither infinite nor NaN.
+    /// Returns `true` in the lanes where every component is finite.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_finite(self) -> L::Mask {
         super::vector::are_finite(self.to_array())
     }
 
-    /// σ or −σ, the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
+    /// Returns σ or −σ, of which the first component that is not zero, in the order p_w, p_x,
+    /// p_y, p_z, is positive.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn canonical(self) -> Self {
         self.negate_where(self.real.points_back())
@@ -180,9 +184,9 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// Blocks of memory: the whole of a [`Block`] at once.
+/// Loads and stores of a whole [`Block`] of memory.
 impl<L: Lanes> DualQuat<L> {
-    /// The dual quaternions of a block.
+    /// Loads the dual quaternions of a block, one into each lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load<A, V>(level: V, block: &Block<A, 8>) -> Self
     where
@@ -192,7 +196,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_array(block.load(level))
     }
 
-    /// Into a block.
+    /// Stores one dual quaternion per lane in a block.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store<A, V>(self, block: &mut Block<A, 8>)
     where
@@ -207,7 +211,8 @@ sums_by_part! {
     [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] DualQuat<L>: (real) (dual)
 }
 
-/// p₁p₂ + ε(p₁q₂ + q₁p₂): 48 multiplications, 40 of them fused with the additions.
+/// The product p₁p₂ + ε(p₁q₂ + q₁p₂) takes 48 multiplications, of which 40 are fused
+/// with the additions.
 impl<L: Lanes> Mul for DualQuat<L> {
     type Output = Self;
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -1,7 +1,8 @@
-//! eˣ and ln x.
+//! The functions eˣ and ln x.
 //!
-//! Lanes have no integers. So powers of two are put together from 2, 4, 16, 256 …, one comparison
-//! each, and taken apart in the same way: all of that is exact.
+//! Lanes have no integer operations. So a power of two is multiplied together from the powers with
+//! the exponents 1, 2, 4, 8 and so on, with one comparison each, and is taken apart in the same
+//! way. Both are exact.
 
 use super::Dual;
 use super::even::round;
@@ -10,28 +11,30 @@ use core::f64::consts::{LOG2_E, SQRT_2};
 use dq8_simd::{Float, Lanes};
 
 impl<L: Lanes> Dual<L> {
-    /// eᵃ + ε b eᵃ
+    /// Returns exp(a + εb) = eᵃ + ε b eᵃ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn exp(self) -> Self {
         let exp = exp(self.real);
         self.apply(exp, exp)
     }
 
-    /// ln a + ε b/a; NaN for a < 0.
+    /// Returns ln(a + εb) = ln a + ε b/a, or NaN for a < 0.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn ln(self) -> Self {
         self.apply(ln(self.real), self.real.constant(1.0) / self.real)
     }
 }
 
-/// The exponents that are tried, the largest first: together they reach over all numbers.
+/// Returns the exponents of two that are tried, the largest first. Their sums reach every exponent
+/// of a float.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn exponents<L: Lanes>() -> &'static [i64] {
     const ALL: [i64; 10] = [512, 256, 128, 64, 32, 16, 8, 4, 2, 1];
     if L::Real::SINGLE { ALL.split_at(3).1 } else { &ALL }
 }
 
-/// ln 2 in two parts, the first of so few bits that its products with exponents are exact.
+/// Returns ln 2 as the sum of two parts. The first part has so few bits that its products with
+/// exponents are exact.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn ln_2<L: Lanes>() -> [f64; 2] {
     if L::Real::SINGLE {
@@ -41,7 +44,7 @@ fn ln_2<L: Lanes>() -> [f64; 2] {
     }
 }
 
-/// 2ᵏ for whole k, |k| < 128 (`f32`) or 1024 (`f64`).
+/// Returns 2ᵏ for an integer k with |k| < 128 (`f32`) or 1024 (`f64`).
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn two_to_the<L: Lanes>(k: L) -> L {
     let one = k.constant(1.0);
@@ -55,17 +58,17 @@ fn two_to_the<L: Lanes>(k: L) -> L {
     L::select(k.lt(k.constant(0.0)), one / power, power)
 }
 
-/// eˣ = 2ᵏeʳ with |r| ≤ ½ ln 2, eʳ by its power series.
+/// Returns eˣ = 2ᵏeʳ with |r| ≤ ½ ln 2, where eʳ is computed by its power series.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn exp<L: Lanes>(x: L) -> L {
-    // Beyond these it is infinite or zero.
+    // Beyond ±`end`, eˣ is infinite or zero in this precision.
     let (end, terms) = if L::Real::SINGLE { (105.0, 8) } else { (746.0, 14) };
     let end = x.constant(end);
     let x = L::select(end.lt(x), end, L::select(x.lt(-end), -end, x));
     let k = round(x * x.constant(LOG2_E));
     let [high, low] = ln_2::<L>();
     let rest = k.neg_mul_add(x.constant(low), k.neg_mul_add(x.constant(high), x));
-    // 1 + r(1 + r/2(1 + r/3(…))), but for the last steps, where rounding counts.
+    // Horner's scheme sums rⁿ/n! from n = `terms` down to n = 0, with r = `rest`.
     let mut factorial = 1.0;
     for n in 2..=terms {
         factorial *= f64::from(n);
@@ -75,13 +78,14 @@ fn exp<L: Lanes>(x: L) -> L {
         factorial /= f64::from(n);
         sum = sum.mul_add(rest, x.constant(1.0 / factorial));
     }
-    // In two steps, because 2ᵏ itself may be out of range where the result is not.
+    // The factor 2ᵏ is applied in two steps, because 2ᵏ may be out of range although the result
+    // is not.
     let first = round(k * x.constant(0.5));
     sum * two_to_the(first) * two_to_the(k - first)
 }
 
-/// ln x = k ln 2 + 2 artanh((m − 1)/(m + 1)) of x = 2ᵏm, m in [1/√2, √2], by its power
-/// series; −∞ at 0, NaN below.
+/// Returns ln x = k ln 2 + 2 artanh((m − 1)/(m + 1)) for x = 2ᵏm with m in [1/√2, √2],
+/// where artanh is computed by its power series. The result is −∞ at 0 and NaN below.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn ln<L: Lanes>(x: L) -> L {
     let (zero, one) = (x.constant(0.0), x.constant(1.0));
@@ -91,7 +95,8 @@ fn ln<L: Lanes>(x: L) -> L {
         m = L::select(goes, m * x.constant(power_of_two(-exponent)), m);
         k = L::select(goes, k + x.constant(exponent as f64), k);
     }
-    // The largest twice: subnormal numbers go farther down than numbers go up.
+    // The largest exponent is tried twice, because subnormal values reach farther below 1 than
+    // finite values reach above 1.
     for exponent in exponents::<L>().iter().take(1).chain(exponents::<L>()).copied() {
         let goes = m.lt(x.constant(power_of_two(1 - exponent)));
         m = L::select(goes, m * x.constant(power_of_two(exponent)), m);

@@ -1,12 +1,12 @@
-//! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers:
-//! with u = x·x,
+//! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3). Twists x = ω +
+//! εv are dual vectors, and with the dual number u = x·x
 //!
 //! ```text
 //! J_l(x) y   = y +   A(u) x×y + B(u) x×(x×y)
 //! J_l⁻¹(x) y = y − ½      x×y + C(u) x×(x×y)
 //! ```
 //!
-//! The coefficients are analytic in u: see [`even`](super::even).
+//! The coefficients A, B and C are analytic in u and are computed by [`even`](super::even).
 
 use super::even::{exponential_integrals, half_cotangent};
 use super::{Dual, DualQuat, vector};
@@ -14,14 +14,16 @@ use crate::geometry::{Twist, Wrench};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// ω′ = Rω, v′ = Rv + t × ω′; σ must be unit.
+    /// Returns the twist moved by unit σ, with the angular part ω′ = Rω and the linear part
+    /// v′ = Rv + t × ω′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn adjoint(self, twist: Twist<L>) -> Twist<L> {
         let (angular, linear) = self.carry(twist.angular, twist.linear);
         Twist { angular, linear }
     }
 
-    /// f′ = Rf, τ′ = Rτ + t × f′; σ must be unit.
+    /// Returns the wrench moved by unit σ, with the force f′ = Rf and the torque τ′ = Rτ + t
+    /// × f′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn coadjoint(self, wrench: Wrench<L>) -> Wrench<L> {
         let (force, torque) = self.carry(wrench.force, wrench.torque);
@@ -30,7 +32,8 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) with x = `at`, y = `along`.
+    /// Returns J_l(x) y for the twists x = `at` and y = `along`, with exp(½(x + δy)) ≈ exp(½δ
+    /// J_l(x) y) exp(½x) for small δ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn left_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let (first, second) = exponential_integrals(square(at));
@@ -38,13 +41,15 @@ impl<L: Lanes> DualQuat<L> {
         times_onto(second, lie_bracket(at, once), times_onto(first, once, along))
     }
 
-    /// exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
+    /// Returns J_r(x) y for the twists x = `at` and y = `along`, with exp(½(x + δy)) ≈ exp(½x)
+    /// exp(½δ J_r(x) y) for small δ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn right_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian(-at, along)
     }
 
-    /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y; infinite at |ω| = 2π.
+    /// Returns J_l⁻¹(x) y for the twists x = `at` and y = `along`, with 2 log(exp(½δy)
+    /// exp(½x)) ≈ x + δ J_l⁻¹(x) y for small δ. The result is infinite at |ω| = 2π.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn left_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let u = square(at);
@@ -53,13 +58,15 @@ impl<L: Lanes> DualQuat<L> {
         times_onto(half_cotangent(u), lie_bracket(at, once), times_onto(minus_half, once, along))
     }
 
-    /// 2 log(exp(½x) exp(½δy)) ≈ x + δ J_r⁻¹(x) y; infinite at |ω| = 2π.
+    /// Returns J_r⁻¹(x) y for the twists x = `at` and y = `along`, with 2 log(exp(½x)
+    /// exp(½δy)) ≈ x + δ J_r⁻¹(x) y for small δ. The result is infinite at |ω| = 2π.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn right_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian_inverse(-at, along)
     }
 
-    /// J_l(x) as 6×6 matrices, rows, of columns `[ωx, ωy, ωz, vx, vy, vz]`.
+    /// Returns the rows of the 6×6 matrices of J_l(x), x = `at`. They act on columns
+    /// `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_matrix(at: Twist<L>) -> [[L; 6]; 6] {
@@ -70,7 +77,7 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// J_l⁻¹(x) as 6×6 matrices, in the order of
+    /// Returns the rows of the 6×6 matrices of J_l⁻¹(x), x = `at`, with twists in the order of
     /// [`left_jacobian_matrix`](Self::left_jacobian_matrix).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
@@ -83,8 +90,10 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// The matrix of a linear map: its columns are what it does to the unit twists, on the lanes of
-/// `any`. (The name of a function for the map is a call that is not inlined.)
+/// Returns the rows of the matrix of a linear map on twists. Its columns are the images of the six
+/// unit twists. The value of `any` does not matter: the constants on lanes are made from it.
+/// Callers pass a closure marked `inline(always)`, because the compiler does not inline a function
+/// that is passed by name.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn matrix<L: Lanes>(map: impl Fn(Twist<L>) -> Twist<L>, any: Twist<L>) -> [[L; 6]; 6] {
     let mut rows = [any.to_array(); 6];
@@ -99,14 +108,15 @@ fn matrix<L: Lanes>(map: impl Fn(Twist<L>) -> Twist<L>, any: Twist<L>) -> [[L; 6
     rows
 }
 
-/// x·x
+/// Returns the dual number x·x = |ω|² + 2ε ω·v of the twist x = ω + εv.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn square<L: Lanes>(x: Twist<L>) -> Dual<L> {
     let across = vector::dot(x.angular, x.linear);
     Dual::new(vector::dot(x.angular, x.angular), across + across)
 }
 
-/// x × y, the Lie bracket [x, y]: ad_x y, how fast y changes that is carried along by the twist x.
+/// Returns the Lie bracket [x, y] = ad_x y of two twists, their cross product x × y. It is the
+/// rate at which y changes while the motion with the twist x carries y along.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let moved = vector::cross(x.linear, y.angular);
@@ -116,7 +126,7 @@ pub fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     }
 }
 
-/// (a + εb)x + y
+/// Returns (a + εb)x + y for the dual number a + εb = `factor`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn times_onto<L: Lanes>(factor: Dual<L>, x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let linear = vector::scale_onto(x.angular, factor.dual, y.linear);

@@ -1,19 +1,19 @@
-//! [`Length`]: Euclidean lengths that neither overflow nor vanish on the way.
+//! [`Length`]: Euclidean lengths whose computation neither overflows nor underflows.
 
 use dq8_simd::{Float, Lanes, Mask};
 
 /// The length of a vector in each lane, and division by it.
 ///
-/// Squares overflow for components beyond about 2⁶⁴ (`f32`) and vanish below 2⁻⁶⁴, so
-/// where any lane is out of the ordinary, all are stretched by a power of two, which is 1 for
-/// ordinary lanes.
+/// In `f32`, squares overflow for components beyond about 2⁶⁴ and vanish below 2⁻⁶⁴. So
+/// if the length of any lane is extreme, all vectors are first multiplied by a power of two, their
+/// stretch. The stretch is 1 in lanes of ordinary length.
 #[derive(Clone, Copy)]
 pub(super) struct Length<L> {
     /// The length of the vector after stretching.
     root: L,
-    /// The reciprocal of `root`; if any lane is stretched, multiplied by a power of two.
+    /// The reciprocal of `root`. If any lane is stretched, it is multiplied by a power of two.
     first: L,
-    /// The remaining factor and the stretch, if any lane is stretched.
+    /// The second factor of a division by the length, and the stretch, if any lane is stretched.
     stretched: Option<(L, L)>,
 }
 
@@ -29,9 +29,10 @@ impl<L: Lanes> Length<L> {
         }
     }
 
-    /// The vector divided by its length: as [`of`](Self::of) and [`divide_all`](Self::divide_all)
-    /// have it, but both ways meet before the last product. Where they meet after it, the compiler
-    /// computes both for each component, and selects.
+    /// Returns the vector divided by its length, with the same bits as [`of`](Self::of) and
+    /// [`divide_all`](Self::divide_all). Here the ordinary and the stretched branch meet before the
+    /// last multiplication. If they met after it, the compiler would compute both products for each
+    /// component and select one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn unit<const N: usize>(vector: [L; N], one: L) -> [L; N] {
         let (vector, factor) = match Squared::of(vector, one) {
@@ -49,16 +50,16 @@ impl<L: Lanes> Length<L> {
         let (half, up, down) = bounds::<L>();
         let stretch = power_by_size(small, fits, one, up, down);
         let root = sum_of_squares(scaled(vector, stretch), one).sqrt();
-        // The stretch times the reciprocal in two factors: short vectors are divided by two that
-        // are no less than 1, long ones by two that are no greater, so nothing on the way is beyond
-        // both ends of the quotient.
+        // A component is divided by the length in two multiplications. For short vectors both
+        // factors are at least 1, and for long vectors at most 1. So the first product lies between
+        // the component and the quotient, and it overflows or vanishes only if one of the two does.
         let balance = power_by_size(small, fits, one, up - half, down + half);
         let first = one / root * balance;
         let second = power_by_size(small, fits, one, half, -half);
         Self { root, first, stretched: Some((second, stretch)) }
     }
 
-    /// The length itself.
+    /// Returns the length itself.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn value(self) -> L {
         match self.stretched {
@@ -67,7 +68,7 @@ impl<L: Lanes> Length<L> {
         }
     }
 
-    /// `component` divided by the length.
+    /// Returns `component` divided by the length.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn divide(self, component: L) -> L {
         match self.stretched {
@@ -76,7 +77,7 @@ impl<L: Lanes> Length<L> {
         }
     }
 
-    /// Every component divided by the length.
+    /// Returns the vector with every component divided by the length.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn divide_all<const N: usize>(self, vector: [L; N]) -> [L; N] {
         let mut quotients = vector;
@@ -87,7 +88,7 @@ impl<L: Lanes> Length<L> {
     }
 }
 
-/// Every component times a factor.
+/// Returns the vector with every component multiplied by a factor.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn scaled<L: Lanes, const N: usize>(mut vector: [L; N], factor: L) -> [L; N] {
     for component in &mut vector {
@@ -96,7 +97,8 @@ fn scaled<L: Lanes, const N: usize>(mut vector: [L; N], factor: L) -> [L; N] {
     vector
 }
 
-/// The squared lengths, or where they are `small` and where they fit.
+/// Holds the squared lengths if all are within the safe range. Otherwise it holds two masks of
+/// lanes: a squared length is too `small`, or it `fits` because it is not too large.
 enum Squared<L: Lanes> {
     Fits(L),
     Beyond { small: L::Mask, fits: L::Mask },
@@ -113,14 +115,15 @@ impl<L: Lanes> Squared<L> {
     }
 }
 
-/// Three exponents of two: the greatest of ordinary lengths, and the two by which short and long
-/// vectors are stretched. Then the squares of all numbers fit, and so do the quotients on the way.
+/// Returns three exponents of two. Lengths from 2 to the negative first to 2 to the first need no
+/// stretch. Short vectors are multiplied by 2 to the second and long vectors by 2 to the third.
+/// Then all squares are within range, and so are the intermediate quotients.
 const fn bounds<L: Lanes>() -> (i64, i64, i64) {
     if L::Real::SINGLE { (40, 88, -66) } else { (400, 564, -514) }
 }
 
-/// 2 to one power where a vector is `small`, to another where its squares do not fit, and 1
-/// elsewhere.
+/// Returns 2 to the power `short` in the lanes that are `small`, 2 to the power `long` in the lanes
+/// whose squares do not fit, and 1 in all others.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn power_by_size<L: Lanes>(small: L::Mask, fits: L::Mask, one: L, short: i64, long: i64) -> L {
     let long = L::select(fits, one, one.constant(power_of_two(long)));
@@ -136,7 +139,7 @@ fn sum_of_squares<L: Lanes, const N: usize>(vector: [L; N], one: L) -> L {
     sum
 }
 
-/// 2ⁿ, written as the bits of a float: `core` has no `powi`.
+/// Returns 2ⁿ, made from the bits of a float, because `core` has no `powi`.
 pub(super) const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) << 52).cast_unsigned())
 }

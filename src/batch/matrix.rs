@@ -1,10 +1,10 @@
-//! 3×3, 3×4 and 4×4 matrices, rows, acting on column vectors.
+//! Matrices of 3×3, 3×4 and 4×4 elements, stored as rows, which act on column vectors.
 
 use super::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
-    /// The rows of the rotation matrices of unit quaternions.
+    /// Returns the rows of the rotation matrices of unit quaternions.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_matrix3(self) -> [[L; 3]; 3] {
@@ -19,8 +19,8 @@ impl<L: Lanes> Quat<L> {
         ]
     }
 
-    /// The unit quaternions of rotation matrices, w ≥ 0 (Shepperd 1978): all four forms, one of
-    /// which divides by the largest component.
+    /// Returns the unit quaternions of rotation matrices, with w ≥ 0 (Shepperd 1978). Each lane
+    /// takes the one of four formulas that divides by its largest component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3(rows: [[L; 3]; 3]) -> Self {
         let rotation = Self::some_of_matrix3(rows).normalize();
@@ -29,7 +29,7 @@ impl<L: Lanes> Quat<L> {
         rotation.scale(L::select(turned_over, -one, one))
     }
 
-    /// Returns the quaternion of a rotation matrix times a number between 2 and 4, with either
+    /// Returns the quaternion of a rotation matrix times a factor between 2 and 4, with either
     /// sign.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn some_of_matrix3(rows: [[L; 3]; 3]) -> Self {
@@ -47,9 +47,10 @@ impl<L: Lanes> Quat<L> {
         Self::from_array(vector::select(w_largest, [wx, wy, wz, w2], not_w))
     }
 
-    /// [`from_matrix3`](Self::from_matrix3), and the lanes whose matrix is no rotation: it differs
-    /// from one by more than `tolerance` in a product of its rows (it scales, shears or mirrors),
-    /// or an element is not finite. Those are NaN.
+    /// Returns [`from_matrix3`](Self::from_matrix3), and the mask of the lanes whose matrix is no
+    /// rotation. In such a lane an element is not finite, the determinant is negative, or a scalar
+    /// product of two rows differs from its value for a rotation, 0 or 1, by more than `tolerance`.
+    /// So the matrix scales, shears or mirrors. These lanes are NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3_checked(rows: [[L; 3]; 3], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c] = rows;
@@ -69,7 +70,7 @@ impl<L: Lanes> Quat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// The rows of [R | t] of unit σ.
+    /// Returns the rows of the matrix [R | t] of unit σ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_matrix3x4(self) -> [[L; 4]; 3] {
@@ -78,7 +79,7 @@ impl<L: Lanes> DualQuat<L> {
         [[a, b, c, x], [d, e, f, y], [g, h, i, z]]
     }
 
-    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below.
+    /// Returns the rows of [`to_matrix3x4`](Self::to_matrix3x4), and the row 0 0 0 1 below.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_matrix4(self) -> [[L; 4]; 4] {
@@ -87,15 +88,16 @@ impl<L: Lanes> DualQuat<L> {
         [a, b, c, [zero, zero, zero, zero.constant(1.0)]]
     }
 
-    /// The motions of rigid matrices, p_w ≥ 0.
+    /// Returns the motions of rigid matrices, with p_w ≥ 0.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3x4(rows: [[L; 4]; 3]) -> Self {
         let rotation = Quat::from_matrix3(rows.map(|[x, y, z, _]| [x, y, z]));
         Self::from_rotation_translation(rotation, rows.map(|[.., t]| t))
     }
 
-    /// [`from_matrix3x4`](Self::from_matrix3x4), and the lanes whose matrix is no rigid motion: as
-    /// [`Quat::from_matrix3_checked`], or the translation is not finite. Those are NaN.
+    /// Returns [`from_matrix3x4`](Self::from_matrix3x4), and the mask of the lanes whose matrix is
+    /// no rigid motion: [`Quat::from_matrix3_checked`] rejects its left part, or its translation is
+    /// not finite. These lanes are NaN.
     ///
     /// ```
     /// use dq8::{batch::DualQuat, simd::{Mask, f32x4}};
@@ -117,8 +119,8 @@ impl<L: Lanes> DualQuat<L> {
         (Self::from_array(vector::select(failed, nan, motion)), failed)
     }
 
-    /// Works like [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must
-    /// be 0 0 0 1.
+    /// Returns the same as [`from_matrix3x4_checked`](Self::from_matrix3x4_checked) for the first
+    /// three rows, but also rejects lanes whose last row is not 0 0 0 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix4_checked(rows: [[L; 4]; 4], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c, [x, y, z, w]] = rows;

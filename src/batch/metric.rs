@@ -6,7 +6,7 @@ use super::{DualQuat, Quat};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
-    /// The angle of a*b, radians in [0, π].
+    /// Returns the angle of the rotation a*b from a = `self` to b = `other`, in [0, π] radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn angle_to(self, other: Self) -> L {
@@ -14,29 +14,31 @@ impl<L: Lanes> Quat<L> {
         let (one, pi) = (self.w().constant(1.0), self.w().constant(core::f64::consts::PI));
         let between = between.negate_where(between.real().w().lt(one.constant(0.0)));
         let sine = Length::of(between.real().xyz(), one).value();
-        // θ = 2 sin Θ · Θ/sin Θ, and rounding may carry it beyond π.
+        // The angle is θ = 2 sin Θ · Θ/sin Θ with Θ = θ/2. Rounding may make it larger than
+        // π.
         let angle = (sine + sine) * HalfAngle::of(between).over_sine().real;
         L::select(pi.lt(angle), pi, angle)
     }
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// The angle of p_a*p_b, radians in [0, π].
+    /// Returns the angle of p_a*p_b, the rotation from one motion to the other, in [0, π] radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn angle_to(self, other: Self) -> L {
         self.real().angle_to(other.real())
     }
 
-    /// |t_a − t_b|
+    /// Returns |t_a − t_b|, the distance between the translations.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn distance_to(self, other: Self) -> L {
         between(self.translation(), other.translation())
     }
 
-    /// √((λθ)² + d²), θ from [`angle_to`](Self::angle_to) and d from
-    /// [`distance_to`](Self::distance_to); λ may differ from lane to lane.
+    /// Returns √((λθ)² + d²) with θ = [`angle_to`](Self::angle_to), d =
+    /// [`distance_to`](Self::distance_to) and λ = `length_per_radian`, which may differ from lane
+    /// to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn distance_weighted(self, other: Self, length_per_radian: L) -> L {
@@ -44,17 +46,19 @@ impl<L: Lanes> DualQuat<L> {
         Length::of(legs, length_per_radian.constant(1.0)).value()
     }
 
-    /// |a v − b v|
+    /// Returns |a v − b v|, the distance between the images of the point v under both motions.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn point_error(self, other: Self, point: [L; 3]) -> L {
-        // v itself is the same on both sides: it need not be added, nor rounded.
+        // The point v is a summand of both images and cancels. It is not added, so it adds no
+        // rounding.
         let half = between(self.half_displacement(point), other.half_displacement(point));
         half + half
     }
 
-    /// d + 2 r sin(θ/2), which bounds [`point_error`](Self::point_error) within the radius. The
-    /// sine is the length of the vector part of p_a*p_b.
+    /// Returns d + 2 r sin(θ/2), an upper bound of [`point_error`](Self::point_error) for all
+    /// points within the radius r of the origin. The sine is the length of the vector part of
+    /// p_a*p_b.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn shell_error(self, other: Self, radius: L) -> L {
@@ -63,7 +67,7 @@ impl<L: Lanes> DualQuat<L> {
         (radius + radius).mul_add(sine, self.distance_to(other))
     }
 
-    /// The opposite of [`is_unit`](Self::is_unit).
+    /// Returns the opposite of [`is_unit`](Self::is_unit).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn needs_renormalization(self, tolerance: L) -> L::Mask {
@@ -71,7 +75,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// |a − b|
+/// Returns the distance |a − b|.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn between<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
     Length::of([a[0] - b[0], a[1] - b[1], a[2] - b[2]], a[0].constant(1.0)).value()

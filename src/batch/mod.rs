@@ -1,9 +1,9 @@
 //! Many motions at a time: the operations of the scalar reference on SIMD lanes.
 //!
 //! Everything is written once, generic over [`Lanes`](dq8_simd::Lanes), and computes every lane
-//! alike: where a formula has cases, all are computed and [`select`](dq8_simd::Lanes::select)
-//! picks. Where a case is rare and expensive, a test comes first: does *any* lane need it? The
-//! value of a lane never depends on its neighbours.
+//! alike: where a formula has cases, all cases are computed and [`select`](dq8_simd::Lanes::select)
+//! picks one per lane. Where a case is rare and expensive, a branch first tests if *any* lane needs
+//! it. The value of a lane never depends on the other lanes.
 //!
 //! ```
 //! use dq8::batch::{DualQuat, Quat};

@@ -1,18 +1,18 @@
-//! Norm, normalization and inverses.
+//! Norms, normalization and inverses.
 
 use super::{Dual, DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
-    /// q*/|q|²; NaN or infinite in lanes that are zero or not finite.
+    /// Returns q*/|q|². Some component is NaN or infinite in lanes where q is zero or not finite.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn inverse(self) -> Self {
         let length = self.length();
         Self::from_array(length.divide_all(length.divide_all(self.conjugate().to_array())))
     }
 
-    /// q/|q|, and the lanes that have none: q zero, or a component of q or its length not finite.
-    /// Those are NaN.
+    /// Returns q/|q|, and the mask of the lanes that cannot be normalized: q is zero, or a
+    /// component of q or its length is not finite. These lanes are NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         let length = self.length();
@@ -23,14 +23,14 @@ impl<L: Lanes> Quat<L> {
         (Self::from_array(vector::select(failed, nan, unit)), failed)
     }
 
-    /// ||q| − 1| ≤ tolerance
+    /// Returns `true` in the lanes where ||q| − 1| ≤ `tolerance`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_unit(self, tolerance: L) -> L::Mask {
         (self.norm() - tolerance.constant(1.0)).abs().le(tolerance)
     }
 
-    /// [`is_unit`](Self::is_unit) within 32 units of the last place.
+    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_normalized(self) -> L::Mask {
@@ -39,7 +39,7 @@ impl<L: Lanes> Quat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// √(σσ*) = |p| + ε (p·q)/|p|; the dual part is NaN where p = 0.
+    /// Returns the dual norm √(σσ*) = |p| + ε (p·q)/|p|. Its dual part is NaN where p = 0.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn norm(self) -> Dual<L> {
         let length = self.real().length();
@@ -47,8 +47,9 @@ impl<L: Lanes> DualQuat<L> {
         Dual::new(length.value(), unit.dot(self.dual()))
     }
 
-    /// Exact normalization: the real part to unit length and the dual part orthogonal to it. Where
-    /// [`normalize_checked`](Self::normalize_checked) fails, some component is NaN.
+    /// Returns σ divided by its dual norm: the real part gets unit length, and the dual part
+    /// becomes orthogonal to the real part. Some component is NaN where
+    /// [`normalize_checked`](Self::normalize_checked) fails.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn normalize(self) -> Self {
         let length = self.real().length();
@@ -57,8 +58,9 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(p, p.scale_onto(-p.dot(q), q))
     }
 
-    /// Exact normalization, and the lanes that could not be: p zero, or a component of σ or of the
-    /// result not finite. In those, every component is NaN.
+    /// Returns σ divided by its dual norm, and the mask of the lanes that cannot be normalized: p
+    /// is zero, or a component of σ or of the result is not finite. In these lanes every component
+    /// is NaN.
     ///
     /// ```
     /// use dq8::{batch::DualQuat, simd::{Mask, Portable, f32x4}};
@@ -74,7 +76,8 @@ impl<L: Lanes> DualQuat<L> {
         self.normalize().checked()
     }
 
-    /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|) < ∞
+    /// Returns `true` in the lanes where ||p| − 1| ≤ `tolerance` and |p·q| ≤
+    /// `tolerance`·max(1, |q|) < ∞.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_unit(self, tolerance: L) -> L::Mask {
@@ -86,15 +89,15 @@ impl<L: Lanes> DualQuat<L> {
         off.le(tolerance) & along.le(tolerance * scale) & scale.lt(one.constant(f64::INFINITY))
     }
 
-    /// [`is_unit`](Self::is_unit) within 32 units of the last place.
+    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_normalized(self) -> L::Mask {
         self.is_unit(self.real().w().constant(32.0 * vector::epsilon::<L>()))
     }
 
-    /// σ⁻¹ of any σ with p ≠ 0. Where [`inverse_checked`](Self::inverse_checked) fails, some
-    /// component is NaN or infinite.
+    /// Returns σ⁻¹ of any σ with p ≠ 0. Some component is NaN or infinite where
+    /// [`inverse_checked`](Self::inverse_checked) fails.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn inverse(self) -> Self {
         let length = self.real().length();
@@ -107,14 +110,15 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹, and the lanes that have none: p zero, or a component
-    /// of σ or of the result not finite. In those, every component is NaN.
+    /// Returns σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹, and the mask of the lanes without an inverse:
+    /// p is zero, or a component of σ or of the result is not finite. In these lanes every
+    /// component is NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn inverse_checked(self) -> (Self, L::Mask) {
         self.inverse().checked()
     }
 
-    /// Fills every lane that has a component which is not finite with NaN; and the mask of those
+    /// Fills each lane in which a component is not finite with NaN, and returns the mask of these
     /// lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn checked(self) -> (Self, L::Mask) {

@@ -10,32 +10,33 @@ use dq8_simd::Lanes;
 pub struct Quat<L>([L; 4]);
 
 impl<L: Lanes> Quat<L> {
-    /// 1 in every lane.
+    /// Returns 1 in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::from(0.0));
         Self([zero, zero, zero, zero.constant(1.0)])
     }
 
-    /// From components in the order of memory.
+    /// Makes quaternions from their components, in the order in which memory holds them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_xyzw(x: L, y: L, z: L, w: L) -> Self {
         Self([x, y, z, w])
     }
 
-    /// From `[x, y, z, w]`.
+    /// Makes quaternions from `[x, y, z, w]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_array(xyzw: [L; 4]) -> Self {
         Self(xyzw)
     }
 
-    /// From the vector part and the scalar part.
+    /// Makes quaternions from the vector part and the scalar part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_parts([x, y, z]: [L; 3], w: L) -> Self {
         Self([x, y, z, w])
     }
 
-    /// cos(θ/2) + n sin(θ/2); `axis` must have length 1, `angle` is in radians.
+    /// Returns cos(θ/2) + n sin(θ/2), the turn by θ = `angle` radians about n = `axis`, which
+    /// must have length 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_axis_angle(axis: [L; 3], angle: L) -> Self {
         let half = angle * angle.constant(0.5);
@@ -43,45 +44,46 @@ impl<L: Lanes> Quat<L> {
         Self::from_parts(vector::scale(axis, half * sinc.real), cos.real)
     }
 
-    /// `[x, y, z, w]`
+    /// Returns the components `[x, y, z, w]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_array(self) -> [L; 4] {
         self.0
     }
 
-    /// The component of i.
+    /// Returns the component of i.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn x(self) -> L {
         self.0[0]
     }
-    /// The component of j.
+    /// Returns the component of j.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn y(self) -> L {
         self.0[1]
     }
-    /// The component of k.
+    /// Returns the component of k.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn z(self) -> L {
         self.0[2]
     }
-    /// The scalar part.
+    /// Returns the scalar part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn w(self) -> L {
         self.0[3]
     }
-    /// The vector part.
+    /// Returns the vector part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn xyz(self) -> [L; 3] {
         [self.0[0], self.0[1], self.0[2]]
     }
 
-    /// `true` if −q is the canonical one of ±q.
+    /// Returns `true` in the lanes where −q, and not q, is the canonical choice of ±q: the first
+    /// component of q that is not zero, in the order w, x, y, z, is negative.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn points_back(self) -> L::Mask {
         let [x, y, z, w] = self.0;
@@ -91,14 +93,14 @@ impl<L: Lanes> Quat<L> {
         L::select(w.eq(zero), first, w).lt(zero)
     }
 
-    /// w − xi − yj − zk
+    /// Returns the conjugate w − xi − yj − zk.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn conjugate(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([-x, -y, -z, w])
     }
 
-    /// The scalar product of the two as 4-vectors.
+    /// Returns the scalar product of two quaternions as 4-vectors.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dot(self, other: Self) -> L {
@@ -107,14 +109,14 @@ impl<L: Lanes> Quat<L> {
         aw.mul_add(bw, az.mul_add(bz, ay.mul_add(by, ax * bx)))
     }
 
-    /// |q| = √(q q*)
+    /// Returns |q| = √(q q*).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn norm(self) -> L {
         self.length().value()
     }
 
-    /// Every component differs by at most `tolerance`.
+    /// Returns `true` in the lanes where each component differs by at most `tolerance`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {
@@ -125,14 +127,14 @@ impl<L: Lanes> Quat<L> {
             & w.abs().le(tolerance)
     }
 
-    /// Every component is neither infinite nor NaN.
+    /// Returns `true` in the lanes where every component is finite.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_finite(self) -> L::Mask {
         vector::are_finite(self.0)
     }
 
-    /// q / |q|; some component is NaN in lanes that are zero or not finite.
+    /// Returns q / |q|. Some component is NaN in lanes where q is zero or not finite.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn normalize(self) -> Self {
         Self(Length::unit(self.0, self.w().constant(1.0)))
@@ -143,14 +145,14 @@ impl<L: Lanes> Quat<L> {
         Length::of(self.0, self.w().constant(1.0))
     }
 
-    /// q times a real number.
+    /// Returns q times a real number.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: L) -> Self {
         let [x, y, z, w] = self.0;
         Self([x * factor, y * factor, z * factor, w * factor])
     }
 
-    /// q·s + onto
+    /// Returns sq + onto, with s = `factor`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scale_onto(self, factor: L, onto: Self) -> Self {
         let [x, y, z, w] = self.0;
@@ -163,7 +165,7 @@ impl<L: Lanes> Quat<L> {
         ])
     }
 
-    /// pq + onto
+    /// Returns pq + onto, with p = `self` and q = `other`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn mul_onto(self, other: Self, onto: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
@@ -177,27 +179,29 @@ impl<L: Lanes> Quat<L> {
         ])
     }
 
-    /// r v r*, the vector `v` turned by these unit quaternions.
+    /// Returns r v r*, the vector `v` turned by these unit quaternions r.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn rotate(self, v: [L; 3]) -> [L; 3] {
         self.rotate_onto(v, v)
     }
 
-    /// Turns `v` by q of any norm; `two` is 2/|q|².
+    /// Returns `v` turned by q of any norm; `two` must be 2/|q|².
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotate_scaled(self, v: [L; 3], two: L) -> [L; 3] {
         self.twice_across(v, v, two)
     }
 
-    /// r v r* − v + onto: v + 2 r × (r × v + w v) with another first summand.
+    /// Returns r v r* − v + onto for unit r. The rotated vector is v + 2 r × (r × v + w v), and
+    /// `onto` takes the place of its first summand.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
         self.twice_across(v, onto, self.w().constant(2.0))
     }
 
-    /// two·r × (r × v + w v) + onto
+    /// Returns two·r × (r × v + w v) + onto, where r is the vector part of this quaternion and w
+    /// its scalar part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn twice_across(self, v: [L; 3], onto: [L; 3], two: L) -> [L; 3] {
         let r = self.xyz();
@@ -226,7 +230,7 @@ impl<L: Lanes> Sub for Quat<L> {
     }
 }
 
-/// Hamilton's product: 16 multiplications, 12 of them fused.
+/// Hamilton's product takes 16 multiplications, of which 12 are fused with additions.
 impl<L: Lanes> Mul for Quat<L> {
     type Output = Self;
     #[cfg_attr(not(opt_level_0), inline(always))]

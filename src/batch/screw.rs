@@ -1,32 +1,32 @@
 //! Screws: parameters, logarithm, exponential, powers and screw interpolation.
 //!
-//! Half the dual angle of a motion, Θ, enters its logarithm, powers and interpolation only through
-//! functions that are even in it; as functions of a *square* these are analytic at Θ = 0. With the
-//! squared chord of Θ, C = 4 sin²(Θ/2), and the arc over the chord, K(C) =
-//! arcsin(√C/2)/(√C/2) on [0, 2],
+//! The logarithm, the powers and the interpolation of a motion depend on half its dual angle, Θ,
+//! only through functions that are even in Θ. As functions of a *square* these are analytic at
+//! Θ = 0. With the squared chord of Θ, C = 4 sin²(Θ/2), and the ratio of the arc to the chord,
+//! K(C) = arcsin(√C/2)/(√C/2) for C in [0, 2],
 //!
 //! ```text
 //! Θ² = C K²      Θ / sin Θ = K / cos(Θ/2)
 //! ```
 //!
-//! on dual numbers, f(a + εb) = f(a) + ε b f′(a): value and derivative from one polynomial
-//! ([`even`](super::even)). There is no axis, no branch on the angle and no division by a sine. The
-//! obvious form would be slerp weights of the dual cosine X = ⟨a, b⟩; this one is better in two
-//! ways:
+//! All are dual numbers with f(a + εb) = f(a) + ε b f′(a), where one polynomial gives both f
+//! and f′ ([`even`](super::even)). So there is no axis, no branch on the angle and no division by
+//! a sine. The usual alternative are the weights of slerp with the dual cosine X = ⟨a, b⟩ of
+//! the poses a and b. The form here is better in two ways:
 //!
-//! - **C is not computed from 1 − X.** For poses that almost agree, 1 − X has lost the angle,
-//!   which does no harm between the poses but ruins extrapolation (t = 1000 along a tiny screw).
-//!   `log` and `pow` take C from the vector part, ScLERP from the difference b − a, which is
-//!   exact there.
+//! - **C is not computed from 1 − X.** For poses that almost agree, 1 − X has lost the digits
+//!   of the angle. Between the poses this does no harm, but it ruins extrapolation (t = 1000 along
+//!   a tiny screw). `log` and `pow` take C from the vector part, and ScLERP takes C from the
+//!   difference b − a, which is exact for such poses.
 //! - **ScLERP is centred on the midpoint.** With m = (a+b)/2 and h = (b−a)/2, which are
 //!   orthogonal, and τ = 2t − 1, σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h.
-//!   Weights of a and b cancel outside [0, 1]; those of m and h do not, and their arguments are
-//!   half as large.
+//!   Outside [0, 1] a weighted sum of a and b cancels; this sum of m and h does not, and its angles
+//!   are half as large.
 //!
-//! Beyond (π/2)² the argument of cos √v is reduced, but only if some lane needs it; lanes that
-//! do not need it keep their bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad
-//! (`f64`). Beyond, a float is known to no more than 2⁻⁸ rad, and every component is NaN rather
-//! than a motion that is not unit.
+//! If v in cos √v is beyond (π/2)², the angle is reduced, but only if some lane needs it; the
+//! other lanes keep their bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad
+//! (`f64`). A larger float is known to no more than 2⁻⁸ rad, so every component is then NaN,
+//! because the motion would not be unit.
 
 use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;
@@ -35,9 +35,9 @@ use crate::geometry::{DualVector, Line, Screw};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// The screw of unit σ, angle in [0, π]. A pure translation has angle 0, its own direction as
-    /// axis and moment 0; the identity has the axis (1, 0, 0). The moment is not finite where |t|
-    /// over the angle overflows.
+    /// Returns the screw of unit σ, with an angle in [0, π]. A pure translation has angle 0, its
+    /// own direction as axis and moment 0. The identity has the axis (1, 0, 0). The moment is not
+    /// finite where |t| divided by the angle overflows.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn to_screw(self) -> Screw<L> {
         let sigma = self.canonical();
@@ -49,7 +49,7 @@ impl<L: Lanes> DualQuat<L> {
 
         let direction = sine.divide_all(sigma.real().xyz());
         let slide = vector::dot(t, direction);
-        // m = ½ (t × l + (t − d l) cot(θ/2)), Jia eq. 37
+        // The moment is m = ½ (t × l + (t − d l) cot(θ/2)) (Jia eq. 37).
         let across = vector::scale_onto(direction, -slide, t);
         let twice = vector::cross_onto(t, direction, vector::scale(across, sine.divide(w)));
         let moment = vector::scale(twice, w.constant(0.5));
@@ -68,11 +68,13 @@ impl<L: Lanes> DualQuat<L> {
         }
     }
 
-    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm); the axis must have length 1.
+    /// Returns the motion cos(θ̂/2) + sin(θ̂/2)(l + εm) of a screw with the dual angle θ̂,
+    /// the direction l and the moment m of its axis. The direction must have length 1.
     ///
-    /// NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`: 2⁴⁵), as it is
-    /// for [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and what is built on
-    /// them: such a number is known to no more than a 256th of a radian.
+    /// The result is NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`:
+    /// 2⁴⁵), because a larger angle is known to no more than a 256th of a radian. The same
+    /// limit holds for [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and all
+    /// operations that call them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_screw(screw: Screw<L>) -> Self {
         let half = screw.angle.constant(0.5);
@@ -82,16 +84,17 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(axis, half_angle * sinc))
     }
 
-    /// (θ̂/2)(l + εm) of the [canonical](Self::canonical) one of ±σ: the vector part of σ
-    /// times Θ/sin Θ.
+    /// Returns the logarithm (θ̂/2)(l + εm) of the [canonical](Self::canonical) choice of ±σ,
+    /// with the dual angle θ̂ and the axis l + εm of its screw. It is the vector part of σ
+    /// times Θ/sin Θ with Θ = θ̂/2.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn log(self) -> DualVector<L> {
         let sigma = self.canonical();
         times_dual(sigma.dual_vector(), HalfAngle::of(sigma).over_sine())
     }
 
-    /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b. NaN where |a| is beyond
-    /// 2¹⁶ (`f32`) or 2⁴⁵ (`f64`).
+    /// Returns cos ĥ + sin ĥ (l + εm) for the logarithm a + εb = ĥ(l + εm), with ĥ² =
+    /// a·a + 2ε a·b. The result is NaN where |a| is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn exp(log: DualVector<L>) -> Self {
         let across = vector::dot(log.real, log.dual);
@@ -100,9 +103,9 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(log, sinc))
     }
 
-    /// σᵗ of the [canonical](Self::canonical) one of ±σ; `t` may differ from lane to lane. NaN
-    /// where t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond
-    /// 10¹⁹ or 10¹⁵⁴, where its square is.
+    /// Returns σᵗ of the [canonical](Self::canonical) choice of ±σ; `t` may differ from lane
+    /// to lane. The result is NaN where t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵
+    /// (`f64`), and where t is beyond 10¹⁹ (`f32`) or 10¹⁵⁴ (`f64`), because t² overflows.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn pow(self, t: L) -> Self {
         let sigma = self.canonical();
@@ -112,7 +115,8 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
     }
 
-    /// √σ of the [canonical](Self::canonical) one of ±σ: cos(Θ/2) and the vector part over 2
+    /// Returns √σ of the [canonical](Self::canonical) choice of ±σ. Its scalar part is
+    /// cos(Θ/2), where Θ is half the dual angle, and its vector part is that of σ divided by 2
     /// cos(Θ/2).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sqrt(self) -> Self {
@@ -122,27 +126,30 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
     }
 
-    /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane. NaN so far beyond the ends
-    /// that t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹
-    /// or 10¹⁵⁴, where its square is. Beyond the ends, what they lack of unit length
-    /// counts |2t − 1| times, until the turn is a radian.
+    /// Returns a(a*b)ᵗ with a = `self` and b = `other`, by the shorter way; `t` may differ from
+    /// lane to lane. The result is NaN where t times half the angle is beyond 2¹⁶ (`f32`) or
+    /// 2⁴⁵ (`f64`), and where t is beyond 10¹⁹ (`f32`) or 10¹⁵⁴ (`f64`), because t²
+    /// overflows. Outside [0, 1] an error of the norm of a or b is multiplied by |2t − 1|, as
+    /// long as the turn is less than a radian.
     ///
-    /// Slerp about the middle of the arc. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal
-    /// for unit a and b, and τ = 2t − 1:
+    /// The formula is slerp about the middle of the arc. With m = (a+b)/2 and h = (b−a)/2, which
+    /// are orthogonal for unit a and b, and τ = 2t − 1:
     ///
     /// ```text
     /// σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h
     /// ```
     ///
-    /// The difference b − a is exact for poses that almost agree, where their cosine has lost it.
+    /// For poses that almost agree the difference b − a is exact, whereas their cosine has lost
+    /// it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp(self, other: Self, t: L) -> Self {
         let opposite = self.real().dot(other.real()).lt(t.constant(0.0));
         Arc::between(self, other, opposite).at(t)
     }
 
-    /// Interpolates like [`sclerp`](Self::sclerp), but from `self` to `other` and not to
-    /// −`other`. The way from σ to −σ has no axis: NaN.
+    /// Interpolates like [`sclerp`](Self::sclerp), but always from `self` to `other` and never to
+    /// −`other`, so the way may be the longer one. The way from σ to −σ has no axis and gives
+    /// NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp_long(self, other: Self, t: L) -> Self {
         let zero = t.constant(0.0);
@@ -150,9 +157,10 @@ impl<L: Lanes> DualQuat<L> {
         let arc = Arc::between(self, other, opposite);
         let short = arc.at(t);
 
-        // The longer way is π − Θ. Its m and h are −h and −m of the shorter way, its
-        // cos(Θ/2) and sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter. h over its dual
-        // length is a motion, however short h is; its length would have no inverse.
+        // The longer way has half the dual angle π − Θ, if Θ is that of the shorter way. Its m
+        // and h are −h and −m of the shorter way, and its cos(Θ/2) and sin(Θ/2) are sin(Θ/2)
+        // and cos(Θ/2) of the shorter way. The quotient of h and its dual norm is a motion however
+        // short h is, so `back` is normalized: the reciprocal of the norm alone might be infinite.
         let half_sine = arc.back.norm().scale(t.constant(0.5));
         let right_angle = Dual::new(t.constant(core::f64::consts::FRAC_PI_2), zero);
         let tau = t + t - t.constant(1.0);
@@ -166,26 +174,29 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 impl<L: Lanes> Quat<L> {
-    /// Θ/sin Θ of half the angle of unit quaternions with w ≥ 0: 1 for no turn.
+    /// Returns Θ/sin Θ, where Θ is half the angle of unit quaternions with w ≥ 0. The identity
+    /// gives 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn half_angle_over_sine(self) -> L {
         HalfAngle::of(DualQuat::from_rotation(self)).over_sine().real
     }
 }
 
-/// Half the dual angle, Θ, of motions with p_w ≥ 0.
+/// The functions of Θ, half the dual angle, from which logarithms and powers of motions with p_w
+/// ≥ 0 are computed.
 pub(super) struct HalfAngle<L> {
-    /// C = 4 sin²(Θ/2)
+    /// The squared chord C = 4 sin²(Θ/2).
     chord_squared: Dual<L>,
-    /// K(C)
+    /// The ratio K(C) of the arc to the chord.
     arc_over_chord: Dual<L>,
-    /// cos(Θ/2)
+    /// The cosine cos(Θ/2).
     half_cosine: Dual<L>,
 }
 
 impl<L: Lanes> HalfAngle<L> {
-    /// From cos²(Θ/2) = (1 + w)/2 and C = sin²Θ/cos²(Θ/2). Not from 1 − w, which is all
-    /// rounding for small angles, where the vector part still has its full relative precision.
+    /// Computes C as sin²Θ/cos²(Θ/2) with cos²(Θ/2) = (1 + w)/2. The formula 2(1 − w) would
+    /// be all rounding for small angles, where the vector part still has its full relative
+    /// precision.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of(sigma: DualQuat<L>) -> Self {
         let w = sigma.dual_scalar();
@@ -193,8 +204,8 @@ impl<L: Lanes> HalfAngle<L> {
         let cosine_squared = Dual::new(w.real.mul_add(half, half), w.dual * half);
         let v = sigma.dual_vector();
         let across = vector::dot(v.real, v.dual);
-        // An infinite w would divide every other component away and leave no turn; 0·w makes it
-        // NaN.
+        // Division by an infinite w would make C zero, as if there were no turn. Adding 0·w makes
+        // C NaN.
         let squared = w.real.mul_add(w.real.constant(0.0), vector::dot(v.real, v.real));
         let sine_squared = Dual::new(squared, across + across);
         let chord_squared = sine_squared / cosine_squared;
@@ -205,36 +216,36 @@ impl<L: Lanes> HalfAngle<L> {
         }
     }
 
-    /// Θ/sin Θ = K/cos(Θ/2)
+    /// Returns Θ/sin Θ = K/cos(Θ/2).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn over_sine(&self) -> Dual<L> {
         self.arc_over_chord / self.half_cosine
     }
 
-    /// Θ² = CK²
+    /// Returns Θ² = CK².
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn square(&self) -> Dual<L> {
         self.chord_squared * self.arc_over_chord * self.arc_over_chord
     }
 }
 
-/// The shorter arc from a to ±b. Twice m and −2h, so that each is eight fused operations; the
-/// halves are in the weights.
+/// The shorter arc from a to ±b. It holds 2m and −2h in place of m = (a ± b)/2 and h = (±b −
+/// a)/2, because each is then eight fused operations. The weights contain the factors ½.
 struct Arc<L> {
-    /// 2m = a ± b
+    /// The sum 2m = a ± b.
     sum: DualQuat<L>,
-    /// −2h = a ∓ b
+    /// The difference −2h = a ∓ b.
     back: DualQuat<L>,
-    /// C = ⟨2h, 2h⟩ = 4 sin²(Θ/2)
+    /// The squared chord C = ⟨2h, 2h⟩ = 4 sin²(Θ/2).
     chord_squared: Dual<L>,
-    /// K(C)
+    /// The ratio K(C) of the arc to the chord.
     arc_over_chord: Dual<L>,
-    /// 1/(2 cos(Θ/2)), 4 cos²(Θ/2) = 4 − C
+    /// The weight 1/(2 cos(Θ/2)) of 2m, where 4 cos²(Θ/2) = 4 − C.
     half_secant: Dual<L>,
 }
 
 impl<L: Lanes> Arc<L> {
-    /// The arc to −b in the lanes where `opposite` holds.
+    /// Returns the arc from a to −b in the lanes where `opposite` is set, and to b in all others.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn between(a: DualQuat<L>, b: DualQuat<L>, opposite: L::Mask) -> Self {
         let one = a.real().w().constant(1.0);
@@ -242,7 +253,8 @@ impl<L: Lanes> Arc<L> {
         let (sum, back) = (b.scale_onto(sign, a), b.scale_onto(-sign, a));
         let across = back.real().dot(back.dual());
         let chord_squared = Dual::new(back.real().dot(back.real()), across + across);
-        // x^(−½), and its derivative by x = 4 − C, −½ x^(−3/2); dx = −dC.
+        // The function x^(−½) of x = 4 − C has the derivative −½ x^(−3/2) by x. Its
+        // derivative by C is the negative of this.
         let secant = one / (one.constant(4.0) - chord_squared.real).sqrt();
         let slope = secant * one.constant(0.5) * (secant * secant);
         let half_secant = chord_squared.apply(secant, slope);
@@ -250,20 +262,22 @@ impl<L: Lanes> Arc<L> {
         Self { sum, back, chord_squared, arc_over_chord, half_secant }
     }
 
-    /// cos(τΘ/2)/cos(Θ/2) m + τ K sinc(τΘ/2) h, τ = 2t − 1
+    /// Returns the motion at `t`, which is cos(τΘ/2)/cos(Θ/2) m + τ K sinc(τΘ/2) h with τ =
+    /// 2t − 1 and sinc x = sin(x)/x.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn at(&self, t: L) -> DualQuat<L> {
-        // −τK/2: of −2h, and (τΘ/2)² is its square times C.
+        // The weight is −τK/2, because `back` is −2h. Its square times C is (τΘ/2)².
         let weight = self.arc_over_chord.scale(t.constant(0.5) - t);
-        // The square first: infinite, and so is the angle, before C is below the normal numbers at
-        // an angle of any size.
+        // The weight is squared before it is multiplied by C. If t is so large that a subnormal C,
+        // which has lost digits, would give an angle of notable size, the square overflows and the
+        // result is NaN.
         let (cos, sinc) = cos_sinc(self.chord_squared * (weight * weight));
         let middle = self.sum.scale_dual(cos * self.half_secant);
         self.back.scale_dual_onto(weight * sinc, middle)
     }
 }
 
-/// (s + εu)(a + εb)
+/// Returns (s + εu)(a + εb) for the dual vector s + εu and the dual number a + εb.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn times_dual<L: Lanes>(v: DualVector<L>, factor: Dual<L>) -> DualVector<L> {
     DualVector {

@@ -1,5 +1,5 @@
-//! Spherical linear interpolation of rotations, and rotation and translation interpolated apart;
-//! squad, smooth motion through key poses.
+//! Interpolation of rotations by slerp; interpolation of rotation and translation apart; squad, a
+//! smooth motion through key poses.
 
 use super::{DualQuat, Quat, vector};
 use crate::geometry::DualVector;
@@ -7,9 +7,9 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
     /// Turns from `self` to ±`other` about one axis at constant speed, by the shorter way; `t` may
-    /// differ from lane to lane. As far as [`sclerp`](DualQuat::sclerp), and NaN beyond.
+    /// differ from lane to lane. The result is NaN where that of [`sclerp`](DualQuat::sclerp) is.
     ///
-    /// The screw motion of pure rotations: the dual part that it computes is discarded.
+    /// It is [`sclerp`](DualQuat::sclerp) of pure rotations, whose dual part is discarded.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn slerp(self, other: Self, t: L) -> Self {
         DualQuat::from_rotation(self).sclerp(DualQuat::from_rotation(other), t).real()
@@ -17,7 +17,8 @@ impl<L: Lanes> Quat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// Rotation by SLERP, translation by LERP; `t` may differ from lane to lane.
+    /// Interpolates the rotation by slerp and the translation linearly; `t` may differ from lane to
+    /// lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn slerp_lerp(self, other: Self, t: L) -> Self {
         let rotation = self.rotation().slerp(other.rotation(), t);
@@ -28,8 +29,9 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`; `t`
-    /// may differ from lane to lane.
+    /// Returns sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from σ₀ =
+    /// `self` to σ₁ = `end`, with the control poses s₀ and s₁; `t` may differ from lane to
+    /// lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: L) -> Self {
         let along_keys = self.sclerp(end, t);
@@ -37,7 +39,8 @@ impl<L: Lanes> DualQuat<L> {
         along_keys.sclerp(along_controls, (t + t) * (t.constant(1.0) - t))
     }
 
-    /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
+    /// Returns the control pose σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4) of the key σ =
+    /// `current` between the keys σ₋ = `previous` and σ₊ = `next`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
         let inverse = current.conjugate();

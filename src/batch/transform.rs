@@ -5,45 +5,49 @@ use crate::geometry::{Line, Plane};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// Rv + t; σ must be unit.
+    /// Returns the point Rv + t, with the rotation matrix R and the translation t of a unit σ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_point(self, point: [L; 3]) -> [L; 3] {
         self.transform_point_scaled(point, self.real().w().constant(2.0))
     }
 
-    /// Moves a point by σ of any norm; `two` is 2/|p|². The part of q along p has no effect.
+    /// Moves a point by σ = p + εq of any norm; `two` must be 2/|p|². The part of q along p has
+    /// no effect.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn transform_point_scaled(self, point: [L; 3], two: L) -> [L; 3] {
         vector::scale_onto(self.half_displacement(point), two, point)
     }
 
-    /// (Rv + t − v)/2, half of how far a point is moved.
+    /// Returns (Rv + t − v)/2, half of the displacement of the point v.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn half_displacement(self, point: [L; 3]) -> [L; 3] {
         let (p, q) = (self.real(), self.dual());
-        // With r the vector part of p, Rv − v = 2(w_p(r × v) + r × (r × v)) and t = 2(w_p q +
-        // r × q − w_q r): the one with r × v in the place of q, and without a scalar part, is
-        // the other.
+        // With the vector parts r of p and u of q, t = 2(w_p u + r × u − w_q r) and Rv − v =
+        // 2(w_p(r × v) + r × (r × v)). The second formula is the first with r × v in place of u
+        // and 0 in place of w_q. So half the sum is `half_translation` of p and a q with the vector
+        // part u + r × v.
         let q = Quat::from_parts(vector::cross_onto(p.xyz(), point, q.xyz()), q.w());
         Self::new(p, q).half_translation()
     }
 
-    /// Rv; σ must be unit.
+    /// Returns the direction Rv, with the rotation matrix R of a unit σ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_vector(self, vector: [L; 3]) -> [L; 3] {
         self.real().rotate(vector)
     }
 
-    /// l′ = Rl, m′ = Rm + t × l′; σ must be unit.
+    /// Returns the line moved by unit σ, with the direction l′ = Rl and the moment m′ = Rm + t
+    /// × l′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn transform_line(self, line: Line<L>) -> Line<L> {
         let (direction, moment) = self.carry(line.direction, line.moment);
         Line { direction, moment }
     }
 
-    /// n′ = Rn, d′ = d + n′·t; σ must be unit.
+    /// Returns the plane moved by unit σ, with the normal n′ = Rn and the offset d′ = d +
+    /// n′·t.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn transform_plane(self, plane: Plane<L>) -> Plane<L> {
         let normal = self.real().rotate(plane.normal);

@@ -1,7 +1,8 @@
-//! Sine, cosine and tangent, and the angles back.
+//! Sine, cosine and tangent, and their inverse functions.
 //!
-//! All angles are arcs of at most an eighth of a turn, put together: the sine by its polynomial of
-//! the square, the arc by that of [`arc_over_chord`](super::even::arc_over_chord).
+//! Every angle is reduced to an arc of at most an eighth of a turn. Its sine is the arc times a
+//! polynomial in the square of the arc. The inverse functions use
+//! [`arc_over_chord`](super::even::arc_over_chord), a polynomial in the square of the chord.
 
 use super::Dual;
 use super::even::{arc_over_chord, cos_sinc, farthest, round};
@@ -9,21 +10,24 @@ use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use dq8_simd::{Float, Lanes};
 
 impl<L: Lanes> Dual<L> {
-    /// sin a + ε b cos a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
+    /// Returns sin a + ε b cos a, with a in radians. The result is NaN beyond 2¹⁶ rad (`f32`)
+    /// or 2⁴⁵ rad (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sin(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
         self.apply(sin, cos)
     }
 
-    /// cos a − ε b sin a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
+    /// Returns cos a − ε b sin a, with a in radians. The result is NaN beyond 2¹⁶ rad (`f32`)
+    /// or 2⁴⁵ rad (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn cos(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
         self.apply(cos, -sin)
     }
 
-    /// tan a + ε b/cos²a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
+    /// Returns tan a + ε b/cos²a, with a in radians. The result is NaN beyond 2¹⁶ rad (`f32`)
+    /// or 2⁴⁵ rad (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn tan(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
@@ -31,29 +35,30 @@ impl<L: Lanes> Dual<L> {
         self.apply(tan, tan.mul_add(tan, tan.constant(1.0)))
     }
 
-    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at
-    /// ±1.
+    /// Returns arcsin a + ε b/√(1 − a²), radians. The result is NaN for |a| > 1, and the
+    /// derivative is infinite at ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn asin(self) -> Self {
         self.apply(asin(self.real), self.real.constant(1.0) / cathetus(self.real))
     }
 
-    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite
-    /// at ±1.
+    /// Returns arccos a − ε b/√(1 − a²), radians. The result is NaN for |a| > 1, and the
+    /// derivative is infinite at ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn acos(self) -> Self {
         self.apply(acos(self.real), self.real.constant(-1.0) / cathetus(self.real))
     }
 
-    /// arctan a + ε b/(1 + a²), radians.
+    /// Returns arctan a + ε b/(1 + a²), radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn atan(self) -> Self {
         let one = self.real.constant(1.0);
         self.apply(atan(self.real), one / self.real.mul_add(self.real, one))
     }
 
-    /// The angle of the point (`x`, `self`), radians, with the derivative (x dy − y dx)/(x² +
-    /// y²), by ratios to the larger of the two: squares might vanish.
+    /// Returns the angle of the point (`x`, `self`), in radians. Its dual part is the derivative (x
+    /// dy − y dx)/(x² + y²). It is computed with x and y divided by the larger of the two,
+    /// because their squares might vanish.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn atan2(self, x: Self) -> Self {
         let (up, along) = (self.real.abs(), x.real.abs());
@@ -65,9 +70,9 @@ impl<L: Lanes> Dual<L> {
     }
 }
 
-/// sin x and cos x, radians; NaN beyond [`farthest`]. Both keep their relative precision where they
-/// vanish (in `f64` up to 2²⁶ quarter turns): the turns taken off are quarters, so that the one
-/// which vanishes is always a sine.
+/// Returns sin x and cos x, x in radians; NaN beyond [`farthest`]. Both keep their relative
+/// precision near their zeros (in `f64` up to 2²⁶ quarter turns): whole quarter turns are
+/// subtracted from x, so near a zero the result is always the sine of a small remainder.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let near = x.abs().le(x.constant(farthest::<L>()));
@@ -76,7 +81,7 @@ fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let rest = without_quarters(x, quarters);
     let (cos, sinc) = cos_sinc(Dual::new(rest * rest, x.constant(0.0)));
     let (sin, cos) = (rest * sinc.real, cos.real);
-    // Of whole turns: 0, ¼, ±½ or −¼.
+    // `turns` becomes the fraction of a turn that was subtracted: 0, ¼, ±½ or −¼.
     let turns = quarters * x.constant(0.25);
     let turns = turns - round(turns);
     let (quarter, half) = (x.constant(0.25), x.constant(0.5));
@@ -87,9 +92,10 @@ fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     (up, L::select(is_half | turns.eq(quarter), -across, across))
 }
 
-/// x − kπ/2, with π/2 in five parts whose products with k are exact, but for the last (Cody and
-/// Waite 1980): of eight bits in `f32`, where k is up to 2¹⁶; of 27 in `f64`, exact up to
-/// 2²⁶. So many, because the `f32` nearest to a quarter turn is 2·10⁻⁸ away from one.
+/// Returns x − kπ/2, where π/2 is the sum of five parts. The products of k with all parts but
+/// the last are exact (Cody and Waite 1980). The parts have eight bits in `f32`, for k up to
+/// 2¹⁶, and 27 bits in `f64`, for k up to 2²⁶. Fewer parts do not suffice, because one
+/// multiple of a quarter turn has an `f32` only 2·10⁻⁸ away.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn without_quarters<L: Lanes>(x: L, k: L) -> L {
     let [first, second, third, fourth, fifth] = if L::Real::SINGLE {
@@ -111,8 +117,8 @@ fn without_quarters<L: Lanes>(x: L, k: L) -> L {
     };
     // All bits of these differences are representable, so they are exact.
     let before = k.neg_mul_add(x.constant(second), k.neg_mul_add(x.constant(first), x));
-    // The next difference is exact if little is left. If much is left, its rounding error is added
-    // to the last part.
+    // The next difference is exact if the remainder is small. If it is large, the rounding error of
+    // the difference is added to the last part.
     let third = x.constant(third);
     let rest = k.neg_mul_add(third, before);
     let added = k.mul_add(third, rest - before);
@@ -120,21 +126,22 @@ fn without_quarters<L: Lanes>(x: L, k: L) -> L {
     k.neg_mul_add(x.constant(fourth), rest) - k.mul_add(x.constant(fifth), added)
 }
 
-/// arcsin of a number in [0, 1/√2].
+/// Returns arcsin of a sine in [0, 1/√2].
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn small_arc<L: Lanes>(sine: L) -> L {
     let chord_squared = sine * sine * sine.constant(4.0);
     sine * arc_over_chord(Dual::new(chord_squared, sine.constant(0.0))).real
 }
 
-/// √(1 − x²), without the rounding of a square near 1; NaN for |x| > 1.
+/// Returns √(1 − x²) as √((1 − x)(1 + x)), which avoids the rounding of x² near 1. The
+/// result is NaN for |x| > 1.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn cathetus<L: Lanes>(x: L) -> L {
     let one = x.constant(1.0);
     ((one - x) * (one + x)).sqrt()
 }
 
-/// arcsin x, radians; NaN for |x| > 1.
+/// Returns arcsin x in radians, or NaN for |x| > 1.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn asin<L: Lanes>(x: L) -> L {
     let (sine, cosine) = (x.abs(), cathetus(x));
@@ -143,7 +150,7 @@ fn asin<L: Lanes>(x: L) -> L {
     L::select(is_small, arc, x.constant(FRAC_PI_2) - arc).copysign(x)
 }
 
-/// arccos x, radians, in [0, π]; NaN for |x| > 1.
+/// Returns arccos x in [0, π] radians, or NaN for |x| > 1.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn acos<L: Lanes>(x: L) -> L {
     let (cosine, sine) = (x.abs(), cathetus(x));
@@ -155,14 +162,14 @@ fn acos<L: Lanes>(x: L) -> L {
     L::select(is_across, across, along)
 }
 
-/// arctan x, radians.
+/// Returns arctan x in radians.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn atan<L: Lanes>(x: L) -> L {
     atan2(x, x.constant(1.0))
 }
 
-/// The angle of the point (`x`, `y`), radians in [−π, π], signs of zeros and infinite
-/// coordinates as in IEEE 754.
+/// Returns the angle of the point (`x`, `y`) in [−π, π] radians. Signs of zeros and infinite
+/// coordinates have the effect that IEEE 754 prescribes.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn atan2<L: Lanes>(y: L, x: L) -> L {
@@ -170,7 +177,8 @@ pub fn atan2<L: Lanes>(y: L, x: L) -> L {
     let (zero, one) = (x.constant(0.0), x.constant(1.0));
     let is_steep = along.lt(up);
     let ratio = L::select(is_steep, along, up) / L::select(is_steep, up, along);
-    // Neither 0/0 nor ∞/∞ is a number.
+    // Where both coordinates are zero or both are infinite, their quotient would be NaN, so the
+    // ratio is set to 0 or 1.
     let equal = L::select(up.eq(zero), zero, one);
     let ratio = L::select(up.eq(along), equal, ratio);
     let arc = small_arc(ratio / ratio.mul_add(ratio, one).sqrt());

@@ -3,29 +3,34 @@ use super::vector::{across, any_across, cross, dot, epsilon, scale, scale_onto, 
 use super::{DualQuat, Quat, atan2, vector};
 use dq8_simd::{Lanes, Mask};
 
-/// Limbs of two bones, one per lane: [`ik::TwoBone`](crate::ik::TwoBone) on lanes.
+/// The rotations and the bend of limbs of two bones, one limb per lane:
+/// [`ik::TwoBone`](crate::ik::TwoBone) on lanes.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct TwoBone<L> {
-    /// The rotation of the bone at the root, in the frame of the root and the target.
+    /// The rotation of the bone at the root, in the frame in which the root and the target are
+    /// given.
     pub upper: Quat<L>,
-    /// The rotation of the other bone, in the same frame.
+    /// The rotation of the bone at the end, in the same frame.
     pub lower: Quat<L>,
-    /// The angle of the hinge, 0 for a stretched limb and π for a folded one.
+    /// The angle of the hinge in radians, 0 for a stretched limb and π for a folded limb.
     pub bend: L,
-    /// The distance that the end misses the target by: zero where it is within, negative where
-    /// it is too near.
+    /// The distance by which the end misses the target: positive where the target is too far away,
+    /// zero where it is within reach, negative where it is too near to the root.
     pub beyond: L,
 }
 
 impl<L: Lanes> TwoBone<L> {
-    /// Roots, lengths, targets and poles as [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) has
-    /// them: of what that refuses nothing is promised.
+    /// Returns the limbs whose end is at the target, or as near to it as the bones allow. The
+    /// parameters are those of [`ik::TwoBone::reach`](crate::ik::TwoBone::reach). Lanes that it
+    /// would refuse have no meaningful result.
     ///
-    /// No angle is computed on the way. With S = a + b + D and the three sums p = D + a − b, q =
-    /// D − a + b, r = a + b − D, each without cancellation beyond that of its own (Kahan 2014),
-    /// the halves of the angles at the root and at the end have the tangents √(qr/(Sp)) and
-    /// √(pr/(Sq)): roots alone, of which a quaternion is made and normalized.
+    /// No angle is needed for the rotations. Let a and b be the lengths of the bones, D the
+    /// distance from the root to the target, and S = a + b + D. The differences p = D + a − b,
+    /// q = D − a + b and r = a + b − D are computed without avoidable cancellation (Kahan
+    /// 2014). Then half the angles at the root and at the end have the tangents √(qr/(Sp)) and
+    /// √(pr/(Sq)). So square roots alone give a quaternion of the right direction, which is then
+    /// normalized.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn reach(root: [L; 3], lengths: [L; 2], target: [L; 3], pole: [L; 3]) -> Self {
         let [a, b] = lengths;
@@ -58,8 +63,8 @@ impl<L: Lanes> TwoBone<L> {
         }
     }
 
-    /// [`reach`](Self::reach), and the lanes that [`ik::TwoBone::reach`](crate::ik::TwoBone::reach)
-    /// refuses.
+    /// Returns [`reach`](Self::reach), and the mask of the lanes that
+    /// [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) would refuse.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn reach_checked(
         root: [L; 3],
@@ -71,7 +76,7 @@ impl<L: Lanes> TwoBone<L> {
         (found, Self::refuses(root, lengths, target, pole))
     }
 
-    /// The lanes with a length that is negative, or with what is not finite.
+    /// Returns the mask of the lanes with a negative length or with an argument that is not finite.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn refuses(
         [x, y, z]: [L; 3],
@@ -87,7 +92,8 @@ impl<L: Lanes> TwoBone<L> {
     }
 }
 
-/// (d + side − other)/sum, zero where rounding left less; 1 where the limb is straight.
+/// Returns (d + side − other)/sum. The result is 1 in the lanes where the limb is straight, and 0
+/// where rounding makes the difference negative.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn share<L: Lanes>(d: L, side: L, other: L, sum: L, straight: L::Mask) -> L {
     let (zero, one) = (d.constant(0.0), d.constant(1.0));
@@ -97,8 +103,9 @@ fn share<L: Lanes>(d: L, side: L, other: L, sum: L, straight: L::Mask) -> L {
     L::select(straight, one, L::select(zero.lt(part), part, zero) / sum)
 }
 
-/// Some multiple of the rotation that takes x to the unit vector `along`, and −y to the side of
-/// the pole. Where the target is at the root there is no `along`.
+/// Returns a multiple of the quaternion that turns the x axis to the unit vector `along`, and the
+/// −y axis to the side of the pole. In the lanes of `at_root` the target is at the root, so
+/// `along` has no meaning and another vector takes its place.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Mask) -> Quat<L> {
     let (zero, one) = (along[0].constant(0.0), along[0].constant(1.0));
@@ -107,13 +114,16 @@ fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Ma
     let pole = select(has_pole, length.divide_all(pole), [zero; 3]);
     let mut along = along;
     if at_root.any() {
-        // The knee is on the way, behind the target if the bone at the root is the shorter.
+        // A limb folded onto its root has its knee on the line of `along`, on the negative side if
+        // the bone at the root is the shorter one. This `along` puts the knee on the side of the
+        // pole.
         let knee = select(has_pole, pole, [one, zero, zero]);
         along = select(at_root, scale(knee, L::select(shorter, -one, one)), along);
     }
     let normal = cross(pole, along);
-    // The rest of a pole along the way is rounding; that of one nearly along it is not quite
-    // across.
+    // The part of `normal` along `along` is removed: for a pole nearly parallel to `along`, the
+    // rounding of the cross product is not small beside its length. For a parallel pole only
+    // rounding is left, and `clear` is false.
     let normal = scale_onto(along, -dot(along, normal), normal);
     let size = Length::of(normal, one);
     let clear = one.constant(16.0 * epsilon::<L>()).lt(size.value()) & !at_root;
@@ -124,7 +134,8 @@ fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Ma
     frame_of(along, z)
 }
 
-/// Some multiple of the rotation that takes x and z to these, with w ≥ 0.
+/// Returns a multiple of the quaternion that turns the x and z axes to these unit vectors, with w
+/// ≥ 0.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn frame_of<L: Lanes>(x: [L; 3], z: [L; 3]) -> Quat<L> {
     let y = cross(z, x);
@@ -133,7 +144,7 @@ pub(crate) fn frame_of<L: Lanes>(x: [L; 3], z: [L; 3]) -> Quat<L> {
     some.scale(L::select(some.w().lt(one.constant(0.0)), -one, one))
 }
 
-/// `frame` · (w + z k), normalized.
+/// Returns the product `frame` · (w + z k), normalized.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn about_z<L: Lanes>(frame: Quat<L>, z: L, w: L) -> Quat<L> {
     let [i, j, k, s] = frame.to_array();
@@ -146,7 +157,8 @@ fn about_z<L: Lanes>(frame: Quat<L>, z: L, w: L) -> Quat<L> {
     .normalize()
 }
 
-/// The place of a limb's root and the lengths of its bones, from the local poses of its joints.
+/// Returns the position of a limb's root and the lengths of its two bones, from the local poses of
+/// its three joints and the pose of their parent.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn root_and_lengths<L: Lanes>(
     parent: Option<DualQuat<L>>,
@@ -162,11 +174,11 @@ pub(crate) fn root_and_lengths<L: Lanes>(
     (root, [length.value(), Length::of(foot.translation(), one).value()])
 }
 
-/// The local poses of the joints of a limb whose end reaches the target, and is turned as `end`;
-/// `hinge` is in the frame of the second joint.
+/// Returns the local poses of the three joints of a limb whose end is at the target and has the
+/// rotation `end`. The axis `hinge` is in the frame of the second joint.
 ///
-/// The model rotation of a bone is `upper` or `lower` times F*, where F takes x to the bone and z
-/// to the hinge, in the frame of its joint.
+/// The rotation of a bone in the model is `upper` or `lower` times F*, where the rotation F, in the
+/// frame of the bone's joint, turns the x axis to the bone and the z axis to the hinge.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn locals<L: Lanes>(
     parent: Option<DualQuat<L>>,
@@ -177,8 +189,8 @@ pub(crate) fn locals<L: Lanes>(
 ) -> [DualQuat<L>; 3] {
     let found = TwoBone::reach(root, lengths, target, pole);
     let (thigh, shin) = (knee.translation(), foot.translation());
-    // The part of the hinge along the shin counts for neither bone: turned with the old knee it
-    // would roll the thigh.
+    // The component of the hinge axis along the shin is dropped for both bones. Turned by the old
+    // rotation of the knee into the frame of the thigh, it would roll the thigh.
     let (x, hinge) = axes_of_bone(shin, hinge);
     let of_shin = frame_of(x, hinge);
     let (x, hinge) = axes_of_bone(thigh, knee.real().rotate(hinge));
@@ -196,8 +208,9 @@ pub(crate) fn locals<L: Lanes>(
     ]
 }
 
-/// The direction of a bone, and what of the hinge is across it, of length 1: some axis if nothing
-/// is.
+/// Returns the direction of a bone, and the direction of the hinge axis after its component along
+/// the bone is removed. If the hinge axis is parallel to the bone, the second direction is any axis
+/// across the bone.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn axes_of_bone<L: Lanes>(bone: [L; 3], hinge: [L; 3]) -> ([L; 3], [L; 3]) {
     let (zero, one) = (bone[0].constant(0.0), bone[0].constant(1.0));

@@ -1,45 +1,45 @@
-//! Vectors of lanes as plain arrays, most of them of three: for kernels of your own. Products and
-//! sums are fused.
+//! Vectors on lanes as plain arrays, mostly of three components, for kernels that users write.
+//! Products and sums are fused.
 
 use super::length::Length;
 use dq8_simd::{Float, Lanes};
 
-/// a + b
+/// Returns a + b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn add<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// a − b
+/// Returns a − b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn sub<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// a·s
+/// Returns a·s.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn scale<L: Lanes>(a: [L; 3], s: L) -> [L; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
-/// a·s + b
+/// Returns a·s + b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn scale_onto<L: Lanes>(a: [L; 3], s: L, b: [L; 3]) -> [L; 3] {
     [a[0].mul_add(s, b[0]), a[1].mul_add(s, b[1]), a[2].mul_add(s, b[2])]
 }
 
-/// a · b
+/// Returns the scalar product a · b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
-/// a × b
+/// Returns the cross product a × b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
@@ -50,7 +50,7 @@ pub fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     ]
 }
 
-/// a × b + c
+/// Returns a × b + c.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
@@ -61,7 +61,7 @@ pub fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     ]
 }
 
-/// Returns `yes` in the lanes in which the mask is set, and `no` in the others.
+/// Returns `yes` in the lanes in which the mask is set, and `no` in all other lanes.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {
@@ -83,7 +83,7 @@ pub fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real; N]) -
     lanes
 }
 
-/// Lanes in which a number is neither infinite nor NaN.
+/// Returns the mask of the lanes in which a value is finite, neither infinite nor NaN.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn is_finite<L: Lanes>(number: L) -> L::Mask {
@@ -91,11 +91,11 @@ pub fn is_finite<L: Lanes>(number: L) -> L::Mask {
     (number * zero).eq(zero)
 }
 
-/// Lanes in which all numbers are.
+/// Returns the mask of the lanes in which all values are finite.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
     let zero = numbers[0].constant(0.0);
-    // 0·c is 0 for finite c and NaN otherwise.
+    // The product 0·c is 0 for finite c and NaN otherwise.
     let mut sum = zero;
     for number in numbers {
         sum = number.mul_add(zero, sum);
@@ -103,20 +103,21 @@ pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
     sum.eq(zero)
 }
 
-/// The distance from 1 to the next larger number.
+/// Returns the difference between 1 and the next larger float of this precision.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }
 
-/// The part of `vector` across the unit vector `along`.
+/// Returns the component of `vector` orthogonal to the unit vector `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn across<L: Lanes>(along: [L; 3], vector: [L; 3]) -> [L; 3] {
     scale_onto(along, -dot(along, vector), vector)
 }
 
-/// The unit vector across the unit vector `along` that is next to the axis most across it.
+/// Returns a unit vector orthogonal to the unit vector `along`: the direction of the component,
+/// orthogonal to `along`, of the coordinate axis that is farthest from `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn any_across<L: Lanes>(along: [L; 3]) -> [L; 3] {
     let [x, y, z] = [along[0].abs(), along[1].abs(), along[2].abs()];

@@ -6,12 +6,13 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 shared_trait! {
-    /// Dual numbers a + εb, ε² = 0, one ([`Dual`](crate::Dual)) or many at a time
-    /// ([`batch::Dual`](crate::batch::Dual)).
+    /// Dual numbers a + εb with ε² = 0: a single dual number ([`Dual`](crate::Dual)), or many,
+    /// one per lane ([`batch::Dual`](crate::batch::Dual)).
     ///
     /// # Laws
     ///
-    /// They hold up to rounding for finite values; `tests/algebra/dual_number.rs` has the bounds:
+    /// The laws hold up to rounding for finite values; `tests/algebra/dual_number.rs` has the
+    /// bounds:
     ///
     /// | law | for |
     /// |---|---|
@@ -23,54 +24,54 @@ shared_trait! {
     /// | sin(arcsin x) = x, cos(arccos x) = x, tan(arctan x) = x | in their domains |
     /// | atan2(r sin x, r cos x) = x | r > 0, \|a\| < π |
     ///
-    /// The documentation of each operation, with formula and source, stands on the scalar type. No
-    /// other type can implement the trait.
+    /// The documentation of [`Dual`](crate::Dual) has the formula and the source of each operation.
+    /// No type outside this crate can implement the trait.
     trait DualNumber: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Div<Output = Self>,
         Neg<Output = Self>;
 
     delegate by delegate_dual_number;
 
     types {
-        /// A real number, or one per lane.
+        /// A real number, or a vector with a real number per lane.
         type Real: Copy + Debug;
     }
 
     by_hand {
-        /// a and b.
+        /// Returns the real part a and the dual part b.
         fn parts(self) -> [Self::Real; 2];
     }
 
     inherent {
-        /// a + εb
+        /// Makes a + εb.
         fn new(real: Self::Real, dual: Self::Real) -> Self;
-        /// f(a) + εb f′(a), given f(a) and f′(a).
+        /// Returns f(a) + εb f′(a), given f(a) and f′(a).
         fn apply(self, value: Self::Real, derivative: Self::Real) -> Self;
-        /// s(a + εb)
+        /// Returns s(a + εb) for a real number s.
         fn scale(self, factor: Self::Real) -> Self;
-        /// 1/(a + εb), infinite or NaN for a = 0.
+        /// Returns 1/(a + εb), which is infinite or NaN for a = 0.
         fn recip(self) -> Self;
-        /// (a + εb)ⁿ
+        /// Returns (a + εb)ⁿ.
         fn powi(self, n: i32) -> Self;
-        /// √a + εb/(2√a)
+        /// Returns √a + εb/(2√a).
         fn sqrt(self) -> Self;
-        /// sin a + εb cos a. On lanes NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), as
-        /// cosine and tangent.
+        /// Returns sin a + εb cos a. On lanes, sine, cosine and tangent are NaN beyond 2¹⁶ rad
+        /// (`f32`) or 2⁴⁵ rad (`f64`).
         fn sin(self) -> Self;
-        /// cos a − εb sin a
+        /// Returns cos a − εb sin a.
         fn cos(self) -> Self;
-        /// tan a + εb/cos²a
+        /// Returns tan a + εb/cos²a.
         fn tan(self) -> Self;
-        /// arcsin a + εb/√(1 − a²)
+        /// Returns arcsin a + εb/√(1 − a²).
         fn asin(self) -> Self;
-        /// arccos a − εb/√(1 − a²)
+        /// Returns arccos a − εb/√(1 − a²).
         fn acos(self) -> Self;
-        /// arctan a + εb/(1 + a²)
+        /// Returns arctan a + εb/(1 + a²).
         fn atan(self) -> Self;
-        /// The angle of the point (`x`, `self`).
+        /// Returns the angle of the point (`x`, `self`) in radians.
         fn atan2(self, x: Self) -> Self;
-        /// eᵃ + εb eᵃ
+        /// Returns eᵃ + εb eᵃ.
         fn exp(self) -> Self;
-        /// ln a + εb/a
+        /// Returns ln a + εb/a.
         fn ln(self) -> Self;
     }
 }
@@ -84,7 +85,8 @@ pub(crate) fn power<D: DualNumber>(x: D, one: D, n: i32) -> D {
             power = power * square;
         }
         left /= 2;
-        // One more squaring might overflow, and ∞·0 would be NaN.
+        // The square is not needed after the last step. It might overflow, and a later product
+        // ∞·0 would be NaN.
         if left > 0 {
             square = square * square;
         }

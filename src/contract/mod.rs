@@ -1,5 +1,5 @@
-//! Contracts that the scalar reference and the lanes share: those of motions, rotations and dual
-//! numbers, each written as one list of methods.
+//! Contracts that the scalar reference and the lanes share. The contracts of motions, of rotations
+//! and of dual numbers are traits, each written as one list of methods.
 
 mod dual_number;
 mod motion;

@@ -1,4 +1,4 @@
-//! [`Motion`]: the contract that the scalar reference and the lanes share.
+//! [`Motion`]: the contract that the motions of the scalar reference and of the lanes share.
 
 use crate::contract::DualNumber;
 use crate::contract::Quaternion;
@@ -8,19 +8,20 @@ use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
 shared_trait! {
-    /// Dual quaternions σ = p + εq, one ([`DualQuat`](crate::DualQuat)) or many at a time
-    /// ([`batch::DualQuat`](crate::batch::DualQuat)).
+    /// Dual quaternions σ = p + εq: a single dual quaternion ([`DualQuat`](crate::DualQuat)), or
+    /// many, one per lane ([`batch::DualQuat`](crate::batch::DualQuat)).
     ///
     /// # Conventions
     ///
-    /// - ε² = 0; p and q are quaternions. σ is *unit*, and then a rigid motion, if |p| = 1 and
-    ///   p·q = 0.
+    /// - ε² = 0; p and q are quaternions. If |p| = 1 and p·q = 0, σ is called *unit* and is a
+    ///   rigid motion.
     /// - The motion is *rotate by r, then translate by t*: σ = r + ½εtr, so r = p and t = 2qp*.
     /// - `a * b` lets `b` act first: `(a * b).transform_point(v)` is
     ///   `a.transform_point(b.transform_point(v))`, as with matrices on column vectors.
-    /// - Points move by σ(1 + εv)σ⋄, directions by the rotation, lines by σ(l + εm)σ*.
+    /// - Points v move by σ(1 + εv)σ⋄, directions by the rotation r, lines by σ(l + εm)σ*.
     /// - σ and −σ are the same motion.
-    /// - Angles are radians, lengths the user's own unit. Vectors are `[T; 3]`, matrices rows.
+    /// - Angles are in radians, and lengths in the user's own unit. Vectors are `[T; 3]`, and
+    ///   matrices are arrays of rows.
     ///
     /// Every rigid motion is a screw (Chasles): a turn about one line and a slide along it.
     ///
@@ -28,7 +29,8 @@ shared_trait! {
     ///
     /// # Laws
     ///
-    /// They hold up to rounding for finite values (the table of tolerances is in the tests):
+    /// The laws hold up to rounding for finite values; the tests have a table of the tolerances.
+    /// The names are those of the methods, and *unit* means that the motions must be unit.
     ///
     /// | law | for |
     /// |---|---|
@@ -64,205 +66,221 @@ shared_trait! {
     ///
     /// # Where unit length is a precondition
     ///
-    /// The promises of the laws above for *unit* σ need |p| = 1 and p·q = 0 within rounding:
+    /// The laws above for *unit* σ hold only if |p| = 1 and p·q = 0 within rounding. They concern
     /// rotation and translation, matrices, screws, `log`, `pow`, `sclerp`, points, directions,
     /// lines, planes, twists, distances, and `conjugate` as an inverse. `from_axis_angle` needs a
-    /// unit axis, and `from_rotation` and its kin need a unit rotation. Products, sums, conjugates,
-    /// `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ with p ≠ 0.
+    /// unit axis, and `from_rotation` and other methods that take a rotation need a unit rotation.
+    /// Products, sums, conjugates, `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ
+    /// with p ≠ 0.
     ///
-    /// No build checks it unless it is asked to: a kernel never panics, and a test per motion would
-    /// cost more than most operations. Debug builds with `RUSTFLAGS="--cfg dq8_debug_assert_unit"`
-    /// do for one motion at a time: methods of [`DualQuat`](crate::DualQuat) and
-    /// [`Quat`](crate::Quat) that need unit input panic at the caller's line where the square
-    /// of |p| is off 1 by more than 0.1, or p·q off 0 by more than 0.1 max(1, |q|). A σ of norm
-    /// 1 + δ gives results that are off by up to about 2δ, relatively; far from 1 they may differ
-    /// between implementations. What comes from outside is checked where it comes in:
-    /// `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs, `try_from_matrix3x4` and
-    /// its kin refuse, and `ik` and `dq8-robot` refuse joints and targets that are not unit.
+    /// By default no build checks that motions are unit: a kernel never panics, and a check of
+    /// every motion would cost more than most operations. Debug builds with
+    /// `RUSTFLAGS="--cfg dq8_debug_assert_unit"` check single motions: methods of
+    /// [`DualQuat`](crate::DualQuat) and [`Quat`](crate::Quat) that need unit input panic at the
+    /// caller's line where |p|² differs from 1 by more than 0.1, or p·q from 0 by more than 0.1
+    /// max(1, |q|). A σ of norm 1 + δ gives results with a relative error of up to about 2δ; for
+    /// a norm far from 1 the results of implementations may differ. Input from outside should be
+    /// checked where it enters: `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs,
+    /// the methods `try_from_…` of matrices refuse, and `ik` and `dq8-robot` refuse joints and
+    /// targets that are not unit.
     ///
-    /// Constructors and interpolations return unit motions. Each product adds about a rounding to
-    /// the norm (`needs_renormalization`).
+    /// Constructors and interpolations return unit motions. Each product adds an error of about one
+    /// rounding to the norm; `needs_renormalization` tells when it has become too large.
     ///
-    /// The documentation of each operation, with formula and source, stands on the scalar type.
-    /// Users need not import this trait, because both types have every operation as a method of
-    /// their own. No other type can implement it.
+    /// The documentation of [`DualQuat`](crate::DualQuat) has the formula and the source of each
+    /// operation. Users need not import this trait, because both types have every operation as a
+    /// method of their own. No type outside this crate can implement it.
     trait Motion: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Neg<Output = Self>;
 
     delegate by delegate_motion;
 
     types {
-        /// The value from which constants are made: `()` for scalars, and for lanes the proof that
-        /// the CPU has their instructions.
+        /// The value from which constants are made. It is `()` for scalars. For lanes it is the
+        /// proof that the CPU has their instructions.
         type Level: Copy;
-        /// A real number, or one per lane.
+        /// A real number, or a vector with a real number per lane.
         type Real: Copy
             + Debug
             + Add<Output = Self::Real>
             + Sub<Output = Self::Real>
             + Mul<Output = Self::Real>
             + Neg<Output = Self::Real>;
-        /// A truth value, or one per lane.
+        /// A `bool`, or a mask with a truth value per lane.
         type Mask: Copy + Debug;
-        /// A dual number, or one per lane.
+        /// A dual number, or one dual number per lane.
         type Dual: DualNumber<Real = Self::Real>;
-        /// A quaternion, or one per lane.
+        /// A quaternion, or one quaternion per lane.
         type Quat: Quaternion<Level = Self::Level, Real = Self::Real, Mask = Self::Mask>;
     }
 
     by_hand {
-        /// The identity motion, 1 + ε0.
+        /// Returns the identity motion, 1 + ε0.
         fn identity(level: Self::Level) -> Self;
-        /// σ/√(σσ*), and where that failed: p zero, or a component not finite. There the
-        /// result is NaN.
+        /// Returns σ/√(σσ*), and `true` where it does not exist because p is zero or a
+        /// component is not finite. There the result is NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
-        /// σ⁻¹, and where that failed: p zero, or a component not finite. There the result is
-        /// NaN.
+        /// Returns σ⁻¹, and `true` where it does not exist because p is zero or a component is
+        /// not finite. There the result is NaN.
         fn inverse_checked(self) -> (Self, Self::Mask);
     }
 
     inherent {
-        /// r + ε0
+        /// Returns r + ε0, the rotation r about the origin.
         fn from_rotation(rotation: Self::Quat) -> Self;
-        /// 1 + ½εt
+        /// Returns 1 + ½εt, the translation by t.
         fn from_translation(translation: [Self::Real; 3]) -> Self;
-        /// r + ½εtr
+        /// Returns r + ½εtr, which rotates by r, then translates by t.
         fn from_rotation_translation(rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
-        /// r + ½εrt
+        /// Returns r + ½εrt, which translates by t, then rotates by r.
         fn from_translation_rotation(translation: [Self::Real; 3], rotation: Self::Quat) -> Self;
-        /// σ(r + ½εtr)
+        /// Returns the product σ(r + ½εtr).
         fn mul_rotation_translation(self, rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
-        /// The motion of a rigid matrix, p_w ≥ 0.
+        /// Returns the motion of a rigid matrix, with p_w ≥ 0.
         fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
-        /// cos(θ̂/2) + sin(θ̂/2)(l + εm)
+        /// Returns cos(θ̂/2) + sin(θ̂/2)(l + εm), the motion of a screw.
         fn from_screw(screw: Screw<Self::Real>) -> Self;
 
-        /// r = p
+        /// Returns the rotation r = p.
         fn rotation(self) -> Self::Quat;
-        /// t = 2qp*
+        /// Returns the translation t = 2qp*.
         fn translation(self) -> [Self::Real; 3];
-        /// The rows of [R | t].
+        /// Returns the rows of the matrix [R | t].
         fn to_matrix3x4(self) -> [[Self::Real; 4]; 3];
-        /// The rows of [R | t] and 0 0 0 1.
+        /// Returns the rows of the matrix [R | t] and the row 0 0 0 1.
         fn to_matrix4(self) -> [[Self::Real; 4]; 4];
-        /// The screw of the canonical one of ±σ.
+        /// Returns the screw of the canonical choice of ±σ.
         fn to_screw(self) -> Screw<Self::Real>;
 
-        /// p − εq
+        /// Returns σ• = p − εq.
         fn conjugate_dual(self) -> Self;
-        /// p* + εq*
+        /// Returns σ* = p* + εq*.
         fn conjugate(self) -> Self;
-        /// p* − εq*
+        /// Returns σ⋄ = p* − εq*.
         fn conjugate_both(self) -> Self;
-        /// The one of ±σ whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
+        /// Returns σ or −σ, of which the first component that is not zero, in the order p_w,
+        /// p_x, p_y, p_z, is positive.
         fn canonical(self) -> Self;
-        /// sσ
+        /// Returns sσ for a real number s.
         fn scale(self, factor: Self::Real) -> Self;
-        /// (a + εb)σ
+        /// Returns (a + εb)σ for a dual number a + εb.
         fn scale_dual(self, factor: Self::Dual) -> Self;
-        /// p_a·p_b + ε(p_a·q_b + q_a·p_b)
+        /// Returns the scalar product p_a·p_b + ε(p_a·q_b + q_a·p_b) of the motions a and b.
         fn dot(self, other: Self) -> Self::Dual;
 
-        /// √(σσ*)
+        /// Returns the dual norm √(σσ*).
         fn norm(self) -> Self::Dual;
-        /// σ/√(σσ*), or NaN.
+        /// Returns σ/√(σσ*), or NaN where it does not exist.
         fn normalize(self) -> Self;
-        /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
+        /// Returns `true` where ||p| − 1| ≤ `tolerance` and |p·q| ≤
+        /// `tolerance`·max(1, |q|).
         fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
-        /// σ⁻¹, or NaN.
+        /// Returns σ⁻¹; some component is NaN or infinite where σ⁻¹ does not exist.
         fn inverse(self) -> Self;
-        /// Every component differs by at most `tolerance`.
+        /// Returns `true` where every component differs by at most `tolerance`.
         fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
 
-        /// Rv + t
+        /// Returns the point Rv + t, with the rotation R and the translation t of σ.
         fn transform_point(self, point: [Self::Real; 3]) -> [Self::Real; 3];
-        /// Rv
+        /// Returns the direction Rv, with the rotation R of σ.
         fn transform_vector(self, vector: [Self::Real; 3]) -> [Self::Real; 3];
-        /// Rl + ε(Rm + t × Rl)
+        /// Returns the moved line Rl + ε(Rm + t × Rl).
         fn transform_line(self, line: Line<Self::Real>) -> Line<Self::Real>;
-        /// n′ = Rn, d′ = d + n′·t
+        /// Returns the moved plane, with the normal n′ = Rn and the offset d′ = d + n′·t.
         fn transform_plane(self, plane: Plane<Self::Real>) -> Plane<Self::Real>;
 
-        /// normalize((1−t)a ± tb)
+        /// Returns normalize((1−t)a ± tb), with the sign of the shorter way.
         fn nlerp(self, other: Self, t: Self::Real) -> Self;
-        /// normalize(Σ ±wᵢσᵢ), signs toward the first; `None` without influences.
+        /// Returns normalize(Σ ±wᵢσᵢ) for influences (σᵢ, wᵢ), where each sign turns
+        /// σᵢ toward the first motion; `None` without influences.
         fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
-        /// normalize(Σ ±wᵢσᵢ), signs toward the sum so far; `None` without influences.
+        /// Returns normalize(Σ ±wᵢσᵢ) for influences (σᵢ, wᵢ), where each sign turns
+        /// σᵢ toward the sum of the influences before it; `None` without influences.
         fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
-        /// b with Σ wᵢ log(b*σᵢ) = 0, steps of at most `tolerance` being none; `None` without
-        /// influences.
+        /// Returns b with Σ wᵢ log(b*σᵢ) = 0, by an iteration that ends where a step is at
+        /// most `tolerance`; `None` without influences.
         fn dib(
             influences: &[(Self, Self::Real)],
             tolerance: Self::Real,
             max_iterations: u32,
         ) -> Option<Mean<Self, Self::Real, Self::Mask>>;
-        /// slerp(r_a, r_b, t) and (1−t)t_a + t t_b, to compare with.
+        /// Returns the motion with the rotation slerp(r_a, r_b, t) and the translation (1−t)t_a +
+        /// t t_b, which serves for comparisons with `sclerp`.
         fn slerp_lerp(self, other: Self, t: Self::Real) -> Self;
 
-        /// (θ̂/2)(l + εm)
+        /// Returns the logarithm (θ̂/2)(l + εm), with the dual angle θ̂ and the axis l + εm
+        /// of the screw.
         fn log(self) -> DualVector<Self::Real>;
-        /// cos ĥ + sin ĥ (l + εm). On lanes, and for `f32` and `f64`, NaN beyond a half angle of
-        /// 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), as are the powers and interpolations that go
-        /// so far.
+        /// Returns cos ĥ + sin ĥ (l + εm) for the logarithm ĥ(l + εm). On lanes, and for `f32`
+        /// and `f64`, the result is NaN beyond a half angle of 2¹⁶ rad (`f32`) or 2⁴⁵ rad
+        /// (`f64`). Powers and interpolations that go so far are NaN too.
         fn exp(log: DualVector<Self::Real>) -> Self;
-        /// σᵗ
+        /// Returns the power σᵗ.
         fn pow(self, t: Self::Real) -> Self;
-        /// √σ
+        /// Returns the square root √σ.
         fn sqrt(self) -> Self;
-        /// a(a*b)ᵗ by the shorter way
+        /// Returns a(a*b)ᵗ, from a = `self` to b = `other` by the shorter way.
         fn sclerp(self, other: Self, t: Self::Real) -> Self;
-        /// a(a*b)ᵗ without turning b to −b
+        /// Returns a(a*b)ᵗ from a = `self` to b = `other`, without turning b to −b where the
+        /// way is then shorter.
         fn sclerp_long(self, other: Self, t: Self::Real) -> Self;
-        /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`
+        /// Returns sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from σ₀ =
+        /// `self` to σ₁ = `end`, with the control poses s₀ and s₁.
         fn squad(self, control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
-        /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
+        /// Returns the control pose σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4) of the key σ =
+        /// `current` between the keys σ₋ and σ₊.
         fn squad_control(previous: Self, current: Self, next: Self) -> Self;
 
-        /// θ, the angle of p_a*p_b, radians in [0, π]
+        /// Returns θ, the angle of p_a*p_b, in [0, π] radians.
         fn angle_to(self, other: Self) -> Self::Real;
-        /// d = |t_a − t_b|
+        /// Returns d = |t_a − t_b|, the distance between the translations.
         fn distance_to(self, other: Self) -> Self::Real;
-        /// √((λθ)² + d²)
+        /// Returns √((λθ)² + d²) with λ = `length_per_radian`.
         fn distance_weighted(self, other: Self, length_per_radian: Self::Real) -> Self::Real;
-        /// |av − bv|
+        /// Returns |av − bv| for a point v.
         fn point_error(self, other: Self, point: [Self::Real; 3]) -> Self::Real;
-        /// d + 2 r sin(θ/2), at least |av − bv| for |v| ≤ r
+        /// Returns d + 2 r sin(θ/2), which is at least |av − bv| for every point v with |v| ≤
+        /// r.
         fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
-        /// The opposite of `is_unit`, within the tolerance.
+        /// Returns the opposite of `is_unit` with this tolerance.
         fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
 
-        /// ½ξσ, ξ the spatial twist
+        /// Returns the derivative σ̇ = ½ξσ for the spatial twist ξ.
         fn derivative_spatial(self, twist: Twist<Self::Real>) -> Self;
-        /// ½σξ, ξ the body twist
+        /// Returns the derivative σ̇ = ½σξ for the body twist ξ.
         fn derivative_body(self, twist: Twist<Self::Real>) -> Self;
-        /// 2σ̇σ*
+        /// Returns the spatial twist 2σ̇σ* for the derivative σ̇.
         fn spatial_twist(self, derivative: Self) -> Twist<Self::Real>;
-        /// 2σ*σ̇
+        /// Returns the body twist 2σ*σ̇ for the derivative σ̇.
         fn body_twist(self, derivative: Self) -> Twist<Self::Real>;
-        /// ½ωr + ½ε(ṫr + ½tωr)
+        /// Returns the derivative σ̇ = ½ωr + ½ε(ṫr + ½tωr) for the velocities ω =
+        /// `angular` and ṫ = `linear`.
         fn derivative_from_velocity(self, angular: [Self::Real; 3], linear: [Self::Real; 3]) -> Self;
-        /// (ω, ṫ)
+        /// Returns the velocities (ω, ṫ) for the derivative σ̇.
         fn velocity(self, derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
-        /// exp(½ξ)
+        /// Returns exp(½ξ), the motion of a constant twist ξ in unit time.
         fn from_twist(twist: Twist<Self::Real>) -> Self;
-        /// 2 log σ
+        /// Returns 2 log σ, the constant twist that makes the motion in unit time.
         fn to_twist(self) -> Twist<Self::Real>;
-        /// 2 log(a*b) by the shorter way, a body twist
+        /// Returns the body twist 2 log(a*b) that takes a = `self` to b = `other` by the shorter
+        /// way.
         fn twist_to(self, other: Self) -> Twist<Self::Real>;
-        /// exp(½ξ dt) σ
+        /// Returns exp(½ξ dt) σ for a constant spatial twist ξ.
         fn integrate_spatial(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
-        /// σ exp(½ξ dt)
+        /// Returns σ exp(½ξ dt) for a constant body twist ξ.
         fn integrate_body(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
-        /// ω′ = Rω, v′ = Rv + t × ω′
+        /// Returns the moved twist, ω′ = Rω and v′ = Rv + t × ω′.
         fn adjoint(self, twist: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// f′ = Rf, τ′ = Rτ + t × f′
+        /// Returns the moved wrench, f′ = Rf and τ′ = Rτ + t × f′.
         fn coadjoint(self, wrench: Wrench<Self::Real>) -> Wrench<Self::Real>;
-        /// J_l(x) y, exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x)
+        /// Returns J_l(x) y, with exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) for small δ.
         fn left_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// J_r(x) y, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
+        /// Returns J_r(x) y, with exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y) for small δ.
         fn right_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// J_l⁻¹(x) y, infinite at |ω| = 2π
+        /// Returns J_l⁻¹(x) y, which is infinite at |ω| = 2π for the twist x with the angular
+        /// part ω.
         fn left_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// J_r⁻¹(x) y, infinite at |ω| = 2π
+        /// Returns J_r⁻¹(x) y, which is infinite at |ω| = 2π for the twist x with the angular
+        /// part ω.
         fn right_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>)
         -> Twist<Self::Real>;
     }

@@ -6,13 +6,14 @@ use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
 shared_trait! {
-    /// Quaternions q = w + xi + yj + zk, one ([`Quat`](crate::Quat)) or many at a time
-    /// ([`batch::Quat`](crate::batch::Quat)): the rotations of [`Motion`](crate::Motion), with its
-    /// conventions.
+    /// Quaternions q = w + xi + yj + zk: a single quaternion ([`Quat`](crate::Quat)), or many, one
+    /// per lane ([`batch::Quat`](crate::batch::Quat)). Unit quaternions are the rotations of
+    /// [`Motion`](crate::Motion), whose conventions hold here too.
     ///
     /// # Laws
     ///
-    /// They hold up to rounding for finite values; `tests/algebra/quaternion.rs` has the bounds:
+    /// The laws hold up to rounding for finite values; `tests/algebra/quaternion.rs` has the
+    /// bounds:
     ///
     /// | law | for |
     /// |---|---|
@@ -22,91 +23,91 @@ shared_trait! {
     /// | (ab)v = a(bv) = the product of the matrices with v; lengths are kept | unit |
     /// | from_matrix3(to_matrix3(q)) = ±q | unit |
     /// | from_scaled_axis(to_scaled_axis(q)) = ±q, the same for axis and angle | unit |
-    /// | slerp(a, b, 0) = a, slerp(a, b, 1) = ±b; it is t of the angle away from a | unit |
+    /// | slerp(a, b, 0) = a, slerp(a, b, 1) = ±b; its angle to a is t times that of b | unit |
     /// | angle_to does not see the sign of q | unit |
     /// | from_rotation_arc(v, w) takes the direction of v to that of w | v, w ≠ 0 |
     ///
-    /// The documentation of each operation, with formula and source, stands on the scalar type. No
-    /// other type can implement the trait.
+    /// The documentation of [`Quat`](crate::Quat) has the formula and the source of each operation.
+    /// No type outside this crate can implement the trait.
     trait Quaternion: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Neg<Output = Self>;
 
     delegate by delegate_quaternion;
 
     types {
-        /// The value from which constants are made: `()` for scalars, and for lanes the proof that
-        /// the CPU has their instructions.
+        /// The value from which constants are made. It is `()` for scalars. For lanes it is the
+        /// proof that the CPU has their instructions.
         type Level: Copy;
-        /// A real number, or one per lane.
+        /// A real number, or a vector with a real number per lane.
         type Real: Copy + Debug;
-        /// A truth value, or one per lane.
+        /// A `bool`, or a mask with a truth value per lane.
         type Mask: Copy + Debug;
     }
 
     by_hand {
-        /// 1, no turn.
+        /// Returns 1, the rotation by no angle.
         fn identity(level: Self::Level) -> Self;
-        /// q/|q|, and where that failed: q zero, or a component not finite. There the result is
-        /// NaN.
+        /// Returns q/|q|, and `true` where it does not exist because q is zero or a component is
+        /// not finite. There the result is NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
     }
 
     inherent {
-        /// From `[x, y, z, w]`.
+        /// Makes a quaternion from `[x, y, z, w]`.
         fn from_array(xyzw: [Self::Real; 4]) -> Self;
-        /// `[x, y, z, w]`
+        /// Returns the components `[x, y, z, w]`.
         fn to_array(self) -> [Self::Real; 4];
-        /// From the vector part and the scalar part.
+        /// Makes a quaternion from the vector part and the scalar part.
         fn from_parts(xyz: [Self::Real; 3], w: Self::Real) -> Self;
-        /// The vector part.
+        /// Returns the vector part.
         fn xyz(self) -> [Self::Real; 3];
-        /// The scalar part.
+        /// Returns the scalar part.
         fn w(self) -> Self::Real;
 
-        /// cos(θ/2) + n sin(θ/2)
+        /// Returns cos(θ/2) + n sin(θ/2) for the axis n and the angle θ.
         fn from_axis_angle(axis: [Self::Real; 3], angle: Self::Real) -> Self;
-        /// n and θ of the canonical one of ±q.
+        /// Returns the axis n and the angle θ of the canonical choice of ±q.
         fn to_axis_angle(self) -> ([Self::Real; 3], Self::Real);
-        /// The turn by |v| about v.
+        /// Returns the turn by |v| radians about v.
         fn from_scaled_axis(v: [Self::Real; 3]) -> Self;
-        /// θn
+        /// Returns θn, the axis n times the angle θ.
         fn to_scaled_axis(self) -> [Self::Real; 3];
-        /// cos(θ/2) + i sin(θ/2)
+        /// Returns cos(θ/2) + i sin(θ/2), the turn by θ = `angle` about the x axis.
         fn from_rotation_x(angle: Self::Real) -> Self;
-        /// cos(θ/2) + j sin(θ/2)
+        /// Returns cos(θ/2) + j sin(θ/2), the turn by θ = `angle` about the y axis.
         fn from_rotation_y(angle: Self::Real) -> Self;
-        /// cos(θ/2) + k sin(θ/2)
+        /// Returns cos(θ/2) + k sin(θ/2), the turn by θ = `angle` about the z axis.
         fn from_rotation_z(angle: Self::Real) -> Self;
-        /// The least turn from one direction to another.
+        /// Returns the smallest turn from one direction to another.
         fn from_rotation_arc(from: [Self::Real; 3], to: [Self::Real; 3]) -> Self;
-        /// The rotation of a matrix, w ≥ 0.
+        /// Returns the rotation of a matrix, with w ≥ 0.
         fn from_matrix3(rows: [[Self::Real; 3]; 3]) -> Self;
-        /// The rows of the rotation matrix.
+        /// Returns the rows of the rotation matrix.
         fn to_matrix3(self) -> [[Self::Real; 3]; 3];
 
-        /// w − xi − yj − zk
+        /// Returns the conjugate w − xi − yj − zk.
         fn conjugate(self) -> Self;
-        /// sq
+        /// Returns sq for a real number s.
         fn scale(self, factor: Self::Real) -> Self;
-        /// The scalar product of the two as 4-vectors.
+        /// Returns the scalar product of two quaternions as 4-vectors.
         fn dot(self, other: Self) -> Self::Real;
-        /// |q|
+        /// Returns the norm |q|.
         fn norm(self) -> Self::Real;
-        /// q/|q|, or NaN.
+        /// Returns q/|q|, or NaN where it does not exist.
         fn normalize(self) -> Self;
-        /// q*/|q|², or NaN or infinite.
+        /// Returns q*/|q|²; some component is NaN or infinite where q is zero or not finite.
         fn inverse(self) -> Self;
-        /// ||q| − 1| ≤ tolerance
+        /// Returns `true` where ||q| − 1| ≤ `tolerance`.
         fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
-        /// Every component differs by at most `tolerance`.
+        /// Returns `true` where every component differs by at most `tolerance`.
         fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
 
-        /// r v r*
+        /// Returns r v r*, the vector v turned by unit r.
         fn rotate(self, v: [Self::Real; 3]) -> [Self::Real; 3];
-        /// The angle of a*b, radians in [0, π].
+        /// Returns the angle of a*b, in [0, π] radians.
         fn angle_to(self, other: Self) -> Self::Real;
-        /// normalize((1−t)a ± tb)
+        /// Returns normalize((1−t)a ± tb), with the sign of the shorter way.
         fn nlerp(self, other: Self, t: Self::Real) -> Self;
-        /// a(a*b)ᵗ by the shorter way.
+        /// Returns a(a*b)ᵗ, from a = `self` to b = `other` by the shorter way.
         fn slerp(self, other: Self, t: Self::Real) -> Self;
     }
 }

@@ -1,9 +1,10 @@
-//! The macro that defines a trait for scalars and lanes. One list of methods makes the trait and,
-//! for each type, an `impl` that calls its inherent methods.
+//! The macro that defines a trait which scalars and lanes share. One list of methods makes two
+//! things: the trait, and a macro that writes the `impl` of the trait for a type, by calls of the
+//! inherent methods of the type.
 
-/// Defines the trait and the macro `$delegate`, which implements it for a type that has every
-/// method of the list as an inherent method. `Self::name` in the `impl` resolves to the inherent
-/// method.
+/// Defines the trait, and the macro `$delegate` that implements it for a type. The type must have
+/// every method of the list `inherent` as an inherent method: in the `impl`, `Self::name` resolves
+/// to the inherent method and not to that of the trait.
 macro_rules! shared_trait {
     (
         $(#[$about:meta])*
@@ -24,7 +25,7 @@ macro_rules! shared_trait {
         pub trait $Trait: crate::contract::sealed::Sealed $(+ $bound)* {
             $($types)*
 
-            /// The names of all methods, in this order.
+            /// The names of all methods, in the order of the definition.
             const METHODS: &'static [&'static str] =
                 &[$(stringify!($of_each),)* $(stringify!($name)),*];
 
@@ -40,8 +41,8 @@ macro_rules! shared_trait {
             )*
         }
 
-        /// Writes the methods of the list for an `impl` of the trait. The types of `geometry` that
-        /// the list names must be imported there.
+        /// Writes the methods of the list `inherent` for an `impl` of the trait. The file with the
+        /// `impl` must import the types of `geometry` that the list names.
         macro_rules! $delegate {
             () => { $(
                 #[inline(always)]
@@ -56,7 +57,8 @@ macro_rules! shared_trait {
 pub(crate) use shared_trait;
 
 pub(crate) mod sealed {
-    /// So that a new operation breaks no other crate.
+    /// The supertrait of the contracts, which other crates cannot name. So they cannot implement a
+    /// contract, and a new method of a contract breaks no other crate.
     pub trait Sealed {}
 }
 

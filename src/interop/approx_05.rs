@@ -1,4 +1,5 @@
-//! Comparisons of approx 0.5, component by component: −σ is not near σ.
+//! Comparisons of approx 0.5, component by component. So −σ is not near σ, although both are
+//! the same motion.
 
 use crate::geometry::Twist;
 use crate::number::Real;

@@ -1,5 +1,5 @@
-//! Any bits, infinities and NaN among them: what a fuzzer wants. [`DualQuat::normalize`] makes
-//! motions.
+//! Values of any bits, infinities and NaN among them, for fuzzers. [`DualQuat::normalize`] makes
+//! motions of them.
 
 use crate::geometry::Twist;
 use crate::number::Real;

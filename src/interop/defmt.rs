@@ -1,4 +1,5 @@
-//! Logs of firmware, as arrays in the order of memory.
+//! Formats for the logs of firmware: every type is written as an array of its components, in the
+//! order of memory.
 
 use crate::geometry::Twist;
 use crate::number::Real;

@@ -1,4 +1,5 @@
-//! glam 0.34. Its quaternions are `[x, y, z, w]` too; its matrices are columns.
+//! Conversions from and to types of glam 0.34. Its quaternions are `[x, y, z, w]` as in dq8, and
+//! its matrices are columns.
 //!
 //! ```
 //! use dq8::{DualQuat, Quat};
@@ -16,16 +17,17 @@ use crate::macros::conversions;
 use crate::number::Real;
 use crate::scalar::{DualQuat, MatrixError, Quat};
 
-/// One line for each precision: glam's types have nothing in common that a generic could name.
+/// Writes the conversions for one precision. The types of glam in the two precisions share no
+/// trait, so a generic implementation is not possible.
 macro_rules! precision {
     ($real:ident, $quat:ident, $vec:ident, $mat3:ident, $mat4:ident, $affine:ident) => {
         conversions! {
             [] glam::$quat => Quat<$real>: |quaternion| Self::from_array(quaternion.to_array());
             [] Quat<$real> => glam::$quat: |quaternion| Self::from_array(quaternion.to_array());
-            /// The rotation must be unit.
+            /// Makes the motion that rotates, then translates. The rotation must be unit.
             [] (glam::$quat, glam::$vec) => DualQuat<$real>:
                 |(r, t)| Self::from_rotation_translation(r.into(), t.to_array());
-            /// The rotation and the translation of a unit σ.
+            /// Returns the rotation and the translation of a unit σ.
             [] DualQuat<$real> => (glam::$quat, glam::$vec):
                 |motion| (motion.rotation().into(), motion.translation().into());
             [] Quat<$real> => glam::$mat3: |rotation| Self::from_cols_array_2d(&rotation.to_cols_array_2d());
@@ -52,7 +54,8 @@ macro_rules! precision {
 precision! { f32, Quat, Vec3, Mat3, Mat4, Affine3A }
 precision! { f64, DQuat, DVec3, DMat3, DMat4, DAffine3 }
 
-/// Slices as they lie, to be read and to be written.
+/// Writes two functions for each pair of types of the same memory layout: they view a slice of
+/// glam's type as a slice of the other type, to read it or to write to it, without a copy.
 macro_rules! casts {
     ($($from:ty => $to:ty: $what:literal $read:ident $write:ident;)*) => {$(
         #[doc = concat!("glam's ", $what, ", where they lie.")]
@@ -74,7 +77,7 @@ casts! {
     glam::DVec3 => [f64; 3]: "vectors of `f64` as points" dpoints dpoints_mut;
 }
 
-/// glam's matrices as the columns that they are, to be written: a palette by
+/// Views glam's matrices as arrays of columns, to write to them: for example a palette with
 /// [`MatrixOrder::Columns`](crate::hierarchy::MatrixOrder).
 ///
 /// ```

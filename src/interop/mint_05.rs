@@ -1,4 +1,4 @@
-//! mint 0.5, the types that other libraries agree on.
+//! Conversions from and to mint 0.5, whose types many libraries share.
 
 use crate::macros::conversions;
 use crate::number::Real;

@@ -1,5 +1,6 @@
-//! Types of other crates, each behind a feature with its name. Names of crates before 1.0 carry the
-//! version, so that a new one of theirs is a new feature here and breaks nobody.
+//! Types of other crates, each crate behind a feature with its name. The feature of a crate before
+//! version 1.0 carries its version, so a new version of the crate is a new feature here and breaks
+//! no user.
 //!
 //! | feature | what it adds |
 //! |---|---|
@@ -10,13 +11,13 @@
 //! | `nalgebra_035` | nalgebra 0.35: (dual) quaternions, isometries, matrices; slices by cast |
 //! | `approx_05` | `abs_diff_eq!`, `relative_eq!` and `ulps_eq!` of approx 0.5 |
 //! | `rand_010` | uniform rotations and poses for rand 0.10 |
-//! | `arbitrary` | any bits, for fuzzers |
+//! | `arbitrary` | values of any bits, for fuzzers |
 //! | `proptest` | strategies for unit rotations and motions (implies `std`) |
 //! | `defmt` | `Format`: motions, rotations, twists, results of searches, all errors |
 //!
-//! Conversions are `From` and `Into`. A matrix becomes a motion only through `TryFrom`, which wants
-//! it rigid within √ε of its numbers (3·10⁻⁴ in `f32`, 1.5·10⁻⁸ in `f64`);
-//! [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
+//! Conversions are `From` and `Into`. A matrix becomes a motion only through `TryFrom`, which
+//! returns an error unless the matrix is rigid within √ε of its element type (3·10⁻⁴ in
+//! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
 
 #[cfg(feature = "approx_05")]
 mod approx_05;

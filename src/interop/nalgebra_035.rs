@@ -1,4 +1,5 @@
-//! nalgebra 0.35. Its quaternions lie as `[x, y, z, w]` too, and its dual quaternions as ours.
+//! Conversions from and to types of nalgebra 0.35. Its quaternions lie in memory as `[x, y, z, w]`,
+//! and its dual quaternions as the real part, then the dual part: both as in dq8.
 //!
 //! ```
 //! use dq8::DualQuat;
@@ -48,25 +49,25 @@ impl<R: Real + RealField> TryFrom<Matrix4<R>> for DualQuat<R> {
     }
 }
 
-/// nalgebra's quaternions as ours, where they lie.
+/// Views nalgebra's quaternions as quaternions of dq8, without a copy.
 #[must_use]
 pub fn quats<R: Real + nalgebra::Scalar + Pod>(quaternions: &[Quaternion<R>]) -> &[Quat<R>] {
     bytemuck::must_cast_slice(quaternions)
 }
 
-/// Our quaternions as nalgebra's, where they lie.
+/// Views quaternions of dq8 as nalgebra's quaternions, without a copy.
 #[must_use]
 pub fn quaternions<R: Real + nalgebra::Scalar + Pod>(quats: &[Quat<R>]) -> &[Quaternion<R>] {
     bytemuck::must_cast_slice(quats)
 }
 
-/// nalgebra's dual quaternions as ours, where they lie.
+/// Views nalgebra's dual quaternions as dual quaternions of dq8, without a copy.
 #[must_use]
 pub fn motions<R: Real + nalgebra::Scalar + Pod>(sigmas: &[DualQuaternion<R>]) -> &[DualQuat<R>] {
     bytemuck::must_cast_slice(sigmas)
 }
 
-/// Our dual quaternions as nalgebra's, where they lie.
+/// Views dual quaternions of dq8 as nalgebra's dual quaternions, without a copy.
 #[must_use]
 pub fn dual_quaternions<R: Real + nalgebra::Scalar + Pod>(
     motions: &[DualQuat<R>],

@@ -1,11 +1,11 @@
-//! Strategies of proptest: rotations and motions, uniform but for the identity and half turns,
-//! which come more often than chance would have them.
+//! Strategies of proptest for rotations and motions. The rotations are uniform, but the identity
+//! and half turns come more often than by chance, because errors are likely there.
 
 use crate::number::Real;
 use crate::scalar::{DualQuat, Quat};
 use proptest::prelude::{Just, Strategy, prop_oneof};
 
-/// Unit quaternions.
+/// Returns a strategy for unit quaternions.
 ///
 /// ```
 /// use proptest::prelude::*;
@@ -31,7 +31,8 @@ pub fn rotations<R: Real>() -> impl Strategy<Value = Quat<R>> {
     .prop_map(|xyzw| Quat::from_array(xyzw.map(R::from_f64)).normalize())
 }
 
-/// Unit dual quaternions with translations whose coordinates are at most `reach`.
+/// Returns a strategy for unit dual quaternions with translations whose coordinates are at most
+/// `reach`.
 pub fn motions<R: Real>(reach: f64) -> impl Strategy<Value = DualQuat<R>> {
     let translation = proptest::array::uniform3(-1.0_f64..=1.0);
     (rotations(), translation).prop_map(move |(rotation, direction)| {

@@ -5,7 +5,8 @@ use crate::scalar::{DualQuat, Quat};
 use rand::distr::{Distribution, StandardUniform};
 use rand::{Rng, RngExt};
 
-/// Uniform over all rotations (Shoemake 1992): two points on circles of radii √(1−u) and √u.
+/// Draws uniformly from all rotations (Shoemake 1992): (x, y) and (z, w) are random points on
+/// circles with the radii √(1−u) and √u, for a random u.
 impl<R: Real> Distribution<Quat<R>> for StandardUniform
 where
     Self: Distribution<R>,
@@ -20,7 +21,7 @@ where
     }
 }
 
-/// A uniform rotation, and a translation uniform in the cube from −1 to 1.
+/// Draws a uniform rotation, and a translation that is uniform in the cube from −1 to 1.
 impl<R: Real> Distribution<DualQuat<R>> for StandardUniform
 where
     Self: Distribution<R>,

@@ -14,7 +14,7 @@ crate::macros::pod! {
     /// part is the number |p|², and the only term with v is pvp*, a rotation times |p|². Divided
     /// by |p|² to be a point again, with the real part 1, it is a rotation and a translation. So
     /// *every* σ with p ≠ 0 keeps distances and handedness. If only the dual part is read and
-    /// nothing is divided, it scales uniformly, by the factor of Arends ch. 5 §6.1, but an
+    /// not divided by |p|², the map scales uniformly, by the factor of Arends ch. 5 §6.1. But an
     /// expression with a real part other than 1 is not a point. No other single product avb of
     /// quaternions helps: its norm is the product of the norms, so it lengthens all vectors alike,
     /// and neither scales directions differently nor shears. A reflection is such a product with
@@ -47,7 +47,7 @@ crate::macros::pod! {
     }
 }
 
-/// The identity.
+/// The default is the identity.
 impl<R: Real> Default for Affine<R> {
     fn default() -> Self {
         Self::IDENTITY
@@ -65,7 +65,7 @@ impl<R: Real> Affine<R> {
         translation: [R::ZERO; 3],
     };
 
-    /// The map of a rigid motion. σ must be unit.
+    /// Returns the map of a rigid motion. σ must be unit.
     #[must_use]
     pub fn from_motion(motion: DualQuat<R>) -> Self {
         Self { linear: motion.rotation().to_matrix3(), translation: motion.translation() }
@@ -86,22 +86,22 @@ impl<R: Real> Affine<R> {
         })
     }
 
-    /// The map v ↦ βv with β = `factor` (Arends ch. 2 §7.1).
+    /// Returns the map v ↦ βv with β = `factor` (Arends ch. 2 §7.1).
     #[must_use]
     pub fn uniform_scale(factor: R) -> Self {
         Self::scale([factor; 3])
     }
 
-    /// The map v ↦ (β_x x, β_y y, β_z z) with the factors β (Arends ch. 2 §7.1).
+    /// Returns the map v ↦ (β_x x, β_y y, β_z z) with the factors β (Arends ch. 2 §7.1).
     #[must_use]
     pub fn scale([x, y, z]: [R; 3]) -> Self {
         let (zero, translation) = (R::ZERO, [R::ZERO; 3]);
         Self { linear: [[x, zero, zero], [zero, y, zero], [zero, zero, z]], translation }
     }
 
-    /// The map v ↦ v + (n·v)s, where s is `slide` and n is `normal`: the plane n·v = 1 slides
-    /// by s, and parallel planes slide in proportion. Arends' shear along z (ch. 2 §7.3) has n =
-    /// (0, 0, 1) and s = (a, b, 0). Volumes are kept if s is orthogonal to n.
+    /// Returns the map v ↦ v + (n·v)s, where s is `slide` and n is `normal`: the plane n·v = 1
+    /// slides by s, and parallel planes slide in proportion. Arends' shear along z (ch. 2 §7.3)
+    /// has n = (0, 0, 1) and s = (a, b, 0). Volumes are kept if s is orthogonal to n.
     ///
     /// ```
     /// use dq8::representation::Affine;
@@ -116,9 +116,9 @@ impl<R: Real> Affine<R> {
         Self { linear, translation: [R::ZERO; 3] }
     }
 
-    /// The map v ↦ v − 2(n·v − d)n, the mirror image in the plane n·v = d, whose normal
-    /// must have length 1. With pure quaternions it is nvn + 2dn (Arends ch. 5 §6.2 has p′ =
-    /// qpq, for d = 0).
+    /// Returns the map v ↦ v − 2(n·v − d)n, the mirror image in the plane n·v = d, whose
+    /// normal must have length 1. With pure quaternions it is nvn + 2dn (Arends ch. 5 §6.2 has
+    /// p′ = qpq, for d = 0).
     ///
     /// ```
     /// use dq8::{Plane, representation::Affine};
@@ -163,7 +163,7 @@ impl<R: Real> Affine<R> {
     }
 }
 
-/// Returns the map that applies `other` first, then `self`.
+/// The product applies `other` first, then `self`.
 impl<R: Real> Mul for Affine<R> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {

@@ -8,9 +8,10 @@ use crate::scalar::{DualQuat, Quat, vector};
 
 impl<R: Real> Quat<R> {
     /// Returns the axis n, of length 1, and the angle θ in [0, π] radians of a unit quaternion,
-    /// where ±q = cos(θ/2) + n sin(θ/2). The [canonical](crate::DualQuat::canonical) one of ±q
-    /// is taken: w ≥ 0, and at half a turn, where both n and −n are axes, the first component
-    /// of n that is not zero is positive. The identity has the axis (1, 0, 0).
+    /// where ±q = cos(θ/2) + n sin(θ/2). Of q and −q, the
+    /// [canonical](crate::DualQuat::canonical) quaternion is taken. It has w ≥ 0, and for half a
+    /// turn, where both n and −n are axes, the first component of n that is not zero is positive.
+    /// The identity has the axis (1, 0, 0).
     ///
     /// The angle is twice the arctangent of |n sin(θ/2)| and w, which is accurate for all angles.
     /// The alternative 2 arccos w loses half of the digits of a small angle.
@@ -33,8 +34,9 @@ impl<R: Real> Quat<R> {
         (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
     }
 
-    /// The turn by |v| radians about the direction of v, which is the exponential of v/2. The
-    /// vector v may be any; the error of a large angle is the error of its rounding.
+    /// Returns the turn by |v| radians about the direction of v, which is the exponential of v/2.
+    /// The vector v may have any length; the result for a large angle is as inexact as the rounding
+    /// of the angle makes it.
     ///
     /// ```
     /// use dq8::Quat;
@@ -42,8 +44,8 @@ impl<R: Real> Quat<R> {
     /// ```
     #[doc(alias("from_rotvec", "rotvec", "rotation_vector", "exp3"))]
     pub fn from_scaled_axis(v: [R; 3]) -> Self {
-        // Here cos(θ/2) = 1 and sin(θ/2)/θ = ½ to the last place. These constants also keep the
-        // derivatives of dual numbers finite.
+        // For so small an angle, cos(θ/2) = 1 and sin(θ/2)/θ = ½ to the last place. These
+        // constants also keep the derivatives of dual numbers finite.
         if vector::dot(v, v) < R::EPSILON {
             return Self::from_parts(vector::scale(v, R::HALF), R::ONE);
         }
@@ -67,8 +69,8 @@ impl<R: Real> Quat<R> {
         crate::scalar::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
         let short = if self.points_back() { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());
-        // Here θ/sin(θ/2) = 2/cos(θ/2) to the last place. This form also keeps the derivatives
-        // of dual numbers finite.
+        // For so small an angle, θ/sin(θ/2) = 2/cos(θ/2) to the last place. This form also keeps
+        // the derivatives of dual numbers finite.
         let scale = if squared < R::EPSILON {
             R::TWO / short.w()
         } else {
@@ -80,7 +82,7 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> Quat<R> {
-    /// The turn by `angle` radians about the x axis, cos(θ/2) + i sin(θ/2).
+    /// Returns the turn by `angle` radians about the x axis, cos(θ/2) + i sin(θ/2).
     ///
     /// ```
     /// use dq8::Quat;
@@ -91,21 +93,21 @@ impl<R: Real> Quat<R> {
         Self::from_axis_angle([R::ONE, R::ZERO, R::ZERO], angle)
     }
 
-    /// The turn by `angle` radians about the y axis, cos(θ/2) + j sin(θ/2).
+    /// Returns the turn by `angle` radians about the y axis, cos(θ/2) + j sin(θ/2).
     pub fn from_rotation_y(angle: R) -> Self {
         Self::from_axis_angle([R::ZERO, R::ONE, R::ZERO], angle)
     }
 
-    /// The turn by `angle` radians about the z axis, cos(θ/2) + k sin(θ/2).
+    /// Returns the turn by `angle` radians about the z axis, cos(θ/2) + k sin(θ/2).
     pub fn from_rotation_z(angle: R) -> Self {
         Self::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle)
     }
 
-    /// The smallest turn that takes the direction of `from` to the direction of `to`, two vectors
-    /// of any length. For unit vectors a and b, with n along a × b, it is |a + b|/2 + n |b −
-    /// a|/2 (after Kahan 2006). Opposite directions have many such turns; the turn here is about an
-    /// axis orthogonal to `from`, next to the coordinate axis that is farthest from `from`. The
-    /// result is NaN for a zero vector.
+    /// Returns the smallest turn that takes the direction of `from` to the direction of `to`, two
+    /// vectors of any length. For unit vectors a and b, with n along a × b, it is |a + b|/2 + n |b
+    /// − a|/2 (after Kahan 2006). Opposite directions have many such turns; the turn here is
+    /// about an axis orthogonal to `from`, next to the coordinate axis that is farthest from
+    /// `from`. The result is NaN for a zero vector.
     ///
     /// The sum and the difference are accurate for the smallest angles and near half a turn, where
     /// a·b has lost digits.
@@ -133,9 +135,9 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, sine), cosine).normalize()
     }
 
-    /// The rotation that takes the z axis to the direction `forward`, and the y axis as near to
-    /// `up` as possible. The lengths of the vectors do not matter. For cameras that look along −z
-    /// (glTF, OpenGL), pass −forward.
+    /// Returns the rotation that takes the z axis to the direction `forward`, and the y axis as
+    /// near to `up` as possible. The lengths of the vectors do not matter. For cameras that look
+    /// along −z (glTF, OpenGL), pass −forward.
     ///
     /// # Errors
     /// If a vector is zero (the error has column 0 for `forward` and 1 for `up`) or not finite, or
@@ -157,13 +159,13 @@ impl<R: Real> Quat<R> {
         }
         let side = vector::cross(unit(forward), unit(up));
         let columns = gram_schmidt([0, 1, 2].map(|row| [forward[row], up[row], side[row]]))?;
-        // forward × up is −x.
+        // The cross product forward × up has the direction −x.
         Ok(Self::from_matrix3(columns.map(|[z, y, side]| [-side, y, z])))
     }
 
-    /// Changes signs in a sequence so that each quaternion is the one of ±q that is nearer to its
-    /// predecessor. Both are the same rotation, but sums, differences and plots depend on the sign.
-    /// The first quaternion keeps its sign.
+    /// Changes signs in a sequence of quaternions: q becomes −q where −q is nearer to the
+    /// quaternion before it. Both are the same rotation, but sums, differences and plots depend on
+    /// the sign. The first quaternion keeps its sign.
     ///
     /// ```
     /// use dq8::Quat;
@@ -178,9 +180,9 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The pose at `eye` whose z axis points to `target`, and whose y axis is as near to `up` as
-    /// possible: [`Quat::look_to`] with a translation. Its inverse is the view transform of a
-    /// camera that looks along z.
+    /// Returns the pose at `eye` whose z axis points to `target`, and whose y axis is as near to
+    /// `up` as possible: [`Quat::look_to`] with a translation. Its inverse is the view transform of
+    /// a camera that looks along z.
     ///
     /// # Errors
     /// If `target` equals `eye`, `up` is zero or along the way from `eye` to `target`, or a
@@ -198,8 +200,8 @@ impl<R: Real> DualQuat<R> {
         Ok(Self::from_rotation_translation(rotation, eye))
     }
 
-    /// Changes signs like [`Quat::make_continuous`], so that the real part of each motion is the
-    /// nearer one to its predecessor.
+    /// Changes signs like [`Quat::make_continuous`]: σ becomes −σ where its real part is then
+    /// nearer to that of the motion before it.
     pub fn make_continuous(samples: &mut [Self]) {
         make_continuous(samples, |a, b| a.real().dot(b.real()));
     }

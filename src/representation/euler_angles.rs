@@ -5,9 +5,10 @@ use crate::scalar::{Quat, vector};
 
 /// Three turns about coordinate axes, one after the other (Kenwright §3.3; Arends ch. 2 §2).
 ///
-/// Use them to type a pose in and to read it out, and compute with the quaternion. Euler angles do
-/// not commute, cannot be interpolated by the shortest way, and lose a degree of freedom where the
-/// first and the last axis coincide: see [`EulerSolution`].
+/// Euler angles suit the input and the display of rotations; computations should use the
+/// quaternion. The order of the three turns matters, the angles cannot be interpolated by the
+/// shortest way, and where the first and the last axis coincide a degree of freedom is lost
+/// ([`EulerSolution`]).
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
@@ -20,9 +21,10 @@ use crate::scalar::{Quat, vector};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles<R> {
-    /// The angles in radians, first turn first, about the axes of the order.
+    /// The three angles in radians, the angle of the first turn first. The axes of the turns are in
+    /// `order`.
     pub angles: [R; 3],
-    /// The order of the axes, and whether the axes move with the body.
+    /// The axes of the turns, and the choice of axes that move with the body or stay fixed.
     pub order: EulerOrder,
 }
 
@@ -31,8 +33,9 @@ pub struct EulerAngles<R> {
 /// If the first and the last axis coincide (the middle angle is ±π/2 with three different axes,
 /// or 0 or π with a proper order), only the sum or the difference of the outer angles is
 /// determined. This is *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products
-/// for θ = π/2 and θ = 0). Within rounding of gimbal lock, the middle angle has exactly this
-/// value, **the last angle is zero**, the first angle has the whole turn, and `gimbal_lock` is set.
+/// for θ = π/2 and θ = 0). For a rotation within rounding of gimbal lock, the middle angle
+/// returned is exactly the value above, **the last angle is zero**, the first angle is the whole
+/// sum or difference, and `gimbal_lock` is set.
 ///
 /// Near gimbal lock the angles are still those of the rotation, but they are sensitive: an error δ
 /// of the rotation changes the outer angles by δ over the sine of the angle between the two axes.
@@ -47,8 +50,8 @@ pub struct EulerSolution<R> {
 }
 
 impl<R: Real> EulerAngles<R> {
-    /// Returns the unit quaternion of the three turns in the given order. The angles may be any;
-    /// [`EulerFrame`] says which axes they turn about.
+    /// Returns the unit quaternion of the three turns in the given order. Angles of any size are
+    /// allowed. The frame of the order says if the axes move with the body or stay fixed.
     pub fn to_quat(self) -> Quat<R> {
         let mut turns = [Quat::IDENTITY; 3];
         for (turn, (axis, angle)) in
@@ -67,8 +70,8 @@ impl<R: Real> EulerAngles<R> {
 }
 
 impl<R: Real> Quat<R> {
-    /// The rotation of three Euler angles, first turn first, as [`EulerAngles::to_quat`] computes
-    /// it.
+    /// Returns the rotation of three Euler angles, the angle of the first turn first; it calls
+    /// [`EulerAngles::to_quat`].
     ///
     /// ```
     /// use dq8::{Quat, representation::{EulerAxes, EulerFrame, EulerOrder}};
@@ -80,8 +83,8 @@ impl<R: Real> Quat<R> {
         EulerAngles { angles: [first, second, third], order }.to_quat()
     }
 
-    /// The turn by roll about x, then pitch about y, then yaw about z, all about fixed axes. This
-    /// is the convention of URDF's `rpy`.
+    /// Returns the turn by `roll` radians about x, then `pitch` about y, then `yaw` about z, all
+    /// about fixed axes. This is the convention of URDF's `rpy`.
     ///
     /// ```
     /// use core::f64::consts::FRAC_PI_2;
@@ -142,8 +145,8 @@ impl<R: Real> Quat<R> {
         let (w, [x_i, x_j, x_k]) = (self.w(), [i, j, k].map(|axis| self.xyz()[axis]));
         let x_k = handedness * x_k;
 
-        // If one of the two lengths nearly vanishes, its components are differences that are exact
-        // except for the rounding of q.
+        // The two complex numbers are a + b√−1 and c + d√−1. Where one of them nearly
+        // vanishes, its parts are differences that are exact except for the rounding of q.
         let proper = order.axes.is_proper();
         let [a, b, c, d] =
             if proper { [w, x_i, x_j, x_k] } else { [w - x_j, x_i + x_k, w + x_j, x_k - x_i] };
@@ -180,11 +183,13 @@ impl<R: Real> Quat<R> {
     }
 }
 
-/// The axes of Euler angles, in the order of the turns: 24 in all, [`EulerOrder::ALL`].
+/// The order of the axes of Euler angles, and the frame of the axes. There are 24 orders, listed in
+/// [`EulerOrder::ALL`].
 ///
-/// Kenwright (§3.3) says twelve and prints eleven, three of them twice. There are six orders with
-/// three different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler
-/// angles), and the axes of each may move with the body or stay fixed.
+/// Kenwright (§3.3) speaks of twelve orders and prints eleven, three of them twice. There are six
+/// orders with three different axes (Tait–Bryan) and six whose last axis is the first one again
+/// (proper Euler angles). In each of the twelve orders the axes may move with the body or stay
+/// fixed.
 ///
 /// ```
 /// use dq8::{representation::{EulerAxes, EulerFrame, EulerOrder}};
@@ -194,7 +199,7 @@ impl<R: Real> Quat<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct EulerOrder {
-    /// The three axes, first turn first.
+    /// The three axes, the axis of the first turn first.
     pub axes: EulerAxes,
     /// The frame whose axes the turns are about.
     pub frame: EulerFrame,
@@ -212,13 +217,15 @@ pub enum EulerFrame {
 /// Defines the axes by their names and their indices.
 macro_rules! axes {
     ($($name:ident [$($index:literal)*])*) => {
-        /// The axes of three turns, first turn first. Two neighbours are never equal.
+        /// The axes of three turns, the axis of the first turn first. Two successive axes are never
+        /// equal.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[allow(missing_docs, reason = "the names are the axes")]
         pub enum EulerAxes { $($name),* }
 
         impl EulerAxes {
-            /// All twelve: the six of Tait and Bryan, then the six of proper Euler angles.
+            /// All twelve choices of axes: the six Tait–Bryan orders with three different axes,
+            /// then the six orders of proper Euler angles.
             pub const ALL: [Self; 12] = [$(Self::$name),*];
 
             /// Returns the axes as indices into a vector: x is 0, y is 1, z is 2.

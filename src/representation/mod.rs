@@ -1,5 +1,5 @@
-//! Other representations of rotations and rigid motions, and of the affine maps that are more than
-//! a motion.
+//! Other representations of rotations and rigid motions, and affine maps, which also scale, shear
+//! and mirror.
 //!
 //! The unit quaternion connects all of them. Kenwright (§3) compares Euler angles, axis and angle,
 //! matrices, and quaternions with a translation. Each is one call away from [`Quat`] or
@@ -19,8 +19,9 @@
 //! | rotation and translation | `DualQuat::from` | [`RotationTranslation`]`::from` |
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
-//! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under
-//! the same names. Where an operation here returns an error, its name on lanes ends in `_checked`.
+//! The types of lanes in [`batch`](crate::batch) have the operations for axis and angle, coordinate
+//! axes, arcs and matrices under the same names. Where an operation here returns an error, the name
+//! of its form on lanes ends in `_checked`.
 
 mod affine;
 mod directions;
@@ -61,7 +62,7 @@ errors! {
         } => "no rotation: column {column} lies in the span of those before it (the sine of the angle is {sine})";
         /// The matrix mirrors: its determinant is negative.
         Mirrors {
-            /// The determinant of its columns, each divided by its length.
+            /// The determinant of the matrix after each column is divided by its length.
             determinant: f64,
         } => "no rotation: the determinant of the normalized columns is {determinant}";
         /// The matrix squeezes space into a line or a point, so many rotations are equally near.

@@ -1,5 +1,5 @@
-//! The rotation of a matrix: the nearest rotation by polar decomposition, and the rotation of the
-//! Gram–Schmidt process.
+//! Rotations of matrices that are not quite rotations: the nearest rotation by polar decomposition,
+//! and the rotation of the Gram–Schmidt process.
 
 use super::OrthonormalError;
 use crate::number::Real;
@@ -7,14 +7,16 @@ use crate::scalar::{Quat, vector};
 
 /// Returns the rotation matrix that the Gram–Schmidt process makes of a matrix (Gram 1883,
 /// Schmidt 1907; Kenwright §3.5.2 recommends it against drift). Its first column has the direction
-/// of the first column, its second column is in the plane of the first two columns, and the third
-/// is their cross product. Input and output are rows.
+/// of the first column of the input, its second column is in the plane of the first two columns of
+/// the input, and its third column is the cross product of the first two. Input and output are
+/// rows.
 ///
 /// The process is cheap, but it treats the axes differently: the first axis keeps its direction and
 /// the other axes take the errors, so another order of axes gives another rotation.
-/// [`Polar`](crate::representation::Polar) gives the nearest rotation. The first two columns are
-/// projected twice, because after one projection of a thin wedge the error of the right angle would
-/// be a rounding error over the sine of the wedge.
+/// [`Polar`](crate::representation::Polar) gives the nearest rotation. The first column is
+/// projected out of the second column twice: if the two are nearly parallel, a single projection
+/// would leave an error of the right angle of a rounding error over the sine of the angle between
+/// them.
 ///
 /// # Errors
 /// If an element is not finite, a column is within rounding of the span of the columns before it,
@@ -56,6 +58,8 @@ pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], Orthonorm
     Ok(core::array::from_fn(|row| [x[row], y[row], z[row]]))
 }
 
+/// Checks that all elements of a matrix with these rows are finite.
+///
 /// # Errors
 /// If an element is not finite.
 pub(super) fn all_finite<R: Real>(rows: [[R; 3]; 3]) -> Result<(), OrthonormalError> {
@@ -74,9 +78,10 @@ fn direction<R: Real>(v: [R; 3]) -> [R; 3] {
     v.map(|c| c / norm)
 }
 
-/// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions,
-/// then a rotation. R is the rotation nearest to A, measured by the sum of the squares of the
-/// differences of the elements (Fan & Hoffman 1955), and does not depend on the order of the axes.
+/// The polar decomposition of a 3×3 matrix, A = R S: a stretch S along three orthogonal
+/// directions, then a rotation R. R is the rotation nearest to A, measured by the sum of the
+/// squares of the differences of the elements (Fan & Hoffman 1955), and does not depend on the
+/// order of the axes.
 ///
 /// ```
 /// use dq8::{Quat, representation::Polar};
@@ -133,8 +138,8 @@ impl<R: Real> Polar<R> {
     }
 }
 
-/// The eigenvalues and eigenvectors of the matrix that [`horn`] makes of A divided by its largest
-/// element.
+/// The eigenvalues and eigenvectors of Horn's 4×4 matrix ([`horn`]) of a 3×3 matrix A, which is
+/// first divided by its largest element, `largest`.
 pub(crate) struct Spectrum<R> {
     largest: R,
     values: [R; 4],
@@ -168,13 +173,14 @@ impl<R: Real> Spectrum<R> {
         Ok((rotation, [R::ONE, gap].map(|share| share * values[best] * largest)))
     }
 
-    /// Returns the singular values σ₁ ≥ σ₂ ≥ σ₃, with σ₃ negated if A mirrors. The
-    /// eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ −
-    /// σ₁ − σ₃ and σ₃ − σ₁ − σ₂, so half the sum of the largest and each other
-    /// eigenvalue is a singular value.
+    /// Returns the singular values σ₁ ≥ σ₂ ≥ σ₃ of A, with σ₃ negated if A mirrors.
+    /// The eigenvalues of [`horn`] are σ₁ + σ₂ + σ₃, σ₁ − σ₂ − σ₃, σ₂ −
+    /// σ₁ − σ₃ and σ₃ − σ₁ − σ₂. Half the sum of the first and the second is
+    /// σ₁; the third gives σ₂ and the fourth σ₃ in the same way.
     pub(crate) fn singular_values(&self) -> [R; 3] {
         let Self { largest, values: [a, b, c, d], .. } = *self;
-        // This does not call `sort`, which contains a panic for inconsistent orders.
+        // A network of five comparisons sorts the eigenvalues. The method `sort` is not called,
+        // because it contains a panic for inconsistent orders.
         let order = |a: R, b: R| if a < b { [b, a] } else { [a, b] };
         let ([a, b], [c, d]) = (order(a, b), order(c, d));
         let ([first, c], [b, fourth]) = (order(a, c), order(b, d));
@@ -183,7 +189,7 @@ impl<R: Real> Spectrum<R> {
     }
 }
 
-/// Returns the size below which a difference of values around one may be rounding.
+/// Returns the largest difference between two values of about 1 that may come from rounding alone.
 fn rounding<R: Real>() -> R {
     R::from(32.0) * R::EPSILON
 }
@@ -192,8 +198,9 @@ fn place_of_the_largest<R: Real>(values: [R; 4]) -> usize {
     (1..4).fold(0, |most, index| if values[index] > values[most] { index } else { most })
 }
 
-/// Returns the rotation of the largest eigenvalue if it is larger than all others, and the gap to
-/// the next eigenvalue: half of the difference over the largest eigenvalue.
+/// Returns the rotation whose quaternion is the eigenvector of the eigenvalue `values[best]`, the
+/// largest, if it is larger than all others. Also returns its gap: half of the difference to the
+/// next eigenvalue, divided by the largest.
 fn rotation<R: Real>(
     values: [R; 4],
     vectors: [[R; 4]; 4],
@@ -211,8 +218,9 @@ fn rotation<R: Real>(
     Ok((if rotation.w() < R::ZERO { -rotation } else { rotation }, gap))
 }
 
-/// Returns the matrix K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the
-/// rotation matrix of a unit q.
+/// Returns the symmetric 4×4 matrix K with q·Kq = Σ aᵢⱼ rᵢⱼ, where aᵢⱼ are the
+/// elements of a 3×3 matrix A and rᵢⱼ those of the rotation matrix of a unit quaternion q
+/// (Horn 1987).
 fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] {
     [
         [a - e - i, b + d, c + g, h - f],
@@ -222,28 +230,29 @@ fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] 
     ]
 }
 
-/// Returns the symmetric part of RᵀA. The antisymmetric part is rounding.
+/// Returns the symmetric part of RᵀA, with R = `rotation` and A = `rows`. The antisymmetric part
+/// is only rounding.
 fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
     let axes = rotation.to_matrix3();
     let product = |i: usize, j: usize| (0..3).fold(R::ZERO, |sum, k| sum + axes[k][i] * rows[k][j]);
     core::array::from_fn(|row| {
         core::array::from_fn(|column| {
             let (i, j) = (row.min(column), row.max(column));
-            // The mean is computed by half of the difference, because the sum may overflow and
-            // halves may become zero.
+            // The mean of two elements is computed as the first plus half of the difference. Their
+            // sum may overflow, and half of a small element may become zero.
             let above = product(i, j);
             above + (product(j, i) - above) * R::HALF
         })
     })
 }
 
-/// The largest number of sweeps over the matrix. No matrix in the tests takes more than six,
+/// The largest number of sweeps over the matrix. No matrix in the tests takes more than six sweeps,
 /// because each sweep squares the elements off the diagonal.
 const MAX_SWEEPS: usize = 10;
 
-/// Returns the eigenvalues of a symmetric 4×4 matrix with elements around 1, in no order, and the
-/// unit eigenvectors as columns. The method is cyclic Jacobi (Golub & Van Loan 2013, algorithm
-/// 8.5.3), which always converges and keeps the eigenvectors orthogonal.
+/// Returns the eigenvalues of a symmetric 4×4 matrix with elements around 1, in no particular
+/// order, and the unit eigenvectors as columns. The method is cyclic Jacobi (Golub & Van Loan 2013,
+/// algorithm 8.5.3), which always converges and keeps the eigenvectors orthogonal.
 pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
     let mut vectors = [[R::ZERO; 4]; 4];
     for (index, row) in vectors.iter_mut().enumerate() {
@@ -264,8 +273,8 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
                 let tangent = if tau < R::ZERO { -tangent } else { tangent };
                 let cosine = R::ONE / (R::ONE + tangent * tangent).sqrt();
                 let turn = Turn { p, q, cosine, sine: tangent * cosine };
-                // Turning the columns of the transpose turns the rows of the matrix, because it is
-                // symmetric.
+                // The matrix is symmetric, so its rows are turned by a turn of the columns of its
+                // transpose.
                 turn.columns_of(&mut matrix);
                 matrix = transpose(matrix);
                 turn.columns_of(&mut matrix);
@@ -279,7 +288,7 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
     (core::array::from_fn(|index| matrix[index][index]), vectors)
 }
 
-/// A turn in the plane of two coordinates.
+/// A turn in the plane of the coordinates `p` and `q`, one step of the Jacobi method.
 struct Turn<R> {
     p: usize,
     q: usize,
@@ -289,7 +298,7 @@ struct Turn<R> {
 
 impl<R: Real> Turn<R> {
     fn columns_of(&self, matrix: &mut [[R; 4]; 4]) {
-        // Both indices are below four anyway. The masks tell the compiler so: without them it would
+        // Both indices are below four. The masks show this to the compiler: without them it would
         // compile bounds checks where this function is not inlined.
         let (p, q) = (self.p & 3, self.q & 3);
         for row in matrix {

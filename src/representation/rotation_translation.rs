@@ -3,9 +3,9 @@ use crate::scalar::{Quat, vector};
 use core::ops::Mul;
 
 crate::macros::pod! {
-    /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3), the form that
-    /// files and physics engines hold. It has one component less than a
-    /// [`DualQuat`](crate::DualQuat) and is the same motion.
+    /// A rotation r and a translation t side by side, v ↦ r v r* + t (Kenwright §3), the form
+    /// that files and physics engines hold. It has seven components, one less than a
+    /// [`DualQuat`](crate::DualQuat), and describes the same motions.
     ///
     /// [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes slices of this
     /// type.
@@ -31,7 +31,7 @@ crate::macros::pod! {
     }
 }
 
-/// The identity.
+/// The default is the identity.
 impl<R: Real> Default for RotationTranslation<R> {
     fn default() -> Self {
         Self::IDENTITY
@@ -73,8 +73,8 @@ impl<R: Real> RotationTranslation<R> {
     }
 }
 
-/// Returns the motion that applies `other` (b) first, then `self` (a): r_a r_b and r_a t_b r_a* +
-/// t_a.
+/// The product applies `other` (b) first, then `self` (a). Its rotation is r_a r_b and its
+/// translation r_a t_b r_a* + t_a.
 impl<R: Real> Mul for RotationTranslation<R> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {

@@ -1,4 +1,4 @@
-//! Short forms of other operations, under names that users of other libraries look for.
+//! Short forms of other operations, under names that users know from other libraries.
 
 use super::euler_angles::{EulerAxes, EulerFrame, EulerOrder};
 use crate::geometry::Twist;
@@ -45,15 +45,15 @@ impl<R: Real> Quat<R> {
         vector::scale(self.to_scaled_axis(), R::HALF)
     }
 
-    /// The exponential cos |v| + sin |v| v/|v|, the turn by 2|v| radians about v: it is
-    /// [`from_scaled_axis`](Self::from_scaled_axis) of 2v. The vector v may be any.
+    /// Returns the exponential cos |v| + sin |v| v/|v|, the turn by 2|v| radians about v: it is
+    /// [`from_scaled_axis`](Self::from_scaled_axis) of 2v. The vector v may have any length.
     #[inline]
     pub fn exp(log: [R; 3]) -> Self {
         Self::from_scaled_axis(vector::scale(log, R::TWO))
     }
 
-    /// Returns qᵗ = exp(t log q) for any real t: the same axis with t times the angle. The one of
-    /// ±q with w ≥ 0 is raised to the power, as in [`DualQuat::pow`]. q must be unit.
+    /// Returns qᵗ = exp(t log q) for any real t: the same axis with t times the angle. If w < 0,
+    /// −q is raised to the power in place of q, as in [`DualQuat::pow`]. q must be unit.
     ///
     /// ```
     /// use dq8::Quat;
@@ -68,8 +68,8 @@ impl<R: Real> Quat<R> {
         Self::from_scaled_axis(vector::scale(self.to_scaled_axis(), t))
     }
 
-    /// The intrinsic mean of unit quaternions, all with the same weight. Their signs do not matter.
-    /// It is [`DualQuat::mean`] of rotations.
+    /// Returns the intrinsic mean of unit quaternions, all with the same weight. Their signs do not
+    /// matter. It is [`DualQuat::mean`] of rotations.
     ///
     /// ```
     /// use dq8::Quat;
@@ -90,7 +90,7 @@ impl<R: Real> Quat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The motion of URDF's `<origin xyz rpy>`: roll, pitch and yaw about fixed axes
+    /// Returns the motion of URDF's `<origin xyz rpy>`: roll, pitch and yaw about fixed axes
     /// ([`Quat::from_rpy`]), then the translation.
     ///
     /// ```
@@ -104,8 +104,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(Quat::from_rpy(roll, pitch, yaw), xyz)
     }
 
-    /// The turn by `angle` radians about `axis` through the origin: [`Quat::from_axis_angle`]. The
-    /// axis must have length 1.
+    /// Returns the turn by `angle` radians about `axis` through the origin:
+    /// [`Quat::from_axis_angle`]. The axis must have length 1.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -114,21 +114,21 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation(Quat::from_axis_angle(axis, angle))
     }
 
-    /// The turn by `angle` radians about the x axis: [`Quat::from_rotation_x`].
+    /// Returns the turn by `angle` radians about the x axis: [`Quat::from_rotation_x`].
     #[inline]
     #[must_use]
     pub fn from_rotation_x(angle: R) -> Self {
         Self::from_rotation(Quat::from_rotation_x(angle))
     }
 
-    /// The turn by `angle` radians about the y axis: [`Quat::from_rotation_y`].
+    /// Returns the turn by `angle` radians about the y axis: [`Quat::from_rotation_y`].
     #[inline]
     #[must_use]
     pub fn from_rotation_y(angle: R) -> Self {
         Self::from_rotation(Quat::from_rotation_y(angle))
     }
 
-    /// The turn by `angle` radians about the z axis: [`Quat::from_rotation_z`].
+    /// Returns the turn by `angle` radians about the z axis: [`Quat::from_rotation_z`].
     #[inline]
     #[must_use]
     pub fn from_rotation_z(angle: R) -> Self {
@@ -161,12 +161,12 @@ impl<R: Real> DualQuat<R> {
         Self::from_rotation_translation(rotation, self.translation())
     }
 
-    /// The intrinsic mean of unit motions, all with the same weight. Their signs do not matter. The
-    /// iteration [`dib`](Self::dib) runs until only rounding is left.
+    /// Returns the intrinsic mean of unit motions, all with the same weight. Their signs do not
+    /// matter. The iteration [`dib`](Self::dib) runs until only rounding is left.
     ///
-    /// Returns `None` for no poses, for NaN and infinities, and if 64 steps do not end within
-    /// rounding. Poses more than a quarter of a turn from their mean may have several means; this
-    /// returns one of them.
+    /// Returns `None` if there are no poses, if a component is not finite, and if the steps are not
+    /// within rounding after 64 iterations. Poses more than a quarter of a turn from their mean may
+    /// have several means; this returns one of them.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -197,7 +197,8 @@ fn mean<R: Real>(poses: impl ExactSizeIterator<Item = DualQuat<R>> + Clone) -> O
 
 impl<R: Real> Twist<R> {
     /// Returns √(|ω|² + |v|²), the length of the vector of all six components. It adds radians
-    /// to lengths, so it depends on the unit of length. It is a simple test for motion.
+    /// to lengths, so it depends on the unit of length. It serves as a simple test if anything
+    /// moves.
     ///
     /// ```
     /// use dq8::Twist;
