@@ -14,7 +14,7 @@ use dq8::internal::{for_each_kernel, record};
 use dq8::law::{Nlerp, NlerpLerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
-use dq8::{Backend, DualQuat, Hierarchy};
+use dq8::{Backend, DualQuat, Hierarchy, Twist};
 
 pub(super) type M = DualQuat<R>;
 type Motions = Block<R, 8>;
@@ -26,7 +26,15 @@ pub(super) const N: usize = JOINTS * INSTANCES + 5;
 const BLOCKS: usize = N.div_ceil(8);
 const PARENTS: [u32; JOINTS] = [Hierarchy::ROOT, 0, 1, 0, 3, Hierarchy::ROOT, 4];
 
-pub(super) fn hash<T: bytemuck::NoUninit>(things: &[T]) -> u64 {
+/// Types that consist of `R` alone. [`hash`] takes no other, because the cast would read each `f64`
+/// as two `f32`, and then the hash would depend on the order of bytes.
+pub(super) trait Numbers: bytemuck::Pod {}
+impl Numbers for R {}
+impl Numbers for M {}
+impl Numbers for Twist<R> {}
+impl<T: Numbers, const C: usize> Numbers for [T; C] {}
+
+pub(super) fn hash<T: Numbers>(things: &[T]) -> u64 {
     let mut hash = Hash(1);
     bytemuck::cast_slice::<T, R>(things).iter().for_each(|&number| hash.number(number));
     hash.0
@@ -45,7 +53,7 @@ where
 /// Of blocks the hash that single things would have.
 fn hash_blocks<const C: usize, E>(blocks: &[Block<R, 8, C>], mut like: [E; N]) -> u64
 where
-    E: Element<C, Layout = dq8::storage::Aos<R>> + bytemuck::NoUninit,
+    E: Element<C, Layout = dq8::storage::Aos<R>> + Numbers,
 {
     unpack(1, blocks, &mut like).expect("as many as there are");
     hash(&like)
