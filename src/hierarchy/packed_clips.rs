@@ -549,7 +549,7 @@ errors! {
         /// There are more keys than 32 bits count, or more tracks than 15 bits count.
         TooLarge => "the clips have more keys than 32 bits count, or more tracks than 15 bits";
         /// The bytes are not a packed clip file of this version.
-        Bytes { offset: usize = "The first byte that is wrong.", what: &'static str = "What is wrong." }
+        Bytes { offset: usize = "The first byte that is wrong.", what: &'static str = "A phrase that says what is wrong there." }
             => "not a packed clip file: {what} at byte {offset}";
     }
 }

@@ -70,7 +70,7 @@ errors! {
         /// More or fewer than six hinges carry the link.
         Hinges { hinges: usize = "The number of hinges." } => "{hinges} hinges carry the link, not six";
         /// A component of a target is not finite.
-        Target { index: usize = "The target.", value: f64 = "The number in it." }
+        Target { index: usize = "The target.", value: f64 = "The component that is not finite." }
             => "target {index} is not finite: it has the number {value}";
         /// A target is farther than 10⁻³ from a unit motion.
         NotUnit { index: usize = "The target.", norm: f64 = "The norm of its real part." }

@@ -274,6 +274,6 @@ errors! {
         /// A joint value is not finite.
         Value { index: usize = "The index of the value.", value: f64 = "The value." } => "value {index} is not finite: {value}";
         /// A velocity is not finite.
-        Twist { index: usize = "The index of the twist.", value: f64 = "The number in it." } => "twist {index} is not finite: it has the number {value}";
+        Twist { index: usize = "The index of the twist.", value: f64 = "The component that is not finite." } => "twist {index} is not finite: it has the number {value}";
     }
 }

@@ -8,27 +8,27 @@ errors! {
     #[derive(Debug)]
     UrdfError {
         /// The file cannot be read from disk.
-        Read { path: String = "Its name.", source: std::io::Error = "The reason." } from source => "cannot read {path}: {source}";
+        Read { path: String = "The path of the file.", source: std::io::Error = "The reason." } from source => "cannot read {path}: {source}";
         /// The text is in an encoding other than UTF-8 and UTF-16, and the feature
         /// `urdf-encodings`, which reads other encodings, is off.
-        Encoding { encoding: String = "What the file declares." }
+        Encoding { encoding: String = "The encoding that the file declares." }
             => "the file declares the encoding {encoding:?}, which dq8-robot reads only with its feature urdf-encodings: switch it on, \
                 or save the file as UTF-8";
         /// The text of the file is not XML.
-        Parse { line: u32 = "The line, counted from one.", message: String = "What the reader of XML says." }
+        Parse { line: u32 = "The line, counted from one.", message: String = "The message of the XML parser." }
             => "not a URDF file: line {line}: {message}";
         /// The format allows no such element, attribute or text at this place.
         Unexpected {
             line: u32 = "The line on which the element begins.",
             element: String = "The element, or the one that holds the attribute or text.",
-            what: String = "What is wrong with it."
+            what: String = "A phrase that says what is wrong with the element."
         }
             => "not a URDF file: line {line}: {element}: {what}";
         /// An element or attribute that the format asks for is missing.
         Missing {
             line: u32 = "The line on which the element begins.",
             element: String = "The element that should hold it.",
-            what: String = "What is missing."
+            what: String = "The name of the attribute or element that is missing."
         }
             => "not a URDF file: line {line}: {element}: {what} is missing";
         /// An attribute does not hold the required count of finite numbers, such as three for
@@ -37,8 +37,8 @@ errors! {
             line: u32 = "The line on which the element begins.",
             element: String = "The element.",
             attribute: &'static str = "The attribute.",
-            wanted: usize = "How many numbers it should hold.",
-            text: String = "What it holds."
+            wanted: usize = "The count of numbers that the attribute should hold.",
+            text: String = "The text of the attribute."
         }
             => "not a URDF file: line {line}: {element}: {attribute} must be {}, but is {text:?}", match wanted {
                 1 => "a finite number".to_owned(),
@@ -60,10 +60,10 @@ errors! {
             => "line {line}: two <{element}> have the name {name:?}; the first is on line {first}";
         /// A joint names a link or another joint that does not exist.
         Unknown {
-            line: u32 = "The line of what names it.",
+            line: u32 = "The line of the joint that refers to it.",
             joint: String = "The joint.",
             element: &'static str = "`parent link`, `child link` or `mimic joint`.",
-            name: String = "What it names."
+            name: String = "The name that it refers to."
         }
             => "line {line}: <joint name={joint:?}>: there is no {element} {name:?}";
         /// A link is the child of two joints.
@@ -78,7 +78,7 @@ errors! {
         /// or several.
         Roots {
             line: u32 = "The line of the second of them; of `<robot>` if there is no link.",
-            links: Vec<String> = "The names of those that are."
+            links: Vec<String> = "The names of the roots."
         }
             => "line {line}: {}", match links.as_slice() {
                 [] => "<robot> has no <link>".to_owned(),
@@ -92,7 +92,7 @@ errors! {
             => "line {line}: <joint name={joint:?}>: the axis {axis:?} has no direction: its length must be positive and finite";
         /// Joints mimic each other in a circle, or the mimicking or the followed joint does not
         /// have exactly one value.
-        Mimic { line: u32 = "The line of `<mimic>`.", joint: String = "The joint.", other: String = "What it should mimic." }
+        Mimic { line: u32 = "The line of `<mimic>`.", joint: String = "The joint.", other: String = "The joint that it should mimic." }
             => "line {line}: <joint name={joint:?}> cannot mimic {other:?}: each must have exactly one value, and no joint may mimic \
                 itself through others";
         /// The joints do not form a valid mechanism.
