@@ -1,8 +1,9 @@
 //! Macros that write implementations from a list: errors, conversions, and a short `Debug`.
 
-/// Defines an enum of errors. The list contains the documentation of each variant and of its
-/// fields, its message, and its source. The source is an error that the variant wraps and is
-/// converted from, or the field after `from`.
+/// Defines an enum of errors. The input lists the variants. Each has its documentation, its fields
+/// with theirs, and its message. A variant may have a source, which is either an error that it
+/// wraps, or the field that is named after the keyword `from`. A wrapped error converts into the
+/// enum.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __errors {

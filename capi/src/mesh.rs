@@ -26,7 +26,8 @@ pub(crate) trait Mesh<R: Scalar + Weight> {
     ) -> Done;
 }
 
-/// A mesh as three arrays: positions, normals and tangents, of three components each.
+/// A mesh at rest and a posed mesh. Each is three arrays: positions, normals and tangents, with
+/// three components for each vertex.
 pub(crate) struct Arrays<R> {
     pub(crate) rest: [*const R; 3],
     pub(crate) posed: [*mut R; 3],

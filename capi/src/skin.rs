@@ -119,7 +119,7 @@ impl<R: Scalar + skinning::Weight> SkinParts<R> {
     }
 }
 
-/// The inputs that pose a mesh: a skin, and the palettes of a blend, with pointers that are
+/// The inputs that pose a mesh: a skin and the palettes of a blend. Their pointers have been
 /// checked.
 pub(crate) struct Posing<R: 'static> {
     known: Known<R>,

@@ -30,9 +30,10 @@ impl<L: Lanes> Length<L> {
     }
 
     /// Returns the vector divided by its length, with the same bits as [`of`](Self::of) and
-    /// [`divide_all`](Self::divide_all). Here the ordinary and the stretched branch meet before the
-    /// last multiplication. If they met after it, the compiler would compute both products for each
-    /// component and select one.
+    /// [`divide_all`](Self::divide_all). The branch for ordinary vectors, and the branch that first
+    /// scales a vector whose squares overflow or underflow, share the last multiplication. With a
+    /// multiplication in each branch, the compiler would compute both products for each component
+    /// and select one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn unit<const N: usize>(vector: [L; N], one: L) -> [L; N] {
         let (vector, factor) = match Squared::of(vector, one) {

@@ -228,7 +228,8 @@ where
     }
 }
 
-/// A clip with a frame for each instance. No frame is the last frame of the clip.
+/// A clip, and the index of a frame for each instance. Each index is less than that of the last
+/// frame, because the next frame is read, too.
 #[derive(Clone, Copy)]
 pub struct Frames<'s, K, R> {
     clip: Clip<'s, K>,

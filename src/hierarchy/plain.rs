@@ -13,11 +13,12 @@
 //!
 //! - *A ring of recent models.* A product needs the parent's model with a register for each
 //!   component, and transposing it a second time would cost as much as the product. Most parents
-//!   are a few joints back, so the last [`RECENT`] models also stay in memory without a transpose,
-//!   in a ring buffer. Only a parent that lies farther back is transposed again, in a function that
-//!   is not inlined.
-//! - *One source* (`docs/measured.md`, *What keeps loops in registers*). The models of near and far
-//!   parents are all elements of the ring, from which every product reads its left factor.
+//!   are a few joints back, so the last [`RECENT`] models are also kept in a ring buffer, in the
+//!   layout of the registers. Only a parent that lies farther back is transposed again, in a
+//!   function that is not inlined.
+//! - *One source* (`docs/measured.md`, *What keeps loops in registers*). The model of a far parent
+//!   is transposed into an element of the ring, too. So every product reads its left factor from
+//!   the ring, whether the parent is near or far.
 //! - *The same operations in the same order* for instances in lanes and for single instances. So
 //!   the bits of a model do not depend on the number of instances in the call.
 //! - *A prefetch before a strided store* if the models exceed the second-level cache. Each instance
@@ -137,7 +138,7 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
         );
     }
 
-    /// Normalizes the model of a joint, in the ring and in memory.
+    /// Normalizes the model of a joint, both in the ring and in `models`.
     #[cold]
     #[inline(never)]
     fn normalize(&mut self, level: V, models: &mut [E], slot: JointSlot) {

@@ -31,14 +31,14 @@ conversions! {
     [R: Real + nalgebra::Scalar] DualQuat<R> => DualQuaternion<R>:
         |sigma| Self { real: sigma.real().into(), dual: sigma.dual().into() };
     [R: Real + RealField] UnitDualQuaternion<R> => DualQuat<R>: |motion| motion.into_inner().into();
-    /// σ must be unit.
+    /// The motion must be unit.
     [R: Real + RealField] DualQuat<R> => UnitDualQuaternion<R>: |motion| Self::new_unchecked(motion.into());
     [R: Real + RealField] Isometry3<R> => DualQuat<R>:
         |isometry| Self::from_rotation_translation(isometry.rotation.into(), isometry.translation.vector.into());
-    /// σ must be unit.
+    /// The motion must be unit.
     [R: Real + RealField] DualQuat<R> => Isometry3<R>:
         |motion| Self::from_parts(motion.translation().into(), motion.rotation().into());
-    /// σ must be unit.
+    /// The motion must be unit.
     [R: Real + RealField] DualQuat<R> => Matrix4<R>: |motion| motion.to_cols_array_2d().into();
 }
 

@@ -31,12 +31,12 @@ where
     /// `values` is untouched, if a target is farther than 10⁻³ from unit, an option is out of
     /// its range, or a target or a value is not finite (values of joints that move no goal may be).
     ///
-    /// Each iteration is a damped step within the limits, which is of second order if a goal asks
-    /// for a whole pose. If two steps in a row hardly reduce the error, or limits stop all
-    /// progress, the search begins again from another configuration ([`Options::restarts`]). Each
-    /// restart compares new configurations that are spread evenly within the limits, and takes the
-    /// configuration nearest to the targets. The report has the largest errors of the returned
-    /// values among all goals, of the components with a weight.
+    /// Each iteration is a damped step within the limits. If a goal asks for a whole pose, the step
+    /// also uses second derivatives. If two steps in a row hardly reduce the error, or limits stop
+    /// all progress, the search begins again from another configuration ([`Options::restarts`]).
+    /// Each restart compares new configurations that are spread evenly within the limits, and takes
+    /// the configuration nearest to the targets. The report has the largest errors at the returned
+    /// values, over all goals. Components without a weight do not count.
     ///
     /// The result stays near a good start. To follow a target that moves, start from the last
     /// values, and set `restarts` to false.

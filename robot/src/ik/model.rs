@@ -62,7 +62,8 @@ pub(super) struct Scales<L> {
 /// The errors of all lanes.
 #[derive(Clone, Copy)]
 pub(super) struct PoseErrors<L> {
-    /// The weighted sum of squares of all errors, in radians².
+    /// The sum of the squares of all weighted errors. Weights make radians of distances, so the
+    /// unit is radians².
     pub(super) square: L,
     /// The largest angle between a link and its target, over the components with a weight.
     pub(super) angular: L,
@@ -86,8 +87,8 @@ pub(super) struct Decisions<L: Lanes> {
 /// The effect of a step.
 #[derive(Clone, Copy)]
 pub(super) struct StepResult<L> {
-    /// The squared error that the step would leave by its own linear model, in lanes whose step a
-    /// limit cut short. In other lanes it is zero.
+    /// The squared error that remains after the step, as the linear model predicts it, in lanes in
+    /// which a joint limit shortened the step. In other lanes it is zero.
     pub(super) residual: L,
     /// The sum of squares of all changes, radians².
     pub(super) change: L,

@@ -86,7 +86,8 @@ pub(super) struct Facts<R> {
     pub(super) tree: usize,
     /// A length that is typical of the mechanism.
     pub(super) size: R,
-    /// `true` if a joint that moves a goal floats, or slides or screws without limits.
+    /// `true` if any joint that moves a goal is a floating joint, or a prismatic or screw joint
+    /// without limits.
     pub(super) is_endless: bool,
     /// A point, and the largest distance from it that the link of the first goal can reach.
     pub(super) bound: Option<([R; 3], R)>,
@@ -337,7 +338,8 @@ impl<R: Real> Reach<'_, R> {
         longest
     }
 
-    /// Returns `true` if a joint that moves a goal floats, or slides or screws without limits.
+    /// Returns `true` if any joint that moves a goal is a floating joint, or a prismatic or screw
+    /// joint without limits.
     pub(super) fn has_endless_slides(&self) -> bool {
         let mut has = false;
         for (position, step) in self.mechanism.steps.iter().enumerate() {

@@ -136,11 +136,11 @@ pub struct Tracking<R> {
     /// to a radian of distance from a target. It acts in every step. With zero, the default, the
     /// posture uses only the freedom that the goals leave, after the targets are reached.
     pub posture_weight: R,
-    /// The weight of a radian of distance from the start, which is the last frame of a target that
-    /// moves. It keeps joints that the goals hardly determine from shaking. In return, joints lag
-    /// by the square of the weight times the motion in a frame: a weight of √(rate/480), with the
-    /// rate in frames per second, makes the lag two milliseconds. The default is zero. It does not
-    /// act on floating joints, which it would only slow down.
+    /// The weight of a radian of distance from the start. If a target moves, the start is the
+    /// solution of the previous frame. It keeps joints that the goals hardly determine from
+    /// shaking. In return, joints lag by w² frames, where w is this weight: at a rate of r frames
+    /// per second, a weight of √(r/480) makes the lag two milliseconds. The default is zero. The
+    /// weight does not act on floating joints, which it would only slow down.
     pub start_weight: R,
 }
 
@@ -168,8 +168,8 @@ impl<R: Real> Tracking<R> {
     }
 }
 
-/// The options of a search by reference, and the weights of [`Tracking`], which are zero in
-/// searches that do not track.
+/// The options of a search, and the weights of [`Tracking`]. The weights are zero in a search that
+/// does not track.
 #[derive(Clone, Copy)]
 pub(super) struct Settings<'s, R> {
     pub(super) options: &'s Options<R>,

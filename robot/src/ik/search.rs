@@ -675,8 +675,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         (first < self.work.reports.len()).then_some(first)
     }
 
-    /// Loads the targets and the start of a configuration into a lane. Returns `Some(true)` if a
-    /// target is out of reach, and `None` if an input is invalid.
+    /// Loads the targets of a configuration, and the values from which its search starts, into a
+    /// lane. Returns `Some(true)` if a target is out of reach, `Some(false)` if none is, and `None`
+    /// if an input is invalid.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
         let options = self.work.settings.options;

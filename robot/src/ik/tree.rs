@@ -74,9 +74,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             for index in 0..step.kind.rates() {
                 self.set_row(&body, reach.column(step.rate as usize + index));
             }
-            // The largest branch below a link uses the link's own slot for its body. The other
-            // branches add their bodies to this slot, and clear their own slots for the next
-            // branches.
+            // The sums of the branches below a link meet in the slot of that link, which is also
+            // the slot of its largest branch. Any other branch has a slot of its own. It adds its
+            // sum to the slot of the link here, and clears its own slot for the next branch.
             let below = step.parent_slot as usize * BODY;
             if step.parent == NONE {
                 body = [zero; BODY];

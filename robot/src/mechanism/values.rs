@@ -23,13 +23,15 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError>;
-    /// The count of items (blocks or plain floats) that belong to one element of poses, for each
-    /// value of a configuration. It is zero for columns, because there the items are columns and
-    /// not configurations.
+    /// The number of items of this slice that hold one joint's values for one element of the slice
+    /// of poses. It is 1 for blocks beside blocks, and for floats beside plain poses. It is the
+    /// number of lanes for floats beside blocks. It is zero for columns, whose items are whole
+    /// slices.
     #[doc(hidden)]
     const EACH: usize;
-    /// Returns the values of `elements` configurations or blocks, from element `first` on, or fewer
-    /// at the end of the slice. Columns are not cut.
+    /// Returns the values of `elements` elements of the slice of poses (configurations or blocks),
+    /// from element `first` on, or fewer at the end of the slice. Columns are returned whole,
+    /// because each has values for all configurations.
     #[doc(hidden)]
     fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> Part<'_, Self> {
         if Self::EACH == 0 {

@@ -115,7 +115,8 @@ impl<'f> Element<'f> {
         Ok(())
     }
 
-    /// Checks that this child element of `parent` is read, or may be ignored.
+    /// Checks that the reader knows this element as a child of `parent`: as one that it reads, or
+    /// as one that it may ignore with a warning.
     fn check_in(
         self,
         parent: Element<'f>,

@@ -1,5 +1,5 @@
-//! Transposes of records, and single dual quaternions, by instructions of NEON, for the lanes of
-//! [`Portable`](crate::Portable). The crate `wide` has the arithmetic of these lanes.
+//! NEON code for the lanes of [`Portable`](crate::Portable): transposes of records, and products of
+//! single dual quaternions. The crate `wide` has the arithmetic of these lanes.
 //!
 //! NEON has instructions for *structures*: `ld3` reads three components of each of four records
 //! into three registers. This module uses them where LLVM's models of Neoverse N1, Neoverse V2 and
@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | 2 or 3 components | `ld2`, `ld3` | `st2`, `st3` |
 //! | 4 components | `ld4` | shuffles: `st4` takes twice as long on V2 |
-//! | 8 components | shuffles: two `ld4` save no shuffles in all | shuffles |
+//! | 8 components | shuffles: two `ld4` need as many of them | shuffles |
 
 pub(crate) mod f32x4;
 pub(crate) mod f64x2;

@@ -128,11 +128,11 @@ macro_rules! pod {
             let plain = $crate::internal::pod::zeroed::<$name<$crate::internal::pod::Byte>>();
             $crate::internal::pod::check_padding::<$name<$crate::internal::pod::Byte>>(size_of_fields(&plain));
         };
-        // SAFETY: `size_of_fields` compiles, so the finished struct has exactly the fields above,
-        // and each consists of values of the type `$number`. So all fields have the alignment of
-        // `$number`, and there is no padding between or after them. An attribute that added padding
-        // or an alignment would add it to the struct of bytes too, and `check_padding` finds none
-        // there.
+        // SAFETY: `size_of_fields` takes the struct apart by its fields, so it compiles only if the
+        // struct has exactly the fields above, each of which consists of values of the type
+        // `$number`. So all fields have the alignment of `$number`, and there is no padding between
+        // or after them. An attribute that added padding or an alignment would add it to
+        // `$name<Byte>` too, in which `check_padding` finds none.
         unsafe impl<$number> $crate::internal::pod::Numbers<$number> for $name<$number> {}
         // SAFETY: all fields consist of values of the type `$number`, for which zero bytes are
         // valid.
