@@ -260,8 +260,9 @@ macro_rules! wide_lanes {
                         $half::store_quads(halves.map(|half| half[1]), upper, stride);
                     }
                 }
-                // This replaces the loop over lanes in `Lanes::sum_quads`, whose vectors the
-                // compiler stores to memory and reloads, which takes five times as long with SSE2.
+                // This replaces the loop over lanes in `Lanes::sum_quads`. The compiler would store
+                // the vectors of that loop to memory and reload them, which takes five times as
+                // long with SSE2.
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
                     let halves = vectors.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));

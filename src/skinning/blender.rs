@@ -55,7 +55,7 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// Adds the sums of two groups of influences.
     #[doc(hidden)]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;
-    /// Returns the map of the vertices that start at index `first`.
+    /// Returns the maps of the vertices from index `first` on, one in each lane.
     #[doc(hidden)]
     fn map<L: Lanes<Real = R>>(
         &self,

@@ -2,7 +2,7 @@ use crate::macros::{Count, errors};
 use crate::storage::shape::ShapeError;
 
 errors! {
-    /// The error of a skin, a palette or the slices of a run. No output has been written.
+    /// The error of a skin, of a palette, or of the slices of a mesh. No output has been written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     SkinningError {

@@ -131,7 +131,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             }
             total += value;
         }
-        // Seven weights rounded to eight bits exceed one by at most 7 · ½/255.
+        // The sum of seven weights, each rounded to eight bits, exceeds one by at most 7 · ½/255.
         let right = if self.implied() {
             total <= 1.0 + 1.0 / 64.0
         } else {
@@ -186,8 +186,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Some((joint.into(), self.weight(vertex, influence)))
     }
 
-    /// Returns the index of the influence with the greatest weight of a vertex; the first one if
-    /// several are equal.
+    /// Returns the index of the influence with the greatest weight of a vertex, or of the first
+    /// such influence if several weights are equal.
     fn pivot<R: Real>(&self, vertex: usize) -> usize {
         let (mut pivot, mut greatest) = (0, self.weight::<R>(vertex, 0));
         for influence in 1..self.influences() {
@@ -388,8 +388,8 @@ pub(super) struct Influences<'a, R, J> {
 #[derive(Debug)]
 pub struct Scratch<'a, R, J> {
     pub(super) influences: Influences<'a, R, J>,
-    /// The twelve entries of the weighted sum of matrices, for each lane. Sixteen `f32` fill one
-    /// cache line.
+    /// The twelve entries of the weighted sum of matrices, for each lane. An array has sixteen
+    /// elements, because sixteen `f32` fill one cache line.
     pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
 }
 
@@ -426,7 +426,7 @@ pub(super) fn settled<T>(written: &T) -> &T {
     black_box(written)
 }
 
-/// Four influences of each of some vertices: the palette entries of their joints, and their
+/// The four influences of each vertex in a range: the palette entries of the joints, and the
 /// weights.
 type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
 

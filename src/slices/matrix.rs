@@ -13,8 +13,8 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level, Mask};
 
 errors! {
-    /// Matrices that are no rigid motions, or slices whose lengths differ. Nothing has been
-    /// written.
+    /// The error of matrices that are no rigid motions, or of slices whose lengths differ. Nothing
+    /// has been written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MatricesError {
@@ -67,7 +67,7 @@ impl Backend {
         Ok(())
     }
 
-    /// Computes the motion, with p_w ≥ 0, of each matrix that is known to be rigid
+    /// Computes the motion whose quaternion has w ≥ 0, for each matrix that is known to be rigid
     /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)). Matrices that are not rigid
     /// give motions without a meaning. Elements of twelve numbers are 3×4 matrices; elements of
     /// sixteen are 4×4 matrices, whose last row is not read.
@@ -99,9 +99,9 @@ impl Backend {
         Ok(())
     }
 
-    /// Computes the motion, with p_w ≥ 0, of each matrix, and checks that it is rigid as
-    /// [`DualQuat::try_from_matrix3x4`](crate::DualQuat::try_from_matrix3x4) and
-    /// [`DualQuat::try_from_matrix4`](crate::DualQuat::try_from_matrix4) do.
+    /// Computes the motion whose quaternion has w ≥ 0, for each matrix, and checks that the
+    /// matrix is rigid, as [`DualQuat::try_from_matrix3x4`](crate::DualQuat::try_from_matrix3x4)
+    /// and [`DualQuat::try_from_matrix4`](crate::DualQuat::try_from_matrix4) do.
     ///
     /// # Errors
     /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one;

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! A column is the rotation or the translation of one joint. A column that moves has a key for each
-//! frame; a column that stays has one key in all. So column `c` at frame `f` of a clip has this
+//! frame; a column that stays has a single key. So column `c` at frame `f` of a clip has this
 //! key:
 //!
 //! ```text
@@ -142,8 +142,8 @@ impl<'a> Tracks<'a> {
         Some(self.clip(clip)?.frames)
     }
 
-    /// Returns true if a column of a clip has a key for each frame, and false if it has one key in
-    /// all. Returns `None` if there is no such clip or column.
+    /// Returns true if a column of a clip has a key for each frame, and false if it has a single
+    /// key. Returns `None` if there is no such clip or column.
     #[must_use]
     pub fn moves(&self, clip: usize, column: usize) -> Option<bool> {
         Some(u16::from_le_bytes(*self.row(self.clip(clip)?.row)?.get(column)?) & 1 == 1)
@@ -173,8 +173,9 @@ impl<'a> Tracks<'a> {
         Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, origins, steps: [0, step] })
     }
 
-    /// Checks that `place` of these tracks returns each of the places, and returns the tracks
-    /// paired with the places. There is one place per lane or instance.
+    /// Checks that each element of `places` is a place that [`place`](Self::place) of these tracks
+    /// returns. Then returns the tracks paired with the places. There is one place per lane or
+    /// instance.
     ///
     /// # Errors
     /// Returns the index of the first place that [`place`](Self::place) of these tracks does not
@@ -242,10 +243,10 @@ impl<'a> PlacedTracks<'a, '_> {
     }
 
     /// Interpolates a column of the tracks between two frames, and returns the four components of
-    /// the key, each in a vector. Lane `i` is the part `t` (lane `i` of `t`) of the way from the
-    /// frame at place `first + i` to the next frame, as [`Lanes::between_shorts`] computes it.
-    /// Lanes after the last place take the last place. Returns `None` if there is no place, or no
-    /// such column.
+    /// the key, each in a vector. Lane `i` goes from the frame at place `first + i`, if lane `i` of
+    /// `t` is 0, to the next frame, if it is 1, as [`Lanes::between_shorts`] computes it. Lanes
+    /// after the last place take the last place. Returns `None` if there is no place, or no such
+    /// column.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between<L: Lanes>(
         self,
@@ -314,9 +315,9 @@ impl<'a> PlacedTracks<'a, '_> {
     }
 
     /// Interpolates several columns at one place, as [`between`](Self::between) does one column:
-    /// lane `i` has column `first + i` and lane `i` of `t` as its part of the way. Lanes after the
-    /// last column take the last column. Returns `None` if there is no such place, or if the clips
-    /// have no columns.
+    /// lane `i` interpolates column `first + i` by lane `i` of `t`. Lanes after the last column
+    /// take the last column. Returns `None` if there is no such place, or if the clips have no
+    /// columns.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between_columns<L: Lanes>(
         self,
