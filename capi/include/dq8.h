@@ -314,7 +314,7 @@ enum dq8_status
   DQ8_STATUS_NO_SKIN = 26,
   /**
    * The limits of a joint are not in order, or they allow no value together with the limits
-   * of joints that mimic it, or they are angles so large that the element type cannot
+   * of joints that mimic the joint, or they are angles so large that the element type cannot
    * resolve them.
    */
   DQ8_STATUS_LIMITS = 27,
@@ -348,7 +348,7 @@ enum dq8_status
   DQ8_STATUS_TIMES = 34,
   /**
    * A time is before the first stamp or after the last stamp of a trajectory, and the
-   * options refuse such times. Or the time of the frame is not finite.
+   * options refuse such times. Or the time at which `frame` is taken is not finite.
    */
   DQ8_STATUS_OUTSIDE = 35,
 };

@@ -1,4 +1,4 @@
-//! The choice of the instruction set with which functions of arrays and blocks compute.
+//! The choice of the instruction set for functions of arrays and blocks.
 
 use crate::status::Status;
 use core::ffi::{CStr, c_char};

@@ -18,8 +18,8 @@ pub(crate) fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, St
 /// The motion of the root: an array of one element, or an empty array if C passes null.
 type Root<L> = Input<DualQuat<<L as Layout>::Real>>;
 
-/// Returns the job that computes the hierarchy of these parents, on the motion of the root if there
-/// is one.
+/// Returns the job that computes poses in the hierarchy of these parents. If `root` holds a motion,
+/// the job moves all joints without a parent by it.
 ///
 /// # Safety
 /// Both inputs must point to as many elements as they count, and no other thread may write these

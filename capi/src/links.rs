@@ -8,9 +8,9 @@ use dq8::storage::{AoSoA, Aos, Layout};
 use dq8_robot::JointValues;
 
 /// # Safety
-/// The mechanism must be zeroed, or made with unchanged steps. Each array must have as many
-/// elements as its count says. No other thread may use the output or write the inputs during the
-/// call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says. No other thread may use the output or write the inputs
+/// during the call.
 unsafe fn link_poses<L: Layout>(
     mechanism: *const Mechanism<L::Real>,
     values: *const L::Real,

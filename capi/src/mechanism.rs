@@ -157,9 +157,9 @@ impl<R: Real> Checked<R> {
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made with unchanged steps. Each array must have as many
-/// elements as its count says. No other thread may use the output or write the inputs during the
-/// call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says. No other thread may use the output or write the inputs
+/// during the call.
 unsafe fn link_poses<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -178,8 +178,8 @@ unsafe fn link_poses<R: Real>(
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made with unchanged steps. `values` must have `value_count`
-/// elements. No other thread may use `pose` or write the inputs during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. `values` must have
+/// `value_count` elements. No other thread may use `pose` or write the inputs during the call.
 unsafe fn link_pose<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -211,9 +211,9 @@ struct Query<R> {
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made with unchanged steps. Each array must have as many
-/// elements as its count says, and `pose` must be null or a motion. No other thread may use the
-/// outputs or write the inputs during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says, and `pose` must be null or a motion. No other thread
+/// may use the outputs or write the inputs during the call.
 unsafe fn link_jacobian<R: Real>(
     query: Query<R>,
     columns: *mut R,

@@ -140,8 +140,8 @@ fn scratch_len<R: Real>(
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made with unchanged steps. `scratch_count` must point to a
-/// `usize` that no other thread uses during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. `scratch_count`
+/// must point to a `usize` that no other thread uses during the call.
 pub(crate) unsafe fn reach_scratch<R: Real>(
     mechanism: *const Mechanism<R>,
     goal_count: usize,
@@ -238,9 +238,9 @@ pub(crate) struct Search<'a, R> {
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made with unchanged steps. Each array must have as many
-/// elements as its count says, and `posture` and `options` may be null. No other thread may use the
-/// outputs or write the inputs during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says, and `posture` and `options` may be null. No other
+/// thread may use the outputs or write the inputs during the call.
 pub(crate) unsafe fn reach<R: Scalar>(
     query: Query<R>,
     results: Results<R>,

@@ -47,7 +47,7 @@ fn fault(error: TrajectoryError) -> (Status, Option<usize>) {
     }
 }
 
-/// The output for the index that an error names, which is empty if C passes null.
+/// The output for the index that an error names. It is empty if C passes null.
 struct Bad(Output<usize>);
 
 impl Bad {
@@ -218,8 +218,8 @@ unsafe fn moved<R: Scalar, const BACK: bool>(
     }
 }
 
-/// The knots of a spline: the time of the first knot and the interval, in seconds, and the value of
-/// C for a [`Basis`].
+/// The knots of a spline: the time of the first knot and the interval, in seconds, and the integer
+/// by which C names a [`Basis`].
 struct Knots {
     start: f64,
     every: f64,

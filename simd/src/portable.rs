@@ -108,7 +108,8 @@ mod relaxed {
         f64x8: 4, f64x2_relaxed_madd, f64x2_relaxed_nmadd;
     }
 
-    /// Calls `of` with registers `i` of three vectors, and returns the results as a vector.
+    /// Calls `of` with each register of `a` and the same registers of `b` and `c`, and returns the
+    /// results as a vector.
     #[inline(always)]
     fn each<V: Copy, const N: usize>(a: V, b: V, c: V, of: impl Fn(v128, v128, v128) -> v128) -> V {
         // SAFETY: `V` is plain floats and has the size of `N` registers, as `relaxed!` asserts for

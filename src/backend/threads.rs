@@ -183,7 +183,8 @@ mod many {
         }
     }
 
-    /// A pair of outputs with the same number of things, which are split before the same thing.
+    /// A pair of outputs with the same number of things (such as instances). Both are split before
+    /// the same thing.
     impl<A: Outputs, B: Outputs> Outputs for (A, B) {
         fn things(&self) -> usize {
             self.0.things()

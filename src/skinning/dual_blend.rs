@@ -143,7 +143,7 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
     }
 }
 
-/// Returns the weights, each negated if its real part points away from that of `pivot`.
+/// Returns the weights, each negated if the real part of its motion points away from `pivot`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -> [L; GROUP] {
     let pivot = batch::Quat::from_array(pivot);

@@ -263,7 +263,7 @@ impl Weight for f64 {
     }
 }
 
-// The weight is divided and not multiplied by a reciprocal, because 255 · (1/255) need not be 1.
+// The weight is divided by 255 and not multiplied by 1/255, because 255 · (1/255) need not be 1.
 impl Weight for u8 {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn value<R: Real>(self) -> R {
@@ -380,11 +380,11 @@ pub(super) struct Influences<'a, R, J> {
     pub(super) weights_in_place: Option<&'a [[R; GROUP]; MAX_LANES]>,
     pub(super) weights: Aligned<[[R; GROUP]; MAX_LANES]>,
     /// The joint of greatest weight, as the first index of each lane, if a vertex has more than one
-    /// group.
+    /// group of influences.
     pub(super) pivots: Option<Picks<'a, J>>,
 }
 
-/// Memory that kernels use for one register of vertices after another.
+/// Memory that kernels use again for each register of vertices.
 #[derive(Debug)]
 pub struct Scratch<'a, R, J> {
     pub(super) influences: Influences<'a, R, J>,
@@ -400,8 +400,8 @@ pub struct Scratch<'a, R, J> {
 pub(super) struct Aligned<T>(pub(super) T);
 
 impl<R: Scalar, J: Index> Influences<'_, R, J> {
-    /// Returns the joints of each lane. They lie in one of two places. [`settled`] makes the
-    /// compiler choose the place once, and not again for each index.
+    /// Returns the joints of each lane, in the memory of the skin or in the copy. [`settled`] makes
+    /// the compiler choose the place once, and not again for each index.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> PickRows<'_, J> {
         *settled(&self.in_place.unwrap_or_else(

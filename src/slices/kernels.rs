@@ -48,7 +48,7 @@ macro_rules! __for_each_kernel {
     normalize[M: 8](motions: any M) -> units: unit M, in place normalize_in_place
         = motions.normalize(), {
         /// Each result is `units[i]` = σᵢ/√(σᵢσᵢ*) of the motion σᵢ. Some component
-        /// is NaN where this does not exist (see
+        /// is NaN where this unit motion does not exist (see
         /// [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
         ///
         /// ```
@@ -383,9 +383,9 @@ macro_rules! __for_each_kernel {
     };
 }
 
-/// The kinds of records that kernels read and write. For each kind: the count of its components; a
-/// record made `from` an array of components; and the array `of` a record. Motions of the kind
-/// `any` need not be unit. `DualQuat` is the scalar type or the type on lanes, as the caller
+/// The kinds of records that kernels read and write. For each kind the macro gives the count of its
+/// components, a record `from` an array of components, and the array `of` a record. Motions of the
+/// kind `any` need not be unit. `DualQuat` is the scalar type or the type on lanes, as the caller
 /// imports it.
 #[macro_export]
 #[doc(hidden)]

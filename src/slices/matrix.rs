@@ -32,7 +32,7 @@ errors! {
 }
 
 impl Backend {
-    /// Computes the matrix [R | t] of each unit motion. Elements of twelve numbers become 3×4
+    /// Computes the matrix [R | t] of each unit motion. Elements of twelve components become 3×4
     /// matrices; elements of sixteen become 4×4 matrices, whose last row is 0 0 0 1. See
     /// [`DualQuat::to_matrix3x4`](crate::DualQuat::to_matrix3x4) and
     /// [`DualQuat::to_matrix4`](crate::DualQuat::to_matrix4).
@@ -69,7 +69,7 @@ impl Backend {
 
     /// Computes the motion whose quaternion has w ≥ 0, for each matrix that is known to be rigid
     /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)). Matrices that are not rigid
-    /// give motions without a meaning. Elements of twelve numbers are 3×4 matrices; elements of
+    /// give motions without a meaning. Elements of twelve components are 3×4 matrices; elements of
     /// sixteen are 4×4 matrices, whose last row is not read.
     ///
     /// # Errors
@@ -225,7 +225,8 @@ pub trait RigidMatrix<const C: usize>: PaletteEntry<C> {
     /// Computes the motions of rigid matrices, one in each lane.
     #[doc(hidden)]
     fn motion<L: Lanes>(numbers: [L; C], order: MatrixOrder) -> batch::DualQuat<L>;
-    /// Returns the lanes whose matrix is further than `tolerance` from a rigid one.
+    /// Returns a mask that is true in lanes whose matrix is further than `tolerance` from a rigid
+    /// one.
     #[doc(hidden)]
     fn fails<L: Lanes>(numbers: [L; C], order: MatrixOrder, tolerance: L) -> L::Mask;
     /// Returns the reason why a matrix is not rigid, `None` if it is rigid.

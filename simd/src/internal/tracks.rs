@@ -45,8 +45,8 @@ type Entry = [u8; 2];
 
 /// The count of keys in a cache line.
 const KEYS_PER_LINE: usize = 8;
-/// The least count of keys whose table, of 1 MiB or more, is expected not to fit into the
-/// second-level cache.
+/// The least count of keys that are expected not to fit into the second-level cache. They take 1
+/// MiB.
 const BEYOND_CACHE: usize = 1 << 17;
 
 /// The tables of clips that have the same columns. The constructor has checked that every key to
@@ -55,7 +55,7 @@ const BEYOND_CACHE: usize = 1 << 17;
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
-    /// For each clip: its first key, its count of frames, its step and its row.
+    /// For each clip: its first key, its count of frames, its step in keys, and its row.
     clips: &'a [[Word; 4]],
     /// The entries of all rows, row by row.
     rows: &'a [Entry],
@@ -195,7 +195,8 @@ impl<'a> Tracks<'a> {
     }
 }
 
-/// A record of the table of clips: its first key, its count of frames, its step and its row.
+/// A record of the table of clips: its first key, its count of frames, its step in keys, and its
+/// row.
 struct Clip {
     first: u32,
     frames: u32,
@@ -203,9 +204,9 @@ struct Clip {
     row: u32,
 }
 
-/// A frame of a packed clip, with the places of its keys in the file. `PackedClips::place` makes
-/// it. It is plain data that users may keep or change, so it is checked again when it is used. A
-/// place that [`Tracks::place`] of the clips does not return is then an error.
+/// A frame of a packed clip, with the indices from which its keys are found. `PackedClips::place`
+/// makes it. It is plain data that users may keep or change, so it is checked again when it is
+/// used. A place that [`Tracks::place`] of the clips does not return is then an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct TrackPlace {
