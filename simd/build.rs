@@ -1,8 +1,9 @@
-//! Sets `cfg(opt_level_0)`, as the build script of dq8 does, which says why.
+//! Sets `cfg(opt_level_0)` in builds without optimisation. The build script of dq8 says why.
 //!
-//! The tests of this repository optimise the lanes a little and call them all the same: that is
-//! twice as quick as to call what is not optimised, and compiles no longer. They say so by
-//! `DQ8_CALLED_LANES`, because whoever else builds with `opt-level = 1` wants kernels inlined.
+//! The tests of this repository build this crate with `opt-level = 1`, but call the operations on
+//! lanes instead of inlining them. This runs twice as fast as calls of unoptimised operations, and
+//! does not take longer to compile. The tests set `DQ8_CALLED_LANES=1` for this, because all other
+//! builds with `opt-level = 1` want inlined kernels.
 
 use std::env::var;
 

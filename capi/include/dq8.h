@@ -84,7 +84,7 @@
  *
  * Poses at stamps
  *   dq8_trajectory_sample                      Samples the poses and velocities of a trajectory at `count` times
- *   dq8_trajectory_deskew                      Moves points that a moving body has measured into one frame
+ *   dq8_trajectory_deskew                      Moves points, which a moving body has measured, into one frame
  *   dq8_trajectory_skew                        Computes the inverse of dq8_trajectory_deskew
  *
  * A smooth curve by control poses
@@ -128,7 +128,7 @@
  *   dq8_rotations_to_model                     Computes model poses from rotations and fixed offsets
  *   dq8_rotations_translations_to_model        Computes model poses from rotations and translations
  *   dq8_palette                                Computes model poses and the skinning palette in one pass
- *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, as matrices
+ *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, but with ...
  *   dq8_link_poses                             Computes the poses of all links for many configurations
  *   dq8_mul                                    Computes the products `a[i] b[i]`, in which b acts first
  *   dq8_normalize                              Normalizes `motions` to unit motions, exactly; NaN where there is none
@@ -314,7 +314,7 @@ enum dq8_status
   DQ8_STATUS_NO_SKIN = 26,
   /**
    * The limits of a joint are not in order, or they allow no value together with the limits
-   * of joints that mimic it, or they are angles so large that the element type cannot
+   * of joints that mimic the joint, or they are angles so large that the element type cannot
    * resolve them.
    */
   DQ8_STATUS_LIMITS = 27,
@@ -348,7 +348,7 @@ enum dq8_status
   DQ8_STATUS_TIMES = 34,
   /**
    * A time is before the first stamp or after the last stamp of a trajectory, and the
-   * options refuse such times. Or the time of the frame is not finite.
+   * options refuse such times. Or the time at which `frame` is taken is not finite.
    */
   DQ8_STATUS_OUTSIDE = 35,
 };
@@ -468,8 +468,8 @@ typedef int32_t dq8_joint_kind;
 #endif // __cplusplus
 
 /**
- * The frame of the columns of a Jacobian: the axes of their components, and the point whose
- * velocity their linear parts are.
+ * The frame of the columns of a Jacobian. It decides along which axes the components are measured,
+ * and for which point the linear velocity is given.
  */
 enum dq8_frame
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -527,7 +527,7 @@ enum dq8_outcome
    */
   DQ8_OUTCOME_UNFINISHED = 4,
   /**
-   * An input is invalid: a target is not unit to 0.001, an input is not finite, an option is
+   * An input is invalid: a target is not unit within 0.001, an input is not finite, an option is
    * negative or NaN, or max_step is 0. The values are as they were.
    */
   DQ8_OUTCOME_INVALID = 5,
@@ -546,8 +546,8 @@ typedef int32_t dq8_outcome;
  */
 typedef struct dq8_clips {
   /**
-   * The number of joints of the skeleton. It is 0 in a zeroed struct, in which no clips have
-   * been made.
+   * The number of joints of the skeleton. It is 0 in a zeroed struct that dq8_clips_make has not
+   * filled in.
    */
   size_t joints;
   /**
@@ -600,7 +600,7 @@ typedef struct dq8_mechanism_f32 {
    */
   size_t rates;
   /**
-   * The array of steps. It is null in a zeroed struct, in which no mechanism has been made.
+   * The array of steps. It is null in a zeroed struct that dq8_mechanism_make has not filled in.
    */
   const struct dq8_step_f32 *steps;
   /**
@@ -639,7 +639,7 @@ typedef struct dq8_mechanism_f64 {
    */
   size_t rates;
   /**
-   * The array of steps. It is null in a zeroed struct, in which no mechanism has been made.
+   * The array of steps. It is null in a zeroed struct that dq8_mechanism_make has not filled in.
    */
   const struct dq8_step_f64 *steps;
   /**
@@ -667,11 +667,11 @@ typedef struct dq8_joint_f32 {
   int32_t kind;
   /**
    * The pose of the link in its parent link when the values of the joint are zero. It must be a
-   * motion that is unit to 0.001.
+   * motion that is unit within 0.001.
    */
   float placement[8];
   /**
-   * The axis of the joint, or the normal of a planar joint. Its length must be 1 to 0.001.
+   * The axis of the joint, or the normal of a planar joint. Its length must be 1 within 0.001.
    */
   float axis[3];
   /**
@@ -726,11 +726,11 @@ typedef struct dq8_joint_f64 {
   int32_t kind;
   /**
    * The pose of the link in its parent link when the values of the joint are zero. It must be a
-   * motion that is unit to 0.001.
+   * motion that is unit within 0.001.
    */
   double placement[8];
   /**
-   * The axis of the joint, or the normal of a planar joint. Its length must be 1 to 0.001.
+   * The axis of the joint, or the normal of a planar joint. Its length must be 1 within 0.001.
    */
   double axis[3];
   /**
@@ -785,13 +785,14 @@ typedef struct dq8_reach_options_f32 {
   uint32_t max_iterations;
   /**
    * 1 to begin again from another configuration when the search gets stuck. 0 to search from the
-   * given start only, which suits a target that moves and is followed.
+   * given values only, which suits a target that moves and is followed.
    */
   uint32_t restarts;
   /**
-   * The distance whose error weighs as much as an error of a radian. 0 stands for an eighth of
-   * the mechanism's length. If a joint floats or slides without limits, that length is at least
-   * the distance from the base to the farthest target, and at least the farthest slide.
+   * The error in distance that weighs as much as an error of one radian. 0 stands for an eighth
+   * of the mechanism's length. If a joint floats or slides without limits, that length is at
+   * least the distance from the base to the farthest target, and at least the largest slide in
+   * the given values.
    */
   float length_per_radian;
   /**
@@ -800,7 +801,8 @@ typedef struct dq8_reach_options_f32 {
    */
   float max_step;
   /**
-   * The damping of steps at the target itself, in radians. With 0, the search converges fastest.
+   * The damping of steps at the target itself, in radians. It keeps steps short near singular
+   * poses. With 0, the search converges fastest.
    */
   float damping;
 } dq8_reach_options_f32;
@@ -808,7 +810,7 @@ typedef struct dq8_reach_options_f32 {
 /**
  * A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
  * components of its error, in the axes of the target. A component with the weight 0 is free. The
- * sizes of the other weights matter only if not all components can vanish.
+ * sizes of the other weights matter only if the components cannot all become zero.
  */
 typedef struct dq8_goal_f32 {
   /**
@@ -876,13 +878,14 @@ typedef struct dq8_reach_options_f64 {
   uint32_t max_iterations;
   /**
    * 1 to begin again from another configuration when the search gets stuck. 0 to search from the
-   * given start only, which suits a target that moves and is followed.
+   * given values only, which suits a target that moves and is followed.
    */
   uint32_t restarts;
   /**
-   * The distance whose error weighs as much as an error of a radian. 0 stands for an eighth of
-   * the mechanism's length. If a joint floats or slides without limits, that length is at least
-   * the distance from the base to the farthest target, and at least the farthest slide.
+   * The error in distance that weighs as much as an error of one radian. 0 stands for an eighth
+   * of the mechanism's length. If a joint floats or slides without limits, that length is at
+   * least the distance from the base to the farthest target, and at least the largest slide in
+   * the given values.
    */
   double length_per_radian;
   /**
@@ -891,7 +894,8 @@ typedef struct dq8_reach_options_f64 {
    */
   double max_step;
   /**
-   * The damping of steps at the target itself, in radians. With 0, the search converges fastest.
+   * The damping of steps at the target itself, in radians. It keeps steps short near singular
+   * poses. With 0, the search converges fastest.
    */
   double damping;
 } dq8_reach_options_f64;
@@ -899,7 +903,7 @@ typedef struct dq8_reach_options_f64 {
 /**
  * A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
  * components of its error, in the axes of the target. A component with the weight 0 is free. The
- * sizes of the other weights matter only if not all components can vanish.
+ * sizes of the other weights matter only if the components cannot all become zero.
  */
 typedef struct dq8_goal_f64 {
   /**
@@ -960,7 +964,7 @@ typedef struct dq8_skin_f32 {
   size_t vertices;
   /**
    * The number of influences of each vertex, which are its joints with their weights. It is 0 in
-   * a zeroed struct, in which no skin has been made.
+   * a zeroed struct that dq8_skin_make has not filled in.
    */
   size_t influences;
   /**
@@ -1025,7 +1029,7 @@ typedef struct dq8_skin_f64 {
   size_t vertices;
   /**
    * The number of influences of each vertex, which are its joints with their weights. It is 0 in
-   * a zeroed struct, in which no skin has been made.
+   * a zeroed struct that dq8_skin_make has not filled in.
    */
   size_t influences;
   /**
@@ -1053,14 +1057,15 @@ typedef struct dq8_trajectory_options {
    */
   double unit;
   /**
-   * The pose before the first stamp and after the last stamp. 0: the body stands at the first or
-   * last pose. 1: it goes on as it moves between the first two or the last two poses. 2: a time
-   * before the first or after the last stamp is an error.
+   * The pose before the first stamp and after the last stamp. 0: the moving body stands still at
+   * the first or last pose. 1: it goes on as it moves between the first two or the last two
+   * poses. 2: a time before the first or after the last stamp is an error.
    */
   int32_t outside;
   /**
-   * The frame of the results. 0: the world. 1: the body at the first stamp. 2: the body at the
-   * last stamp. 3: the body at `time`. 4: a frame whose pose in the world is `pose`.
+   * The frame of the results. 0: the world. 1: the frame of the moving body at the first stamp.
+   * 2: its frame at the last stamp. 3: its frame at `time`. 4: a frame whose pose in the world
+   * is `pose`.
    */
   int32_t frame;
   /**
@@ -1093,10 +1098,10 @@ dq8_status dq8_backend_limit(int32_t most);
 
 /**
  * Makes results the same on every machine, bit by bit. This concerns functions of arrays and
- * blocks, in all threads and from now on. The value 1 switches this on, and functions then take
- * 1.0 to 1.5 times as long. The value 0, which is the state at the start, switches it off. The
- * limit of dq8_backend_limit holds in both states. Functions of one motion have the same bits on
- * every machine in either state.
+ * blocks, in all threads and from now on. The value 1 of `reproducible` switches this on, and
+ * functions then take 1.0 to 1.5 times as long. The value 0 switches it off, which is the state
+ * when the program starts. The limit of dq8_backend_limit holds in both states. Functions of one
+ * motion have the same bits on every machine in either state.
  *
  * Returns DQ8_STATUS_UNKNOWN_VALUE if `reproducible` is neither 0 nor 1, or if it is 1 and the
  * library was built without the feature `reproducible`; nothing changes then.
@@ -1321,11 +1326,11 @@ dq8_status dq8_check_parents(const int32_t *parents, size_t joints, size_t *bad_
  *
  * `parents` holds `joints` indices of parents, or -1 for a joint without a parent.
  * `root` is a motion that moves all joints without a parent, or null. `locals` and
- * `models` are `[instance][joint]` and hold `count` motions in all, which is `joints`
- * times the number of instances. In blocks they are `[block of instances][joint]`, and
- * `count` is `joints` times the number of blocks of instances: the number of instances
- * over `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if
- * `count` is no multiple of `joints`.
+ * `models` are `[instance][joint]` and hold `count` motions: `joints` times the number
+ * of instances. In blocks they are `[block of instances][joint]`, and `count` is
+ * `joints` times the number of blocks of instances: the number of instances over
+ * `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if `count`
+ * is no multiple of `joints`.
  */
 dq8_status dq8_local_to_model_f32(const int32_t *parents,
                                   size_t joints,
@@ -1370,8 +1375,8 @@ dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
 /**
  * Computes model poses from rotations and fixed offsets. Animation clips often hold
  * local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
- * `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
- * are the same in all instances. Other arguments and errors are those of
+ * `offsets` holds `joints` translations (x, y, z): the position of each joint in its
+ * parent, which is the same in all instances. Other arguments and errors are those of
  * dq8_local_to_model.
  */
 dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
@@ -1449,8 +1454,8 @@ dq8_status dq8_blocks_palette_f32(size_t lanes,
                                   size_t count);
 
 /**
- * Computes model poses and the palette like dq8_palette, as matrices. Each entry of
- * the palette is a matrix `[R | t]` of twelve components, row by row.
+ * Computes model poses and the palette like dq8_palette, but with matrices in the
+ * palette. Each entry is a matrix `[R | t]` of twelve components, row by row.
  */
 dq8_status dq8_palette_matrices_f32(const int32_t *parents,
                                     size_t joints,
@@ -1479,11 +1484,11 @@ dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
  *
  * `parents` holds `joints` indices of parents, or -1 for a joint without a parent.
  * `root` is a motion that moves all joints without a parent, or null. `locals` and
- * `models` are `[instance][joint]` and hold `count` motions in all, which is `joints`
- * times the number of instances. In blocks they are `[block of instances][joint]`, and
- * `count` is `joints` times the number of blocks of instances: the number of instances
- * over `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if
- * `count` is no multiple of `joints`.
+ * `models` are `[instance][joint]` and hold `count` motions: `joints` times the number
+ * of instances. In blocks they are `[block of instances][joint]`, and `count` is
+ * `joints` times the number of blocks of instances: the number of instances over
+ * `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if `count`
+ * is no multiple of `joints`.
  */
 dq8_status dq8_local_to_model_f64(const int32_t *parents,
                                   size_t joints,
@@ -1528,8 +1533,8 @@ dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
 /**
  * Computes model poses from rotations and fixed offsets. Animation clips often hold
  * local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
- * `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
- * are the same in all instances. Other arguments and errors are those of
+ * `offsets` holds `joints` translations (x, y, z): the position of each joint in its
+ * parent, which is the same in all instances. Other arguments and errors are those of
  * dq8_local_to_model.
  */
 dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
@@ -1607,8 +1612,8 @@ dq8_status dq8_blocks_palette_f64(size_t lanes,
                                   size_t count);
 
 /**
- * Computes model poses and the palette like dq8_palette, as matrices. Each entry of
- * the palette is a matrix `[R | t]` of twelve components, row by row.
+ * Computes model poses and the palette like dq8_palette, but with matrices in the
+ * palette. Each entry is a matrix `[R | t]` of twelve components, row by row.
  */
 dq8_status dq8_palette_matrices_f64(const int32_t *parents,
                                     size_t joints,
@@ -1634,9 +1639,9 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
 
 /**
  * Computes the poses of all links for many configurations: forward kinematics.
- * `values` is `[configuration][value]` and holds `value_count` values in all: the
+ * `values` is `[configuration][value]` and holds `value_count` values: the
  * mechanism's number of values times the number of configurations. `poses` is
- * `[configuration][link]` and holds `count` motions in all: the mechanism's number of
+ * `[configuration][link]` and holds `count` motions: the mechanism's number of
  * links times the number of configurations.
  *
  * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
@@ -1663,9 +1668,9 @@ dq8_status dq8_blocks_link_poses_f32(size_t lanes,
 
 /**
  * Computes the poses of all links for many configurations: forward kinematics.
- * `values` is `[configuration][value]` and holds `value_count` values in all: the
+ * `values` is `[configuration][value]` and holds `value_count` values: the
  * mechanism's number of values times the number of configurations. `poses` is
- * `[configuration][link]` and holds `count` motions in all: the mechanism's number of
+ * `[configuration][link]` and holds `count` motions: the mechanism's number of
  * links times the number of configurations.
  *
  * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
@@ -2256,8 +2261,8 @@ dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mecha
 /**
  * Solves the inverse kinematics of one configuration. The search begins at `values`
  * and changes them, within the limits of the joints, until the link of each goal is at
- * its target. `targets` holds a unit motion for each goal. From a start nearby the
- * search converges in a few steps.
+ * its target. `targets` holds a unit motion for each goal. From values near a solution
+ * the search converges in a few steps.
  *
  * `posture` is a configuration that the search prefers where the goals leave freedom.
  * It holds as many elements as `values`, or is null. `options` may be null for the
@@ -2300,8 +2305,8 @@ dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mecha
 /**
  * Solves the inverse kinematics of one configuration. The search begins at `values`
  * and changes them, within the limits of the joints, until the link of each goal is at
- * its target. `targets` holds a unit motion for each goal. From a start nearby the
- * search converges in a few steps.
+ * its target. `targets` holds a unit motion for each goal. From values near a solution
+ * the search converges in a few steps.
  *
  * `posture` is a configuration that the search prefers where the goals leave freedom.
  * It holds as many elements as `values`, or is null. `options` may be null for the
@@ -2342,8 +2347,8 @@ dq8_status dq8_motion_sclerp_f32(const float *a, const float *b, float t, float 
 /**
  * Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
  * quaternion linear blending: each motion gets the sign with which its real part has a
- * dot product of at least 0 with that of the first motion, and the weighted sum is
- * normalized.
+ * dot product of at least 0 with the real part of the first motion, and the weighted
+ * sum is normalized.
  *
  * Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
  * the weighted sum cannot be normalized to a motion.
@@ -2401,8 +2406,8 @@ dq8_status dq8_motion_sclerp_f64(const double *a, const double *b, double t, dou
 /**
  * Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
  * quaternion linear blending: each motion gets the sign with which its real part has a
- * dot product of at least 0 with that of the first motion, and the weighted sum is
- * normalized.
+ * dot product of at least 0 with the real part of the first motion, and the weighted
+ * sum is normalized.
  *
  * Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
  * the weighted sum cannot be normalized to a motion.
@@ -3659,8 +3664,8 @@ dq8_status dq8_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
  * Solves the inverse kinematics of `count` configurations. It computes several
  * configurations at a time on lanes, and each like dq8_mechanism_reach. `targets` is
  * `[configuration][goal]`. `values` is `[configuration][value]` and holds
- * `value_count` values in all. `reports` holds one report per configuration. Goals,
- * posture and options are the same for all configurations.
+ * `value_count` values altogether. `reports` holds one report per configuration.
+ * Goals, posture and options are the same for all configurations.
  *
  * The result of a configuration does not depend on other configurations, so each
  * thread may compute a part of them. Each thread needs scratch of its own, of the size
@@ -3692,8 +3697,8 @@ dq8_status dq8_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
  * Solves the inverse kinematics of `count` configurations. It computes several
  * configurations at a time on lanes, and each like dq8_mechanism_reach. `targets` is
  * `[configuration][goal]`. `values` is `[configuration][value]` and holds
- * `value_count` values in all. `reports` holds one report per configuration. Goals,
- * posture and options are the same for all configurations.
+ * `value_count` values altogether. `reports` holds one report per configuration.
+ * Goals, posture and options are the same for all configurations.
  *
  * The result of a configuration does not depend on other configurations, so each
  * thread may compute a part of them. Each thread needs scratch of its own, of the size
@@ -3716,8 +3721,8 @@ dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
  * Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
  * times and the unit poses at these times. `at` holds `count` times, and `out` gets
  * the poses at them. The trajectory moves along one screw from each pose to the next,
- * by the shorter way. It stands at the first pose before the first time, and at the
- * last pose after the last time.
+ * by the shorter way. Before the first time it stays at the first pose, and after the
+ * last time at the last pose.
  *
  * Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
  * the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
@@ -3738,8 +3743,8 @@ dq8_status dq8_resample_f32(const float *times,
  * screw from each pose to the next, by the shorter way. `out` gets the pose at each of
  * the `times`. `twists`, which may be null, gets the body twist at each time: angular
  * x y z, then linear x y z, per second. If `options` is null, times are in seconds,
- * results are in the world, and the body stands before the first stamp and after the
- * last stamp.
+ * results are in the world, and the moving body stands still before the first stamp
+ * and after the last stamp.
  *
  * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
  * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
@@ -3758,9 +3763,9 @@ dq8_status dq8_trajectory_sample_f32(const double *stamps,
                                      size_t *bad_time);
 
 /**
- * Moves points that a moving body has measured into one frame. The body measured point
- * i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
- * time moves the point. The field `frame` of the options selects the frame of the
+ * Moves points, which a moving body has measured, into one frame. The body measured
+ * point i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at
+ * this time moves the point. The field `frame` of the options selects the frame of the
  * results. The result is a scan as if it had been measured at one moment. `moved` may
  * be `points`. Trajectory, options and errors are those of dq8_trajectory_sample.
  */
@@ -3790,13 +3795,13 @@ dq8_status dq8_trajectory_skew_f32(const double *stamps,
 
 /**
  * Samples the poses of a cubic spline, and its twists, at `count` times. `out` gets
- * the pose at each of the `times`. `twists` gets the body twist there: angular x y z,
- * then linear x y z, per second. `accelerations` gets the derivative of the body twist
- * with respect to time. Either may be null. The spline has `control_count` unit
- * control poses, four or more. Control pose k belongs to the time start + every * (k -
- * 1), in seconds. `basis` is 0 for a B-spline, which passes near the control poses,
- * and 1 for a Catmull-Rom spline, which passes through all control poses but the first
- * and the last. Options are those of dq8_trajectory_sample.
+ * the pose at each of the `times`. `twists` gets the body twist at this time: angular
+ * x y z, then linear x y z, per second. `accelerations` gets the derivative of the
+ * body twist with respect to time. Either may be null. The spline has `control_count`
+ * unit control poses, four or more. Control pose k belongs to the time start + every *
+ * (k - 1), in seconds. `basis` is 0 for a B-spline, which passes near the control
+ * poses, and 1 for a Catmull-Rom spline, which passes through all control poses but
+ * the first and the last. Options are those of dq8_trajectory_sample.
  *
  * Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
  * control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It
@@ -3820,8 +3825,8 @@ dq8_status dq8_spline_poses_f32(const double *control,
  * Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
  * times and the unit poses at these times. `at` holds `count` times, and `out` gets
  * the poses at them. The trajectory moves along one screw from each pose to the next,
- * by the shorter way. It stands at the first pose before the first time, and at the
- * last pose after the last time.
+ * by the shorter way. Before the first time it stays at the first pose, and after the
+ * last time at the last pose.
  *
  * Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
  * the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
@@ -3842,8 +3847,8 @@ dq8_status dq8_resample_f64(const double *times,
  * screw from each pose to the next, by the shorter way. `out` gets the pose at each of
  * the `times`. `twists`, which may be null, gets the body twist at each time: angular
  * x y z, then linear x y z, per second. If `options` is null, times are in seconds,
- * results are in the world, and the body stands before the first stamp and after the
- * last stamp.
+ * results are in the world, and the moving body stands still before the first stamp
+ * and after the last stamp.
  *
  * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
  * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
@@ -3862,9 +3867,9 @@ dq8_status dq8_trajectory_sample_f64(const double *stamps,
                                      size_t *bad_time);
 
 /**
- * Moves points that a moving body has measured into one frame. The body measured point
- * i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
- * time moves the point. The field `frame` of the options selects the frame of the
+ * Moves points, which a moving body has measured, into one frame. The body measured
+ * point i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at
+ * this time moves the point. The field `frame` of the options selects the frame of the
  * results. The result is a scan as if it had been measured at one moment. `moved` may
  * be `points`. Trajectory, options and errors are those of dq8_trajectory_sample.
  */
@@ -3894,13 +3899,13 @@ dq8_status dq8_trajectory_skew_f64(const double *stamps,
 
 /**
  * Samples the poses of a cubic spline, and its twists, at `count` times. `out` gets
- * the pose at each of the `times`. `twists` gets the body twist there: angular x y z,
- * then linear x y z, per second. `accelerations` gets the derivative of the body twist
- * with respect to time. Either may be null. The spline has `control_count` unit
- * control poses, four or more. Control pose k belongs to the time start + every * (k -
- * 1), in seconds. `basis` is 0 for a B-spline, which passes near the control poses,
- * and 1 for a Catmull-Rom spline, which passes through all control poses but the first
- * and the last. Options are those of dq8_trajectory_sample.
+ * the pose at each of the `times`. `twists` gets the body twist at this time: angular
+ * x y z, then linear x y z, per second. `accelerations` gets the derivative of the
+ * body twist with respect to time. Either may be null. The spline has `control_count`
+ * unit control poses, four or more. Control pose k belongs to the time start + every *
+ * (k - 1), in seconds. `basis` is 0 for a B-spline, which passes near the control
+ * poses, and 1 for a Catmull-Rom spline, which passes through all control poses but
+ * the first and the last. Options are those of dq8_trajectory_sample.
  *
  * Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
  * control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It

@@ -1,4 +1,4 @@
-//! The choice of the instruction set with which functions of arrays and blocks compute.
+//! The choice of the instruction set for functions of arrays and blocks.
 
 use crate::status::Status;
 use core::ffi::{CStr, c_char};
@@ -62,10 +62,10 @@ pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
 }
 
 /// Makes results the same on every machine, bit by bit. This concerns functions of arrays and
-/// blocks, in all threads and from now on. The value 1 switches this on, and functions then take
-/// 1.0 to 1.5 times as long. The value 0, which is the state at the start, switches it off. The
-/// limit of dq8_backend_limit holds in both states. Functions of one motion have the same bits on
-/// every machine in either state.
+/// blocks, in all threads and from now on. The value 1 of `reproducible` switches this on, and
+/// functions then take 1.0 to 1.5 times as long. The value 0 switches it off, which is the state
+/// when the program starts. The limit of dq8_backend_limit holds in both states. Functions of one
+/// motion have the same bits on every machine in either state.
 ///
 /// Returns DQ8_STATUS_UNKNOWN_VALUE if `reproducible` is neither 0 nor 1, or if it is 1 and the
 /// library was built without the feature `reproducible`; nothing changes then.

@@ -1,4 +1,4 @@
-//! Packed clips: the places of times in clips, and the model poses at these places.
+//! Packed clips: functions that find the frame of a time, and compute the model poses there.
 
 use crate::memory::{Input, Output};
 use crate::span::{Span, disjoint};
@@ -14,8 +14,8 @@ use dq8::{DualQuat, Hierarchy, Scalar, hierarchy::Root};
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Clips {
-    /// The number of joints of the skeleton. It is 0 in a zeroed struct, in which no clips have
-    /// been made.
+    /// The number of joints of the skeleton. It is 0 in a zeroed struct that dq8_clips_make has not
+    /// filled in.
     pub joints: usize,
     /// The number of clips.
     pub clips: usize,
@@ -24,7 +24,8 @@ pub struct Clips {
     opaque: [MaybeUninit<*const u8>; 13],
 }
 
-/// The content of [`Clips`]: the clips of the library, and the memory of the file's bytes.
+/// The content of [`Clips`]: the clips as the type of `dq8`, and the range of the file's bytes in
+/// memory.
 #[derive(Clone, Copy)]
 struct Known {
     clips: PackedClips<'static>,

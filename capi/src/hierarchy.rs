@@ -15,11 +15,11 @@ pub(crate) fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, St
     Input::new(start, joints)
 }
 
-/// The motion of the root, which is an empty array if C passes null.
+/// The motion of the root: an array of one element, or an empty array if C passes null.
 type Root<L> = Input<DualQuat<<L as Layout>::Real>>;
 
-/// Returns the job that computes the hierarchy of these parents, on the motion of the root if there
-/// is one.
+/// Returns the job that computes poses in the hierarchy of these parents. If `root` holds a motion,
+/// the job moves all joints without a parent by it.
 ///
 /// # Safety
 /// Both inputs must point to as many elements as they count, and no other thread may write these
@@ -167,11 +167,11 @@ macro_rules! functions {
             ///
             /// `parents` holds `joints` indices of parents, or -1 for a joint without a parent.
             /// `root` is a motion that moves all joints without a parent, or null. `locals` and
-            /// `models` are `[instance][joint]` and hold `count` motions in all, which is `joints`
-            /// times the number of instances. In blocks they are `[block of instances][joint]`, and
-            /// `count` is `joints` times the number of blocks of instances: the number of instances
-            /// over `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if
-            /// `count` is no multiple of `joints`.
+            /// `models` are `[instance][joint]` and hold `count` motions: `joints` times the number
+            /// of instances. In blocks they are `[block of instances][joint]`, and `count` is
+            /// `joints` times the number of blocks of instances: the number of instances over
+            /// `lanes`, rounded up. `models` may be `locals`. Returns DQ8_STATUS_LENGTH if `count`
+            /// is no multiple of `joints`.
             local_to_model, blocks_local_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
@@ -188,8 +188,8 @@ macro_rules! functions {
         export! { $R $lanes
             /// Computes model poses from rotations and fixed offsets. Animation clips often hold
             /// local poses in this form. `rotations` holds `count` unit quaternions (x, y, z, w).
-            /// `offsets` holds `joints` translations (x, y, z), of each joint in its parent, which
-            /// are the same in all instances. Other arguments and errors are those of
+            /// `offsets` holds `joints` translations (x, y, z): the position of each joint in its
+            /// parent, which is the same in all instances. Other arguments and errors are those of
             /// dq8_local_to_model.
             rotations_to_model, blocks_rotations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
@@ -219,8 +219,8 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// Computes model poses and the palette like dq8_palette, as matrices. Each entry of
-            /// the palette is a matrix `[R | t]` of twelve components, row by row.
+            /// Computes model poses and the palette like dq8_palette, but with matrices in the
+            /// palette. Each entry is a matrix `[R | t]` of twelve components, row by row.
             palette_matrices, blocks_palette_matrices(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,

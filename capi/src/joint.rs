@@ -41,9 +41,9 @@ pub struct Joint<R> {
     /// The kind, one of enum dq8_joint_kind.
     pub kind: i32,
     /// The pose of the link in its parent link when the values of the joint are zero. It must be a
-    /// motion that is unit to 0.001.
+    /// motion that is unit within 0.001.
     pub placement: [R; 8],
-    /// The axis of the joint, or the normal of a planar joint. Its length must be 1 to 0.001.
+    /// The axis of the joint, or the normal of a planar joint. Its length must be 1 within 0.001.
     pub axis: [R; 3],
     /// The length that a screw slides per radian: the lead of its thread over 2 pi.
     pub pitch: R,

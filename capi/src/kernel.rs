@@ -1,5 +1,5 @@
-//! Macros that define, for a kernel over slices, the function that is generic over the layout of
-//! the arrays: plain or in blocks.
+//! Macros that define a function for a kernel over slices. The function is generic over the layout
+//! of its arrays: plain or in blocks.
 
 /// Defines the function of a kernel that reads arrays and writes an array. The integer after an
 /// array's name is the count of components of an element. One more argument may follow the arrays.

@@ -19,8 +19,9 @@
 //! | [`packing`] | conversions between plain arrays and blocks |
 //! | [`trajectory`] | poses at stamps, sampled at other times |
 //!
-//! Functions that exist for both `f32` and `f64` are in two submodules: `single` for `f32`, and
-//! `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
+//! In this table, *plain* means arrays of one record after the other, and *blocks* are blocks of
+//! lanes (AoSoA). Functions that exist for both `f32` and `f64` are in two submodules: `single` for
+//! `f32`, and `double` for `f64`. The symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
 //! The functions here do not compute themselves. They check pointers, turn them into slices, call
 //! `dq8`, and turn its errors into values of [`Status`]:

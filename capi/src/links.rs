@@ -8,9 +8,9 @@ use dq8::storage::{AoSoA, Aos, Layout};
 use dq8_robot::JointValues;
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
-/// elements as its count says. No other thread may use the output or write the inputs during the
-/// call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says. No other thread may use the output or write the inputs
+/// during the call.
 unsafe fn link_poses<L: Layout>(
     mechanism: *const Mechanism<L::Real>,
     values: *const L::Real,
@@ -21,7 +21,7 @@ unsafe fn link_poses<L: Layout>(
 where
     L::Real: JointValues<L>,
 {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<L::Real>::new(values, value_count)?;
     let poses = Output::<L::Record<8>>::new(poses, count)?;
@@ -35,9 +35,9 @@ macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
             /// Computes the poses of all links for many configurations: forward kinematics.
-            /// `values` is `[configuration][value]` and holds `value_count` values in all: the
+            /// `values` is `[configuration][value]` and holds `value_count` values: the
             /// mechanism's number of values times the number of configurations. `poses` is
-            /// `[configuration][link]` and holds `count` motions in all: the mechanism's number of
+            /// `[configuration][link]` and holds `count` motions: the mechanism's number of
             /// links times the number of configurations.
             ///
             /// In blocks, `poses` is `[block of configurations][link]`, and `count` is the number

@@ -10,8 +10,8 @@ use core::ptr;
 use dq8::{DualQuat, Real, Twist};
 use dq8_robot::{Body, JointKind, World, WorldAligned};
 
-/// The frame of the columns of a Jacobian: the axes of their components, and the point whose
-/// velocity their linear parts are.
+/// The frame of the columns of a Jacobian. It decides along which axes the components are measured,
+/// and for which point the linear velocity is given.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
@@ -44,7 +44,7 @@ pub struct Mechanism<R> {
     /// The number of rates, which is the number of columns of a Jacobian. Each joint has as many
     /// rates as values, except that a floating joint has seven values and six rates.
     pub rates: usize,
-    /// The array of steps. It is null in a zeroed struct, in which no mechanism has been made.
+    /// The array of steps. It is null in a zeroed struct that dq8_mechanism_make has not filled in.
     steps: *const Step<R>,
     /// Private to the library.
     opaque: [*const Step<R>; 4],
@@ -157,9 +157,9 @@ impl<R: Real> Checked<R> {
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
-/// elements as its count says. No other thread may use the output or write the inputs during the
-/// call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says. No other thread may use the output or write the inputs
+/// during the call.
 unsafe fn link_poses<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -167,7 +167,7 @@ unsafe fn link_poses<R: Real>(
     poses: *mut R,
     link_count: usize,
 ) -> Done {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let poses = Output::<DualQuat<R>>::new(poses, link_count)?;
@@ -178,8 +178,8 @@ unsafe fn link_poses<R: Real>(
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. `values` must have `value_count`
-/// elements. No other thread may use `pose` or write the inputs during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. `values` must have
+/// `value_count` elements. No other thread may use `pose` or write the inputs during the call.
 unsafe fn link_pose<R: Real>(
     mechanism: *const Mechanism<R>,
     values: *const R,
@@ -187,7 +187,7 @@ unsafe fn link_pose<R: Real>(
     link: usize,
     pose: *mut R,
 ) -> Done {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
     let checked = unsafe { Checked::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let pose = Output::<DualQuat<R>>::new(pose, 1)?;
@@ -211,16 +211,16 @@ struct Query<R> {
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
-/// elements as its count says, and `pose` must be null or a motion. No other thread may use the
-/// outputs or write the inputs during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says, and `pose` must be null or a motion. No other thread
+/// may use the outputs or write the inputs during the call.
 unsafe fn link_jacobian<R: Real>(
     query: Query<R>,
     columns: *mut R,
     column_count: usize,
     pose: *mut R,
 ) -> Done {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
     let checked = unsafe { Checked::new(query.mechanism)? };
     let values = Input::<R>::new(query.values, query.value_count)?;
     let columns = Output::<Twist<R>>::new(columns, column_count)?;

@@ -11,7 +11,7 @@ use dq8_robot::ik::{self, Freedom, Reach, ReachError};
 
 /// A goal of inverse kinematics: a link that is to come to its target, and the weights of the six
 /// components of its error, in the axes of the target. A component with the weight 0 is free. The
-/// sizes of the other weights matter only if not all components can vanish.
+/// sizes of the other weights matter only if the components cannot all become zero.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal<R> {
@@ -38,16 +38,18 @@ pub struct ReachOptions<R> {
     /// The largest number of iterations. Steps and restarts both count as iterations.
     pub max_iterations: u32,
     /// 1 to begin again from another configuration when the search gets stuck. 0 to search from the
-    /// given start only, which suits a target that moves and is followed.
+    /// given values only, which suits a target that moves and is followed.
     pub restarts: u32,
-    /// The distance whose error weighs as much as an error of a radian. 0 stands for an eighth of
-    /// the mechanism's length. If a joint floats or slides without limits, that length is at least
-    /// the distance from the base to the farthest target, and at least the farthest slide.
+    /// The error in distance that weighs as much as an error of one radian. 0 stands for an eighth
+    /// of the mechanism's length. If a joint floats or slides without limits, that length is at
+    /// least the distance from the base to the farthest target, and at least the largest slide in
+    /// the given values.
     pub length_per_radian: R,
     /// The largest angle in radians by which a joint turns in one step. A value of more than a full
     /// turn counts as a full turn.
     pub max_step: R,
-    /// The damping of steps at the target itself, in radians. With 0, the search converges fastest.
+    /// The damping of steps at the target itself, in radians. It keeps steps short near singular
+    /// poses. With 0, the search converges fastest.
     pub damping: R,
 }
 
@@ -66,7 +68,7 @@ pub enum Outcome {
     /// The search took all its iterations while the links still came nearer. More iterations would
     /// help.
     Unfinished = 4,
-    /// An input is invalid: a target is not unit to 0.001, an input is not finite, an option is
+    /// An input is invalid: a target is not unit within 0.001, an input is not finite, an option is
     /// negative or NaN, or max_step is 0. The values are as they were.
     Invalid = 5,
 }
@@ -121,8 +123,8 @@ pub(crate) enum Width {
     Lanes,
 }
 
-/// Returns the number of elements `R` that a search needs as scratch: memory for its freedoms with
-/// their alignment, and after them the scratch of the search itself.
+/// Returns the number of elements `R` that a search needs as scratch: memory for one [`Freedom`]
+/// per rate, aligned, and after it the scratch of the search itself.
 fn scratch_len<R: Real>(
     known: dq8_robot::Mechanism<'_, R>,
     goals: usize,
@@ -138,15 +140,15 @@ fn scratch_len<R: Real>(
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. `scratch_count` must point to a
-/// `usize` that no other thread uses during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. `scratch_count`
+/// must point to a `usize` that no other thread uses during the call.
 pub(crate) unsafe fn reach_scratch<R: Real>(
     mechanism: *const Mechanism<R>,
     goal_count: usize,
     scratch_count: *mut usize,
     width: Width,
 ) -> Done {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
     let checked = unsafe { Checked::new(mechanism)? };
     let to = Output::<usize>::new(scratch_count, 1)?;
     disjoint(&[to.span], &[checked.given, checked.steps])?;
@@ -214,8 +216,8 @@ pub(crate) struct Query<R> {
     pub(crate) options: *const ReachOptions<R>,
 }
 
-/// The outputs and the scratch of [`reach`], for `count` configurations, as C passes them. `values`
-/// holds the start of the search before the call.
+/// The outputs and the scratch of [`reach`], for `count` configurations, as C passes them. Before
+/// the call, `values` holds the configurations from which the search begins.
 pub(crate) struct Results<R> {
     pub(crate) values: *mut R,
     pub(crate) value_count: usize,
@@ -236,16 +238,16 @@ pub(crate) struct Search<'a, R> {
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
-/// elements as its count says, and `posture` and `options` may be null. No other thread may use the
-/// outputs or write the inputs during the call.
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says, and `posture` and `options` may be null. No other
+/// thread may use the outputs or write the inputs during the call.
 pub(crate) unsafe fn reach<R: Scalar>(
     query: Query<R>,
     results: Results<R>,
     width: Width,
     solve: impl FnOnce(Search<'_, R>) -> Result<(), ShapeError>,
 ) -> Done {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
     let checked = unsafe { Checked::new(query.mechanism)? };
     let Results { count, value_count, scratch_count, .. } = results;
     let target_count = query.goal_count.checked_mul(count).ok_or(Status::TooLarge)?;
@@ -332,8 +334,8 @@ macro_rules! functions {
         export_one! { $R
             /// Solves the inverse kinematics of one configuration. The search begins at `values`
             /// and changes them, within the limits of the joints, until the link of each goal is at
-            /// its target. `targets` holds a unit motion for each goal. From a start nearby the
-            /// search converges in a few steps.
+            /// its target. `targets` holds a unit motion for each goal. From values near a solution
+            /// the search converges in a few steps.
             ///
             /// `posture` is a configuration that the search prefers where the goals leave freedom.
             /// It holds as many elements as `values`, or is null. `options` may be null for the

@@ -64,8 +64,8 @@ macro_rules! functions {
         export_one! { $R
             /// Blends `count` unit motions by `weights`, which need not sum to 1. This is dual
             /// quaternion linear blending: each motion gets the sign with which its real part has a
-            /// dot product of at least 0 with that of the first motion, and the weighted sum is
-            /// normalized.
+            /// dot product of at least 0 with the real part of the first motion, and the weighted
+            /// sum is normalized.
             ///
             /// Returns DQ8_STATUS_NO_INFLUENCES if `count` is 0, and DQ8_STATUS_NOT_NORMALIZABLE if
             /// the weighted sum cannot be normalized to a motion.

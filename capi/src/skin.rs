@@ -28,7 +28,7 @@ pub struct Skin<R> {
     /// The number of vertices of the mesh.
     pub vertices: usize,
     /// The number of influences of each vertex, which are its joints with their weights. It is 0 in
-    /// a zeroed struct, in which no skin has been made.
+    /// a zeroed struct that dq8_skin_make has not filled in.
     pub influences: usize,
     /// The number of joints, which is the number of entries of a palette.
     pub joints: usize,
@@ -136,8 +136,8 @@ pub(crate) struct Pointers<R> {
     pub(crate) motions: Option<*const R>,
     /// Matrices or stretches, of twelve components per joint.
     pub(crate) matrices: Option<*const R>,
-    /// Shares, one per vertex, and the number of vertices of the mesh. If the skin has another
-    /// number of vertices, posing the mesh returns an error.
+    /// Shares of a mix, one per vertex, and the number of vertices of the mesh. If the skin has
+    /// another number of vertices, posing the mesh returns an error.
     pub(crate) shares: Option<(*const R, usize)>,
 }
 

@@ -12,9 +12,10 @@ use dq8::skinning::{self, DualBlend, Linear, Mixed, StretchedDualBlend};
 macro_rules! blends {
     ($($name:ident($($palette:ident),+) of $mesh:ident: $given:expr, |$by:ident| $blend:expr;)+) => {$(
         /// # Safety
-        /// The skin must be zeroed, or made and its arrays unchanged. The palettes must have
-        /// `joints` entries, or one share per vertex, and the mesh must have the elements of all
-        /// its vertices. No other thread may use the outputs or write the inputs during the call.
+        /// The skin must be zeroed, or made with arrays that have not changed since. The palettes
+        /// must have `joints` entries, or one share per vertex, and the mesh must have the elements
+        /// of all its vertices. No other thread may use the outputs or write the inputs during the
+        /// call.
         unsafe fn $name<R: Scalar + skinning::Weight>(
             skin: *const Skin<R>,
             $($palette: *const R,)+

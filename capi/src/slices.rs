@@ -37,7 +37,8 @@ kernel_or_in_place! {
 kernel! { matrices_3x4(motions: 8; order: i32 = Order::known(order)?) -> 12 by matrices }
 kernel! { matrices_4x4(motions: 8; order: i32 = Order::known(order)?) -> 16 by matrices }
 
-/// The functions of the kernels of dq8's list, generic over the layout of the arrays.
+/// The functions of the kernels in dq8's `src/slices/kernels.rs`, generic over the layout of the
+/// arrays.
 mod of_each {
     use super::*;
 
@@ -67,8 +68,8 @@ mod of_each {
     for_each_kernel!(kernels);
 }
 
-/// Exports the functions of the kernels of dq8's list for one element type: on plain arrays, and in
-/// the submodule `blocks` on blocks.
+/// Exports, for one element type, the functions of the kernels in dq8's `src/slices/kernels.rs`: on
+/// plain arrays, and in the submodule `blocks` on blocks.
 macro_rules! exports {
     ($R:ident [$few:literal $many:literal], $(
         $(#[doc = $brief:literal])+

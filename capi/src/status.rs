@@ -104,7 +104,7 @@ statuses! {
         /// The skin is a zeroed struct that dq8_skin_make has not filled in.
         NoSkin = 26: c"the skin has not been made",
         /// The limits of a joint are not in order, or they allow no value together with the limits
-        /// of joints that mimic it, or they are angles so large that the element type cannot
+        /// of joints that mimic the joint, or they are angles so large that the element type cannot
         /// resolve them.
         Limits = 27: c"the limits of a joint allow no value",
         /// A field of a vertex is not inside of the vertex, or overlaps another field.
@@ -122,7 +122,7 @@ statuses! {
         /// A stamp of a trajectory is not later than the stamp before it, or is not finite.
         Times = 34: c"a time of a trajectory is not later than the one before, or is not finite",
         /// A time is before the first stamp or after the last stamp of a trajectory, and the
-        /// options refuse such times. Or the time of the frame is not finite.
+        /// options refuse such times. Or the time at which `frame` is taken is not finite.
         Outside = 35: c"a time is outside the stamps of the trajectory",
     }
 }

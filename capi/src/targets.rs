@@ -21,8 +21,8 @@ macro_rules! functions {
             /// Solves the inverse kinematics of `count` configurations. It computes several
             /// configurations at a time on lanes, and each like dq8_mechanism_reach. `targets` is
             /// `[configuration][goal]`. `values` is `[configuration][value]` and holds
-            /// `value_count` values in all. `reports` holds one report per configuration. Goals,
-            /// posture and options are the same for all configurations.
+            /// `value_count` values altogether. `reports` holds one report per configuration.
+            /// Goals, posture and options are the same for all configurations.
             ///
             /// The result of a configuration does not depend on other configurations, so each
             /// thread may compute a part of them. Each thread needs scratch of its own, of the size

@@ -19,12 +19,13 @@ pub struct Options {
     pub origin: f64,
     /// The seconds in one unit of the times: 1 for times in seconds, and 1e-9 for nanoseconds.
     pub unit: f64,
-    /// The pose before the first stamp and after the last stamp. 0: the body stands at the first or
-    /// last pose. 1: it goes on as it moves between the first two or the last two poses. 2: a time
-    /// before the first or after the last stamp is an error.
+    /// The pose before the first stamp and after the last stamp. 0: the moving body stands still at
+    /// the first or last pose. 1: it goes on as it moves between the first two or the last two
+    /// poses. 2: a time before the first or after the last stamp is an error.
     pub outside: i32,
-    /// The frame of the results. 0: the world. 1: the body at the first stamp. 2: the body at the
-    /// last stamp. 3: the body at `time`. 4: a frame whose pose in the world is `pose`.
+    /// The frame of the results. 0: the world. 1: the frame of the moving body at the first stamp.
+    /// 2: its frame at the last stamp. 3: its frame at `time`. 4: a frame whose pose in the world
+    /// is `pose`.
     pub frame: i32,
     /// If `frame` is 3, the time of the frame, in seconds on the clock of the stamps.
     pub time: f64,
@@ -46,7 +47,7 @@ fn fault(error: TrajectoryError) -> (Status, Option<usize>) {
     }
 }
 
-/// The output for the index that an error names, which is empty if C passes null.
+/// The output for the index that an error names. It is empty if C passes null.
 struct Bad(Output<usize>);
 
 impl Bad {
@@ -217,8 +218,8 @@ unsafe fn moved<R: Scalar, const BACK: bool>(
     }
 }
 
-/// The knots of a spline: the time of the first knot and the interval, in seconds, and the value of
-/// C for a [`Basis`].
+/// The knots of a spline: the time of the first knot and the interval, in seconds, and the integer
+/// by which C names a [`Basis`].
 struct Knots {
     start: f64,
     every: f64,
@@ -280,8 +281,8 @@ macro_rules! functions {
             /// Samples a trajectory at other times. `times` and `poses` hold `pose_count` rising
             /// times and the unit poses at these times. `at` holds `count` times, and `out` gets
             /// the poses at them. The trajectory moves along one screw from each pose to the next,
-            /// by the shorter way. It stands at the first pose before the first time, and at the
-            /// last pose after the last time.
+            /// by the shorter way. Before the first time it stays at the first pose, and after the
+            /// last time at the last pose.
             ///
             /// Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
             /// the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
@@ -300,8 +301,8 @@ macro_rules! functions {
             /// screw from each pose to the next, by the shorter way. `out` gets the pose at each of
             /// the `times`. `twists`, which may be null, gets the body twist at each time: angular
             /// x y z, then linear x y z, per second. If `options` is null, times are in seconds,
-            /// results are in the world, and the body stands before the first stamp and after the
-            /// last stamp.
+            /// results are in the world, and the moving body stands still before the first stamp
+            /// and after the last stamp.
             ///
             /// Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
             /// it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
@@ -320,9 +321,9 @@ macro_rules! functions {
             )
         }
         export_one! { $R
-            /// Moves points that a moving body has measured into one frame. The body measured point
-            /// i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at this
-            /// time moves the point. The field `frame` of the options selects the frame of the
+            /// Moves points, which a moving body has measured, into one frame. The body measured
+            /// point i (x, y, z) in its own frame at `times[i]`, and the pose of the trajectory at
+            /// this time moves the point. The field `frame` of the options selects the frame of the
             /// results. The result is a scan as if it had been measured at one moment. `moved` may
             /// be `points`. Trajectory, options and errors are those of dq8_trajectory_sample.
             trajectory::deskew(
@@ -352,13 +353,13 @@ macro_rules! functions {
         }
         export_one! { $R
             /// Samples the poses of a cubic spline, and its twists, at `count` times. `out` gets
-            /// the pose at each of the `times`. `twists` gets the body twist there: angular x y z,
-            /// then linear x y z, per second. `accelerations` gets the derivative of the body twist
-            /// with respect to time. Either may be null. The spline has `control_count` unit
-            /// control poses, four or more. Control pose k belongs to the time start + every * (k -
-            /// 1), in seconds. `basis` is 0 for a B-spline, which passes near the control poses,
-            /// and 1 for a Catmull-Rom spline, which passes through all control poses but the first
-            /// and the last. Options are those of dq8_trajectory_sample.
+            /// the pose at each of the `times`. `twists` gets the body twist at this time: angular
+            /// x y z, then linear x y z, per second. `accelerations` gets the derivative of the
+            /// body twist with respect to time. Either may be null. The spline has `control_count`
+            /// unit control poses, four or more. Control pose k belongs to the time start + every *
+            /// (k - 1), in seconds. `basis` is 0 for a B-spline, which passes near the control
+            /// poses, and 1 for a Catmull-Rom spline, which passes through all control poses but
+            /// the first and the last. Options are those of dq8_trajectory_sample.
             ///
             /// Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
             /// control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It

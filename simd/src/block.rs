@@ -133,9 +133,9 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        // The two loops differ only in that they take `components` by value or by reference. With a
-        // loop by value the compiler keeps registers of 16 bytes on the stack. With a loop by
-        // reference it schedules the code before the loop worse for larger registers.
+        // The two loops do the same, but the first consumes `components` and the second borrows it.
+        // In the first loop the compiler would keep registers of 16 bytes on the stack. With the
+        // second loop it would schedule the code before the loop worse if registers are larger.
         if size_of::<Native<A, V>>() > 16 {
             for (row, component) in self.0.iter_mut().zip(components) {
                 if let Some(array) = part_of::<A, V>(row, part) {
@@ -162,10 +162,10 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// Fills the blocks of `to` with stores past the caches. `each(block, part)` computes part
-    /// `part` of the block with index `block`, and its first `None` ends the loop. This is faster
-    /// than [`store_part`](Self::store_part) if `to` is larger than the caches, and slower if `to`
-    /// fits in them.
+    /// Fills the blocks of `to` with non-temporal stores, which bypass the caches.
+    /// `each(block, part)` computes part `part` of the block with index `block`, and its first
+    /// `None` ends the loop. This is faster than [`store_part`](Self::store_part) if `to` is larger
+    /// than the caches, and slower if `to` fits in them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn stream<V: Level>(
         level: V,
@@ -250,8 +250,8 @@ impl<R: Float> Row for [R; 4] {
     const LANES: usize = 4;
 }
 
-/// Implements [`Row`] for rows of 2, 8 and 16 elements. This is a macro, because each row has
-/// another associated type of [`Level`], which no generic `impl` can express.
+/// Implements [`Row`] for rows of 2, 8 and 16 elements. This is a macro, because each length of
+/// rows needs another associated type of [`Level`], which no generic `impl` can name.
 macro_rules! rows {
     ($($real:ty, $lanes:literal => $lane:ident;)*) => {$(
         impl sealed::Sealed for [$real; $lanes] {}

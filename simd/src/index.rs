@@ -5,9 +5,9 @@ use core::ops::Not;
 /// Returns the index as a `usize`. On 16-bit targets an index that does not fit becomes the
 /// greatest `usize`, which is beyond the end of every slice.
 ///
-/// The operator `as` would cut off the upper bits, so an index that is too large could become one
-/// that exists. Then a check of the largest of many indices would not suffice either. `U` is
-/// `usize` everywhere but in the tests, which take a type of 16 bits.
+/// The operator `as` would drop the upper bits, so an index that is too large could become an index
+/// that exists. A check of the largest of many indices could then pass by mistake. `U` is `usize`
+/// everywhere but in the tests, which take a type of 16 bits.
 #[inline(always)]
 pub(crate) fn saturated<U: TryFrom<u32> + Default + Not<Output = U>>(index: u32) -> U {
     U::try_from(index).unwrap_or(!U::default())

@@ -346,8 +346,8 @@ pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
         let _ = value;
     }
 
-    /// Prefetches the first cache line of every `stride`-th value of `memory`, `count` lines in
-    /// all, for lanes whose values do not adjoin. Addresses beyond the end of `memory` are
+    /// Prefetches the first cache line of every `stride`-th value of `memory`, `count` lines
+    /// altogether, for lanes whose values do not adjoin. Addresses beyond the end of `memory` are
     /// prefetched too, which is harmless and cheaper than a test for the end.
     #[inline(always)]
     fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {

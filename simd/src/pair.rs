@@ -12,7 +12,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
 /// The array `[R; N]` of half a [`Pair`]. The trait names the array of the whole pair, `[R; 2N]`,
-/// which generic code cannot write. The trait is sealed.
+/// which generic code cannot express. The trait is sealed.
 pub trait Doubled: Pod + crate::sealed::Sealed {
     /// The array `[R; 2N]`.
     type Twice: Pod + core::fmt::Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;

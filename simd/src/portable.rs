@@ -108,7 +108,8 @@ mod relaxed {
         f64x8: 4, f64x2_relaxed_madd, f64x2_relaxed_nmadd;
     }
 
-    /// Calls `of` with registers `i` of three vectors, and returns the results as a vector.
+    /// Calls `of` with each register of `a` and the same registers of `b` and `c`, and returns the
+    /// results as a vector.
     #[inline(always)]
     fn each<V: Copy, const N: usize>(a: V, b: V, c: V, of: impl Fn(v128, v128, v128) -> v128) -> V {
         // SAFETY: `V` is plain floats and has the size of `N` registers, as `relaxed!` asserts for
@@ -260,8 +261,9 @@ macro_rules! wide_lanes {
                         $half::store_quads(halves.map(|half| half[1]), upper, stride);
                     }
                 }
-                // This replaces the loop over lanes in `Lanes::sum_quads`, whose vectors the
-                // compiler stores to memory and reloads, which takes five times as long with SSE2.
+                // This replaces the loop over lanes in `Lanes::sum_quads`. The compiler would store
+                // the vectors of that loop to memory and reload them, which takes five times as
+                // long with SSE2.
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
                     let halves = vectors.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));

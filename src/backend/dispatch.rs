@@ -14,8 +14,8 @@ use dq8_simd::Unfused;
 use dq8_simd::x86_64::{Avx2, Avx512};
 use dq8_simd::{Level, Portable};
 
-/// A computation that is written once for all instruction sets and [`run`](Backend::run) on a
-/// [`Backend`]. The compiler makes one version of it for each instruction set.
+/// A computation that is written once for all instruction sets. [`Backend::run`] runs it. The
+/// compiler makes one version of it for each instruction set.
 ///
 /// Every function and closure that `run` calls must be `#[inline(always)]`. A function that the
 /// compiler does not inline is compiled without the instructions of the level: there every lane
@@ -52,8 +52,8 @@ use dq8_simd::{Level, Portable};
 pub trait Kernel {
     /// The result of the computation.
     type Output;
-    /// `true` if the kernel gains from AVX-512. If it does not, the AVX2 version runs in place of
-    /// an AVX-512 version, which is then not compiled.
+    /// `true` if the kernel is faster with AVX-512 than with AVX2. If `false`, the AVX2 version
+    /// runs on CPUs with AVX-512 too, and no AVX-512 version is compiled.
     const WIDE: bool = true;
     /// `true` if most instructions of the kernel are shuffles, as in transposes of plain arrays.
     /// Such a kernel runs with AVX-512 only on a CPU that shuffles 512 bits as quickly as 256 bits:
@@ -85,7 +85,7 @@ pub struct Backend {
 }
 
 /// The proof that the CPU has a set of instructions, in rising order. The proof of AVX-512 contains
-/// the proof of AVX2, which kernels need that do not gain from AVX-512.
+/// the proof of AVX2, because some kernels run with AVX2 on a CPU with AVX-512 too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Proof {
     Portable,
@@ -125,7 +125,7 @@ impl Backend {
         }
     }
 
-    /// x86-64 with AVX2 and FMA: 8 × `f32`, 4 × `f64`. `None` if the CPU lacks them.
+    /// x86-64 with AVX2 and FMA: 8 lanes of `f32`, 4 lanes of `f64`. `None` if the CPU lacks them.
     #[inline]
     #[must_use]
     pub fn avx2() -> Option<Self> {
@@ -135,7 +135,8 @@ impl Backend {
         return None;
     }
 
-    /// x86-64 with AVX-512 F, VL and DQ: 16 × `f32`, 8 × `f64`. `None` if the CPU lacks them.
+    /// x86-64 with AVX-512 F, VL and DQ: 16 lanes of `f32`, 8 lanes of `f64`. `None` if the CPU
+    /// lacks them.
     #[inline]
     #[must_use]
     pub fn avx512() -> Option<Self> {
@@ -146,8 +147,9 @@ impl Backend {
     }
 
     /// The fastest instructions of this CPU without a fused multiply-add. Results have the same
-    /// bits on every machine, for 1.0 to 1.5 times the time of the [`best`](Self::best) backend.
-    /// [The guide](crate::guide::reproducible) lists the operations that this promise covers.
+    /// bits on every machine, and take 1.0 to 1.5 times as long as with the [`best`](Self::best)
+    /// backend. [The guide](crate::guide::reproducible) lists the operations that this promise
+    /// covers.
     ///
     /// ```
     /// use dq8::{Backend, DualQuat, Quat};
@@ -193,7 +195,7 @@ impl Backend {
         [Some(Self::PORTABLE), Self::avx2(), Self::avx512()].into_iter().flatten()
     }
 
-    /// The best backend that this CPU has. Detection runs once; afterwards this is three loads.
+    /// The best backend that this CPU has. Detection runs once; later calls take three loads.
     #[inline]
     pub fn best() -> Self {
         let mut best = Self::PORTABLE;
@@ -232,9 +234,9 @@ impl Backend {
 
     /// Runs `kernel` with these instructions on the calling thread.
     ///
-    /// (The closures here must be inlined as well. Otherwise the compiler makes a function of a
-    /// large closure and compiles it without the instructions of the level, which is 35 times
-    /// slower.)
+    /// (The closures in this method must be inlined as well. Otherwise the compiler makes a
+    /// function of a large closure and compiles it without the instructions of the level, which is
+    /// 35 times slower.)
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.proof {
@@ -326,7 +328,7 @@ impl fmt::Debug for Backend {
     }
 }
 
-/// The error of a backend's name that is unknown, or whose instructions this CPU does not have.
+/// The error for a name that no backend has, or for a backend whose instructions this CPU lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

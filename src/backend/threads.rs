@@ -1,4 +1,4 @@
-//! Work on several threads (feature `rayon`): the output is cut into parts that do not depend on
+//! Work on several threads (feature `rayon`): the output is split into parts that do not depend on
 //! each other, and each task computes one part.
 
 use crate::backend::Backend;
@@ -14,7 +14,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// Returns the backend to compute with, with its number of threads.
+    /// Returns the backend to compute with, which holds the number of threads.
     #[inline]
     pub fn instructions(self) -> Backend {
         let backend = self.backend.unwrap_or_default();
@@ -51,11 +51,12 @@ macro_rules! __options {
 }
 pub use __options as options;
 
-/// A slice, and the number of its elements that belong to one thing (such as the joints of one
-/// instance).
+/// A slice, and the number of its elements that make one *thing*, such as an instance, a
+/// configuration or a vertex. Threads never share a thing.
 pub type Rows<'s, E> = (&'s mut [E], usize);
 
-/// The output of a kernel. With the feature `rayon` it can be cut between two things.
+/// The output of a kernel. With the feature `rayon` it can be split between two things, such as
+/// instances or vertices.
 #[cfg(not(feature = "rayon"))]
 pub trait Outputs {}
 #[cfg(not(feature = "rayon"))]
@@ -65,7 +66,7 @@ pub use many::Outputs;
 
 #[cfg(not(feature = "rayon"))]
 impl Backend {
-    /// Calls `work` once, with all of `outputs`.
+    /// Calls `work` once, with all of `outputs`, because there is one thread.
     #[doc(hidden)]
     #[inline]
     pub fn share<O: Outputs>(self, _grain: usize, outputs: O, work: &impl Fn(usize, O)) {
@@ -100,7 +101,7 @@ mod many {
             self
         }
 
-        /// `true` if other threads than the calling one may compute.
+        /// `true` if threads other than the calling thread may compute.
         #[doc(hidden)]
         #[inline]
         #[must_use]
@@ -108,9 +109,10 @@ mod many {
             self.threads > NonZeroUsize::MIN
         }
 
-        /// Cuts `outputs` into parts and calls `work` with each part and the index of its first
-        /// thing, on several threads. With one thread it calls `work` once, with all of `outputs`.
-        /// The number of things in a part is a multiple of `grain`, except for the last part.
+        /// Splits `outputs` into parts of whole things, such as instances or vertices. Calls `work`
+        /// on several threads, with the index of the first thing of a part, and the part. With one
+        /// thread it calls `work` once, with all of `outputs`. The number of things in a part is a
+        /// multiple of `grain`, except for the last part.
         #[doc(hidden)]
         pub fn share<O: Outputs>(
             self,
@@ -122,15 +124,16 @@ mod many {
                 return work(0, outputs);
             }
             let grains = outputs.things().div_ceil(grain.max(1));
-            // If the whole pool may be used, there are as many tasks as grains: a thread that ends
-            // early takes tasks from the others.
+            // If the whole pool may be used, each task has only `grain` things: a thread that ends
+            // early takes tasks from other threads.
             let all = self.threads.get() >= rayon::current_num_threads();
             let tasks = if all { grains } else { grains.min(self.threads.get()) };
             Part { tasks, grains, first: 0, outputs }.share(grain, work);
         }
     }
 
-    /// A part of the outputs that begins with thing `first`, to be shared among `tasks` tasks.
+    /// A part of the outputs, from the thing with index `first` on, which `tasks` tasks will
+    /// compute.
     struct Part<O> {
         tasks: usize,
         grains: usize,
@@ -139,8 +142,8 @@ mod many {
     }
 
     impl<O: Outputs> Part<O> {
-        /// Computes the part if it is for one task. Otherwise cuts it into two halves, which run
-        /// side by side.
+        /// Computes the part if it is for one task. Otherwise splits it into two halves, which run
+        /// in parallel.
         fn share(self, grain: usize, work: &(impl Fn(usize, O) + Sync)) {
             let Self { tasks, grains, first, outputs } = self;
             if tasks < 2 {
@@ -160,11 +163,12 @@ mod many {
         }
     }
 
-    /// The output of a kernel, which can be cut between two things.
+    /// The output of a kernel, which can be split between two things, such as instances or
+    /// vertices.
     pub trait Outputs: Sized + Send {
-        /// The number of things.
+        /// Returns the number of things, such as instances.
         fn things(&self) -> usize;
-        /// Cuts the output into the first `at` things and the remaining things.
+        /// Splits the output into the first `at` things and the remaining things.
         fn split(self, at: usize) -> (Self, Self);
     }
 
@@ -179,7 +183,8 @@ mod many {
         }
     }
 
-    /// A pair of outputs that hold equally many things, cut at the same place.
+    /// A pair of outputs with the same number of things (such as instances). Both are split before
+    /// the same thing.
     impl<A: Outputs, B: Outputs> Outputs for (A, B) {
         fn things(&self) -> usize {
             self.0.things()

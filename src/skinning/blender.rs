@@ -7,14 +7,14 @@ use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Level};
 
 /// A way to blend the motions of joints, with a vertex in each lane: the weighted sum of the
-/// palette entries of a vertex's joints, and the map by which a finished sum moves a surface. `R`
+/// palette entries of a vertex's joints, and the map by which the complete sum moves a surface. `R`
 /// is the element type. The trait is sealed, because only this crate can name the types that its
 /// methods take.
 pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// The type of the weighted sum: matrices, or dual quaternions.
     #[doc(hidden)]
     type Sum<L: Lanes<Real = R>>;
-    /// The map that a finished sum gives for points, normals and tangents.
+    /// The map of points, normals and tangents that the complete sum gives.
     #[doc(hidden)]
     type Map<L: Lanes<Real = R>>: SurfaceMap<L>;
 
@@ -55,7 +55,7 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// Adds the sums of two groups of influences.
     #[doc(hidden)]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;
-    /// Returns the map of the vertices that start at index `first`.
+    /// Returns the maps of the vertices from index `first` on, one in each lane.
     #[doc(hidden)]
     fn map<L: Lanes<Real = R>>(
         &self,

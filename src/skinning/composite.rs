@@ -1,5 +1,5 @@
-//! Blends that combine two blends: [`StretchedDualBlend`] applies the maps of both in turn, and
-//! [`Mixed`] interpolates between the results of both.
+//! Blends that combine two blends: [`StretchedDualBlend`] applies the maps of both, one after the
+//! other, and [`Mixed`] interpolates between the results of both.
 
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};

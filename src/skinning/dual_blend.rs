@@ -8,9 +8,9 @@ use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::internal::Index;
 use dq8_simd::{Lanes, Mask, Records};
 
-/// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, where σ is Σ
-/// ±wᵢσᵢ normalized, over the motions σᵢ of a vertex's joints and their weights wᵢ. The
-/// mesh keeps its volume where joints twist, and bulges where joints bend.
+/// Dual quaternion skinning (Kavan et al. 2008, "DLB"): v ↦ σ applied to v, where σ is the
+/// normalized sum Σ ±wᵢσᵢ, with the motions σᵢ of the vertex's joints and their weights
+/// wᵢ. The mesh keeps its volume where joints twist, and bulges where joints bend.
 ///
 /// The signs are those of UsdSkel's `dualQuaternion`: σᵢ is negated if the dot product of its
 /// real part and the real part of the pivot is negative. The pivot is the motion of the joint of
@@ -44,11 +44,11 @@ impl<'a, R: Scalar> DualBlend<'a, R> {
 /// The weighted sum of the motions of some influences of a vertex, before it is normalized.
 #[derive(Clone, Copy, Debug)]
 pub struct DualSum<L> {
-    /// Σ ±wᵢσᵢ.
+    /// The sum Σ ±wᵢσᵢ of the motions σᵢ with their weights wᵢ.
     sum: [L; 8],
-    /// Σ wᵢ.
+    /// The sum of the weights wᵢ.
     total: L,
-    /// The greatest wᵢ.
+    /// The greatest of the weights wᵢ.
     greatest: L,
 }
 
@@ -95,8 +95,8 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
             pivot = pivots.rows().of(motions)?.quads(level, 0, 0);
         }
         let signed = toward(real, pivot, weights);
-        // From here on each weight has the sign of its motion, so the dual parts are summed without
-        // the pivot.
+        // Each weight in `signed` has the sign of its motion, so the pivot is not needed for the
+        // sums.
         let zero = total.constant(0.0);
         let mut sum = DualSum { sum: [zero; 8], total, greatest };
         influence = 0;
@@ -135,15 +135,15 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
     fn map<L: Lanes<Real = R>>(&self, _: L::Level, sum: DualSum<L>, _: usize) -> ScaledMotion<L> {
         let motion = batch::DualQuat::from_array(sum.sum);
         let (one, two) = (sum.total.constant(1.0), sum.total.constant(2.0));
-        // A sum of weight 1 whose greatest weight is 1 is a single motion, which is unit. Dividing
-        // by its computed norm would only add rounding.
+        // A sum whose weights total 1 and whose greatest weight is 1 is a single motion, which is
+        // unit. Dividing by its computed norm would only add rounding.
         let single = sum.total.eq(one) & sum.greatest.eq(one);
         let two = L::select(single, two, two / motion.real().dot(motion.real()));
         ScaledMotion { motion, two }
     }
 }
 
-/// Returns the weights, each negated if its real part points away from that of `pivot`.
+/// Returns the weights, each negated if the real part of its motion points away from `pivot`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -> [L; GROUP] {
     let pivot = batch::Quat::from_array(pivot);
@@ -169,7 +169,7 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
             let side = leading(real[influence]) * side_of_pivot;
             let weight = L::select(side.lt(zero), -weights[influence], weights[influence]);
             // Only dot products of exactly zero take the new sign. Other lanes come here only
-            // because of their neighbours, and their result must not depend on these.
+            // because of neighbouring lanes, on which their results must not depend.
             signed[influence] = L::select(dot.eq(zero), weight, signed[influence]);
             influence += 1;
         }
@@ -187,8 +187,8 @@ fn leading<L: Lanes>([x, y, z, w]: [L; 4]) -> L {
     first
 }
 
-/// A dual quaternion of any norm, as the map of the motion that it becomes when normalized. `two`
-/// is 2/|p|², where p is the real part.
+/// A dual quaternion of any norm, which moves a surface by the motion that its normalization gives.
+/// `two` is 2/|p|², where p is the real part.
 #[derive(Clone, Copy, Debug)]
 pub struct ScaledMotion<L> {
     motion: batch::DualQuat<L>,

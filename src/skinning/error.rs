@@ -2,7 +2,7 @@ use crate::macros::{Count, errors};
 use crate::storage::shape::ShapeError;
 
 errors! {
-    /// The error of a skin, a palette or the slices of a run. No output has been written.
+    /// The error of a skin, of a palette, or of the slices of a mesh. No output has been written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     SkinningError {
@@ -79,7 +79,8 @@ errors! {
             /// The value of the element.
             value: f64,
         } => "joint {joint}: an element of its matrix is {value}, which must be finite";
-        /// The last row of a joint's matrix is not 0 0 0 1. Columns given as rows look like this.
+        /// The last row of a joint's matrix is not 0 0 0 1. A matrix that is given by columns in
+        /// place of rows looks like this.
         NotAffine {
             /// The index of the joint.
             joint: usize,

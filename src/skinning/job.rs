@@ -16,8 +16,8 @@
 //!   has no branch on the number of influences. Eight influences are two groups.
 //! - *Meshes with positions alone have a path of their own* ([`Blender::points`]), because a linear
 //!   blend of positions needs no map. The general loop poses the last points, which this path
-//!   leaves over. It begins at a whole register, so it poses some points a second time, with the
-//!   same bits.
+//!   leaves over. The general loop begins at a whole register, so it poses some points a second
+//!   time, with the same bits.
 //! - *All inputs are checked before the loop*. So no index in the loop is out of range, and an
 //!   error leaves the output untouched.
 
@@ -148,7 +148,7 @@ impl<J: Index, W: Weight> Job<'_, J, W> {
     }
 }
 
-/// The least number of vertices in a task of a thread, which take some microseconds.
+/// The least number of vertices in a task of a thread. Posing them takes some microseconds.
 const GRAIN: usize = 4096;
 
 /// The loop over the vertices of a mesh, with a vertex in each lane.

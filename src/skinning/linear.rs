@@ -114,7 +114,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
             return None;
         }
         // A point is read as four components, of which the fourth belongs to the next point. No
-        // point follows the last one, so the general loop poses the last point.
+        // point follows the last point, so the general loop poses the last one to four points.
         let count = posed.len().checked_sub(1)? & !3;
         let (rest, posed) = (rest.as_flattened().get(..3 * count + 1)?, posed.get_mut(..count)?);
         let palette: &[[R; 12]] = bytemuck::must_cast_slice(self.palette);

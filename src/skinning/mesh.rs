@@ -52,7 +52,7 @@ impl<S> Vertices<S> {
         Self { tangents: Some(tangents), ..self }
     }
 
-    /// Cuts the slices before element `at`, so that two threads can pose one part each.
+    /// Splits each slice before element `at` by `cut`, so that two threads can pose one part each.
     #[cfg(feature = "rayon")]
     pub(super) fn split(self, at: usize, cut: impl Fn(S, usize) -> (S, S)) -> (Self, Self) {
         let (positions, others) = cut(self.positions, at);

@@ -4,7 +4,7 @@
 use crate::number::Real;
 use crate::scalar::DualQuat;
 
-/// Returns the linear blend Σ wᵢMᵢ of 3×4 matrices with their weights.
+/// Returns the linear blend Σ wᵢMᵢ of 3×4 matrices Mᵢ with their weights wᵢ.
 ///
 /// ```
 /// use dq8::DualQuat;
@@ -25,11 +25,11 @@ pub fn linear_blend<R: Real>(influences: &[([[R; 4]; 3], R)]) -> [[R; 4]; 3] {
     sum
 }
 
-/// Returns the dual quaternion blend Σ ±wᵢσᵢ of motions with their weights, exactly
-/// normalized, with UsdSkel's signs: each motion is negated if its real part points away from that
-/// of the pivot, the first motion with the greatest weight. If the real parts are at right angles,
-/// which is half a turn, both motions count with the sign that makes their first nonzero component
-/// of (w, x, y, z) positive.
+/// Returns the dual quaternion blend Σ ±wᵢσᵢ of motions σᵢ with their weights wᵢ,
+/// exactly normalized. The signs are those of UsdSkel: a motion is negated if its real part points
+/// away from that of the pivot, the first motion with the greatest weight. If the real parts are at
+/// right angles, half a turn lies between the motion and the pivot. Then both count with the sign
+/// that makes their first nonzero component of (w, x, y, z) positive.
 ///
 /// A single motion of weight 1 is returned as it is. The result is `None` without influences, and
 /// all its components are NaN if the sum cannot be normalized.

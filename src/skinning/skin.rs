@@ -131,7 +131,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             }
             total += value;
         }
-        // Seven weights rounded to eight bits exceed one by at most 7 · ½/255.
+        // The sum of seven weights, each rounded to eight bits, exceeds one by at most 7 · ½/255.
         let right = if self.implied() {
             total <= 1.0 + 1.0 / 64.0
         } else {
@@ -186,8 +186,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Some((joint.into(), self.weight(vertex, influence)))
     }
 
-    /// Returns the index of the influence with the greatest weight of a vertex; the first one if
-    /// several are equal.
+    /// Returns the index of the influence with the greatest weight of a vertex, or of the first
+    /// such influence if several weights are equal.
     fn pivot<R: Real>(&self, vertex: usize) -> usize {
         let (mut pivot, mut greatest) = (0, self.weight::<R>(vertex, 0));
         for influence in 1..self.influences() {
@@ -263,7 +263,7 @@ impl Weight for f64 {
     }
 }
 
-// The weight is divided and not multiplied by a reciprocal, because 255 · (1/255) need not be 1.
+// The weight is divided by 255 and not multiplied by 1/255, because 255 · (1/255) need not be 1.
 impl Weight for u8 {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn value<R: Real>(self) -> R {
@@ -380,16 +380,16 @@ pub(super) struct Influences<'a, R, J> {
     pub(super) weights_in_place: Option<&'a [[R; GROUP]; MAX_LANES]>,
     pub(super) weights: Aligned<[[R; GROUP]; MAX_LANES]>,
     /// The joint of greatest weight, as the first index of each lane, if a vertex has more than one
-    /// group.
+    /// group of influences.
     pub(super) pivots: Option<Picks<'a, J>>,
 }
 
-/// Memory that kernels use for one register of vertices after another.
+/// Memory that kernels use again for each register of vertices.
 #[derive(Debug)]
 pub struct Scratch<'a, R, J> {
     pub(super) influences: Influences<'a, R, J>,
-    /// The twelve entries of the weighted sum of matrices, for each lane. Sixteen `f32` fill one
-    /// cache line.
+    /// The twelve entries of the weighted sum of matrices, for each lane. An array has sixteen
+    /// elements, because sixteen `f32` fill one cache line.
     pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
 }
 
@@ -400,8 +400,8 @@ pub struct Scratch<'a, R, J> {
 pub(super) struct Aligned<T>(pub(super) T);
 
 impl<R: Scalar, J: Index> Influences<'_, R, J> {
-    /// Returns the joints of each lane. They lie in one of two places. [`settled`] makes the
-    /// compiler choose the place once, and not again for each index.
+    /// Returns the joints of each lane, in the memory of the skin or in the copy. [`settled`] makes
+    /// the compiler choose the place once, and not again for each index.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> PickRows<'_, J> {
         *settled(&self.in_place.unwrap_or_else(
@@ -426,7 +426,7 @@ pub(super) fn settled<T>(written: &T) -> &T {
     black_box(written)
 }
 
-/// Four influences of each of some vertices: the palette entries of their joints, and their
+/// The four influences of each vertex in a range: the palette entries of the joints, and the
 /// weights.
 type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
 

@@ -15,10 +15,10 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// Blends K slices of motions by dual quaternion linear blending:
-    /// `blends[i]` = normalize(Σₖ ±wₖᵢσₖᵢ), where influence k is the pair of slices
-    /// `(σₖ, wₖ)`. Each sign is chosen so that the motion lies on the same hemisphere as
-    /// that of the first influence; see [`DualQuat::dlb`](crate::DualQuat::dlb).
+    /// Blends K slices of motions by dual quaternion linear blending: `blends[i]` = normalize(Σₖ
+    /// ±wₖᵢσₖᵢ), where influence k is the pair of slices `(σₖ, wₖ)`. Each sign is
+    /// chosen so that the motion lies on the same hemisphere as the motion of the first influence;
+    /// see [`DualQuat::dlb`](crate::DualQuat::dlb).
     ///
     /// # Errors
     /// If the slices differ in length; `blends` is untouched.

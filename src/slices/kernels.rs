@@ -48,7 +48,7 @@ macro_rules! __for_each_kernel {
     normalize[M: 8](motions: any M) -> units: unit M, in place normalize_in_place
         = motions.normalize(), {
         /// Each result is `units[i]` = σᵢ/√(σᵢσᵢ*) of the motion σᵢ. Some component
-        /// is NaN where this does not exist (see
+        /// is NaN where this unit motion does not exist (see
         /// [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
         ///
         /// ```
@@ -113,8 +113,8 @@ macro_rules! __for_each_kernel {
     /// Interpolates like `nlerp`, with a number `t[i]` for each pair.
     nlerp_each[M: 8, T: 1](a: unit M, b: unit M, t: number T) -> between: unit M
         = a.nlerp(b, t), {
-        /// The values of `t` have the element type of the motions: write `&[0.5_f32; 4]`, because
-        /// literals without a suffix are `f64`. See [`nlerp`](Self::nlerp).
+        /// The values of `t` have the element type of the motions: for `f32` write `&[0.5_f32; 4]`,
+        /// because literals without a suffix are `f64`. See [`nlerp`](Self::nlerp).
     }
 
     /// Interpolates from unit `a[i]` (t = 0) to unit `b[i]` (t = 1) by the shorter way, along
@@ -327,7 +327,8 @@ macro_rules! __for_each_kernel {
     transform_lines_each as "lines_each" [M: 8, P: 6](motions: unit M, lines: line P)
         -> moved: line P = motions.transform_line(lines), {
         /// Each result is `moved[i]` = Rᵢl + ε(Rᵢm + tᵢ × Rᵢl) of the line l + εm with
-        /// direction l and moment m; see [`Line`](crate::Line).
+        /// direction l and moment m, where Rᵢ and tᵢ are the rotation and the translation of
+        /// the motion; see [`Line`](crate::Line).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -345,8 +346,9 @@ macro_rules! __for_each_kernel {
     /// n, and n . p of any point p on it.
     transform_planes_each as "planes_each" [M: 8, P: 4](motions: unit M, planes: plane P)
         -> moved: plane P = motions.transform_plane(planes), {
-        /// Each result is the plane `moved[i]` = (n′, d′) with n′ = Rᵢn and
-        /// d′ = d + n′·tᵢ; see [`Plane`](crate::Plane).
+        /// Each result is the plane `moved[i]` = (n′, d′) of the plane (n, d) and the motion
+        /// with rotation Rᵢ and translation tᵢ: n′ = Rᵢn and d′ = d + n′·tᵢ; see
+        /// [`Plane`](crate::Plane).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat};
@@ -363,8 +365,9 @@ macro_rules! __for_each_kernel {
     /// first, which turns a body twist into the spatial one.
     transform_twists_each as "twists_each" [M: 8, T: 6](motions: unit M, twists: twist T)
         -> moved: twist T = motions.adjoint(twists), {
-        /// Each result is the twist `moved[i]` = (ω′, v′), where ω′ = Rᵢω and
-        /// v′ = Rᵢv + tᵢ × ω′; see [`DualQuat::adjoint`](crate::DualQuat::adjoint).
+        /// Each result is the twist `moved[i]` = (ω′, v′) of the twist (ω, v) and the motion
+        /// with rotation Rᵢ and translation tᵢ: ω′ = Rᵢω and v′ = Rᵢv + tᵢ ×
+        /// ω′; see [`DualQuat::adjoint`](crate::DualQuat::adjoint).
         ///
         /// ```
         /// use dq8::{Backend, DualQuat, Twist};
@@ -380,9 +383,9 @@ macro_rules! __for_each_kernel {
     };
 }
 
-/// The kinds of records that kernels read and write. For each kind: the count of its components; a
-/// record made `from` an array of components; and the array `of` a record. Motions of the kind
-/// `any` need not be unit. `DualQuat` is the scalar type or the type on lanes, as the caller
+/// The kinds of records that kernels read and write. For each kind the macro gives the count of its
+/// components, a record `from` an array of components, and the array `of` a record. Motions of the
+/// kind `any` need not be unit. `DualQuat` is the scalar type or the type on lanes, as the caller
 /// imports it.
 #[macro_export]
 #[doc(hidden)]
@@ -576,8 +579,8 @@ macro_rules! methods {
     };
 }
 
-/// The first input of a kernel. If the kernel has a method in place too, its input is a [`Source`]:
-/// a slice or the output itself. Otherwise it is a slice.
+/// The first input of a kernel. If the kernel also has a method that works in place, its input is a
+/// [`Source`]: a slice or the output itself. Otherwise it is a slice.
 #[rustfmt::skip]
 macro_rules! input {
     (of $slice:expr) => { $slice };
@@ -592,7 +595,8 @@ macro_rules! input {
     ($in_place:ident part $input:expr, $elements:expr) => { $input.part($elements) };
 }
 
-/// Defines the method in place, if the list names one. If it takes no other slice, it cannot fail.
+/// Defines the method that works in place, if the list of kernels names one. A method that takes no
+/// other slice cannot fail, because no lengths can differ.
 macro_rules! in_place {
     ($name:ident [$E:ident: $size:literal] $($inputs:tt)*) => {};
     ($name:ident $in_place:ident [$E:ident: $size:literal]($input:ident: $I:ident)) => {

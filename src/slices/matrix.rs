@@ -13,8 +13,8 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level, Mask};
 
 errors! {
-    /// Matrices that are no rigid motions, or slices whose lengths differ. Nothing has been
-    /// written.
+    /// The error of matrices that are no rigid motions, or of slices whose lengths differ. Nothing
+    /// has been written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MatricesError {
@@ -32,7 +32,7 @@ errors! {
 }
 
 impl Backend {
-    /// Computes the matrix [R | t] of each unit motion. Elements of twelve numbers become 3×4
+    /// Computes the matrix [R | t] of each unit motion. Elements of twelve components become 3×4
     /// matrices; elements of sixteen become 4×4 matrices, whose last row is 0 0 0 1. See
     /// [`DualQuat::to_matrix3x4`](crate::DualQuat::to_matrix3x4) and
     /// [`DualQuat::to_matrix4`](crate::DualQuat::to_matrix4).
@@ -67,9 +67,9 @@ impl Backend {
         Ok(())
     }
 
-    /// Computes the motion, with p_w ≥ 0, of each matrix that is known to be rigid
+    /// Computes the motion whose quaternion has w ≥ 0, for each matrix that is known to be rigid
     /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)). Matrices that are not rigid
-    /// give motions without a meaning. Elements of twelve numbers are 3×4 matrices; elements of
+    /// give motions without a meaning. Elements of twelve components are 3×4 matrices; elements of
     /// sixteen are 4×4 matrices, whose last row is not read.
     ///
     /// # Errors
@@ -99,9 +99,9 @@ impl Backend {
         Ok(())
     }
 
-    /// Computes the motion, with p_w ≥ 0, of each matrix, and checks that it is rigid as
-    /// [`DualQuat::try_from_matrix3x4`](crate::DualQuat::try_from_matrix3x4) and
-    /// [`DualQuat::try_from_matrix4`](crate::DualQuat::try_from_matrix4) do.
+    /// Computes the motion whose quaternion has w ≥ 0, for each matrix, and checks that the
+    /// matrix is rigid, as [`DualQuat::try_from_matrix3x4`](crate::DualQuat::try_from_matrix3x4)
+    /// and [`DualQuat::try_from_matrix4`](crate::DualQuat::try_from_matrix4) do.
     ///
     /// # Errors
     /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one;
@@ -225,7 +225,8 @@ pub trait RigidMatrix<const C: usize>: PaletteEntry<C> {
     /// Computes the motions of rigid matrices, one in each lane.
     #[doc(hidden)]
     fn motion<L: Lanes>(numbers: [L; C], order: MatrixOrder) -> batch::DualQuat<L>;
-    /// Returns the lanes whose matrix is further than `tolerance` from a rigid one.
+    /// Returns a mask that is true in lanes whose matrix is further than `tolerance` from a rigid
+    /// one.
     #[doc(hidden)]
     fn fails<L: Lanes>(numbers: [L; C], order: MatrixOrder, tolerance: L) -> L::Mask;
     /// Returns the reason why a matrix is not rigid, `None` if it is rigid.

@@ -16,7 +16,8 @@ pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
         false
     }
 
-    /// Computes the records of a tile; `output` is the output slice as it is so far.
+    /// Computes the records of a tile. A kernel that works in place reads its input from `output`,
+    /// the output slice, in which earlier tiles are already written.
     fn compute<V: Level>(&self, level: V, output: &[Q], tile: Tile) -> Things<Q, V, D>;
 
     /// Returns the same computation for the elements of a range alone.

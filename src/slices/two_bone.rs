@@ -1,4 +1,4 @@
-//! The kernel that bends limbs of two bones over slices.
+//! The kernel over slices that bends limbs of two bones.
 
 use super::sweep::{GRAIN, part};
 use crate::backend::{Backend, Kernel, Rows};
@@ -11,10 +11,10 @@ use dq8_simd::{Lanes, Level};
 
 impl Backend {
     /// Computes the rotations of both bones of each limb so that its end reaches a target:
-    /// `uppers[i]` and `lowers[i]` are those that [`TwoBone::reach`](crate::ik::TwoBone::reach)
-    /// finds for `roots[i]`, `lengths[i]`, `targets[i]` and `poles[i]`. An element of lengths has
-    /// two numbers, a point three, a rotation four. For the limbs of skeletons there is
-    /// [`Job::two_bone`](crate::Job::two_bone).
+    /// `uppers[i]` and `lowers[i]` are the rotations that
+    /// [`TwoBone::reach`](crate::ik::TwoBone::reach) finds for `roots[i]`, `lengths[i]`,
+    /// `targets[i]` and `poles[i]`. Elements of `lengths` have two components, points three,
+    /// rotations four. For the limbs of skeletons there is [`Job::two_bone`](crate::Job::two_bone).
     ///
     /// # Errors
     /// If the slices differ in length, or a limb cannot be bent; the error has the index of the

@@ -1,6 +1,6 @@
-//! Loads and stores of four lanes of `f32`. Records of four components have no function here: the
-//! transpose of `wide` takes the fewest shuffles, and the compiler merges a quarter of them with
-//! the stores (`st2`).
+//! Loads and stores of four lanes of `f32`. There is no `load_quads` and no `store_quads` here: the
+//! transpose of `wide` takes the fewest shuffles, and the compiler merges a quarter of the shuffles
+//! with the stores (`st2`).
 
 use core::arch::aarch64::*;
 use core::mem::transmute;

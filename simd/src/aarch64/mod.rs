@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | 2 or 3 components | `ld2`, `ld3` | `st2`, `st3` |
 //! | 4 components | `ld4` | shuffles: `st4` takes twice as long on V2 |
-//! | 8 components | shuffles: two `ld4` need as many of them | shuffles |
+//! | 8 components | shuffles: two `ld4` would need as many shuffles | shuffles |
 
 pub(crate) mod f32x4;
 pub(crate) mod f64x2;

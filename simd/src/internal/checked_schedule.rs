@@ -17,8 +17,8 @@ use alloc::boxed::Box;
 /// indices are below a bound.
 ///
 /// The constructor checks the indices, and the loop does not: a step takes seven cycles, and a
-/// check would add half a cycle. The type `S`, a slice or a box, holds the pairs. A schedule that
-/// holds a box must be `borrowed` to run.
+/// check would add half a cycle. The type `S`, a slice or a box, holds the pairs. To run a schedule
+/// that holds a box, call its method `borrowed` first.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedSchedule<S> {
     /// Invariant: all indices in `pairs` are less than `bound`.

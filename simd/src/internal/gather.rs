@@ -69,9 +69,9 @@ impl<'f> Gather<'f> {
             frames = &copied;
         }
         let mut starts = [0; MAX_LANES];
-        // The loop has `LANES` turns, which is a constant. With a count that is known at run time
-        // only, the compiler makes masked stores to `starts`, and the loads from `starts` then wait
-        // for them.
+        // The loop has `LANES` iterations, which is a constant. With a count that is known at run
+        // time only, the compiler makes masked stores to `starts`, and the loads from `starts` then
+        // wait for them.
         for (start, &frame) in starts.iter_mut().zip(frames.get(..L::LANES)?) {
             // If the product wraps, the row is beyond the end of every table. Then the greatest row
             // is also beyond the end, and `load_gathered` refuses to read.

@@ -68,7 +68,7 @@ pub struct CheckedIndices<'a, J> {
 
 impl<'a, J: Index> CheckedIndices<'a, J> {
     /// Checks that every index is below `bound`, the count of records that may be read. Rows begin
-    /// `stride` indices apart and have `columns` indices; a row that the end of `indices` cuts off
+    /// `stride` indices apart and have `columns` indices; an incomplete row at the end of `indices`
     /// does not count. There are no rows if `columns` is 0 or more than `stride`.
     ///
     /// # Errors
@@ -117,14 +117,14 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     #[inline(always)]
     #[must_use]
     pub fn row(self, row: usize) -> &'a [J] {
-        // `new` has checked only whole rows, so a row that the end of the slice cuts off counts as
+        // `new` has checked only whole rows, so an incomplete row at the end of the slice counts as
         // missing.
         let from = row.checked_mul(self.stride).and_then(|from| self.indices.get(from..));
         from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
 
-    /// Returns the bound of the indices, which is the least count of records of a table that they
-    /// may read.
+    /// Returns the bound of the indices. They may read a table only if it has at least this many
+    /// records.
     #[inline(always)]
     #[must_use]
     pub fn bound(self) -> usize {
@@ -246,8 +246,8 @@ impl<'a, J: Index> Picks<'a, J> {
     pub fn set_row(&mut self, lane: usize, row: usize, from: usize) -> bool {
         let (row, given) = (self.checked.row(row), self.checked.columns.saturating_sub(from));
         if let Some(slots) = self.rows.get_mut(lane) {
-            // The loop always has four turns. A loop over only the columns that the row has takes
-            // twice as long.
+            // The loop always has four iterations. A loop over only the columns that the row has
+            // takes twice as long.
             for (which, slot) in slots.iter_mut().enumerate() {
                 let column = if which < given { from + which } else { 0 };
                 *slot = row.get(column).copied().unwrap_or_default();

@@ -54,9 +54,9 @@ pub const fn check_padding<P>(size_of_fields: usize) {
 /// documentation, `must_use`, derives and, behind a feature, derives and `serde` attributes. It
 /// rejects any other attribute, because one could change the layout or remove the struct. The names
 /// `derive` and `serde` are resolved where the macro is called, and the calling crate may have
-/// attributes of its own with these names. So the macro also checks the finished struct, and a
-/// struct with padding or with an alignment of its own does not compile. No other name in the macro
-/// is resolved where the macro is called.
+/// attributes of its own with these names. So the macro also checks the struct after all attributes
+/// have acted on it, and a struct with padding or with an alignment of its own does not compile. No
+/// other name in the macro is resolved where the macro is called.
 ///
 /// ```
 /// dq8_simd::pod! {

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! A column is the rotation or the translation of one joint. A column that moves has a key for each
-//! frame; a column that stays has one key in all. So column `c` at frame `f` of a clip has this
+//! frame; a column that stays has a single key. So column `c` at frame `f` of a clip has this
 //! key:
 //!
 //! ```text
@@ -45,8 +45,8 @@ type Entry = [u8; 2];
 
 /// The count of keys in a cache line.
 const KEYS_PER_LINE: usize = 8;
-/// The least count of keys whose table, of 1 MiB or more, is expected not to fit into the
-/// second-level cache.
+/// The least count of keys that are expected not to fit into the second-level cache. They take 1
+/// MiB.
 const BEYOND_CACHE: usize = 1 << 17;
 
 /// The tables of clips that have the same columns. The constructor has checked that every key to
@@ -55,7 +55,7 @@ const BEYOND_CACHE: usize = 1 << 17;
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
-    /// For each clip: its first key, its count of frames, its step and its row.
+    /// For each clip: its first key, its count of frames, its step in keys, and its row.
     clips: &'a [[Word; 4]],
     /// The entries of all rows, row by row.
     rows: &'a [Entry],
@@ -142,8 +142,8 @@ impl<'a> Tracks<'a> {
         Some(self.clip(clip)?.frames)
     }
 
-    /// Returns true if a column of a clip has a key for each frame, and false if it has one key in
-    /// all. Returns `None` if there is no such clip or column.
+    /// Returns true if a column of a clip has a key for each frame, and false if it has a single
+    /// key. Returns `None` if there is no such clip or column.
     #[must_use]
     pub fn moves(&self, clip: usize, column: usize) -> Option<bool> {
         Some(u16::from_le_bytes(*self.row(self.clip(clip)?.row)?.get(column)?) & 1 == 1)
@@ -173,8 +173,9 @@ impl<'a> Tracks<'a> {
         Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, origins, steps: [0, step] })
     }
 
-    /// Checks that `place` of these tracks returns each of the places, and returns the tracks
-    /// paired with the places. There is one place per lane or instance.
+    /// Checks that each element of `places` is a place that [`place`](Self::place) of these tracks
+    /// returns. Then returns the tracks paired with the places. There is one place per lane or
+    /// instance.
     ///
     /// # Errors
     /// Returns the index of the first place that [`place`](Self::place) of these tracks does not
@@ -194,7 +195,8 @@ impl<'a> Tracks<'a> {
     }
 }
 
-/// A record of the table of clips: its first key, its count of frames, its step and its row.
+/// A record of the table of clips: its first key, its count of frames, its step in keys, and its
+/// row.
 struct Clip {
     first: u32,
     frames: u32,
@@ -202,9 +204,9 @@ struct Clip {
     row: u32,
 }
 
-/// A frame of a packed clip, with the places of its keys in the file. `PackedClips::place` makes
-/// it. It is plain data that users may keep or change, so it is checked again when it is used. A
-/// place that [`Tracks::place`] of the clips does not return is then an error.
+/// A frame of a packed clip, with the indices from which its keys are found. `PackedClips::place`
+/// makes it. It is plain data that users may keep or change, so it is checked again when it is
+/// used. A place that [`Tracks::place`] of the clips does not return is then an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct TrackPlace {
@@ -242,10 +244,10 @@ impl<'a> PlacedTracks<'a, '_> {
     }
 
     /// Interpolates a column of the tracks between two frames, and returns the four components of
-    /// the key, each in a vector. Lane `i` is the part `t` (lane `i` of `t`) of the way from the
-    /// frame at place `first + i` to the next frame, as [`Lanes::between_shorts`] computes it.
-    /// Lanes after the last place take the last place. Returns `None` if there is no place, or no
-    /// such column.
+    /// the key, each in a vector. Lane `i` goes from the frame at place `first + i`, if lane `i` of
+    /// `t` is 0, to the next frame, if it is 1, as [`Lanes::between_shorts`] computes it. Lanes
+    /// after the last place take the last place. Returns `None` if there is no place, or no such
+    /// column.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between<L: Lanes>(
         self,
@@ -314,9 +316,9 @@ impl<'a> PlacedTracks<'a, '_> {
     }
 
     /// Interpolates several columns at one place, as [`between`](Self::between) does one column:
-    /// lane `i` has column `first + i` and lane `i` of `t` as its part of the way. Lanes after the
-    /// last column take the last column. Returns `None` if there is no such place, or if the clips
-    /// have no columns.
+    /// lane `i` interpolates column `first + i` by lane `i` of `t`. Lanes after the last column
+    /// take the last column. Returns `None` if there is no such place, or if the clips have no
+    /// columns.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between_columns<L: Lanes>(
         self,

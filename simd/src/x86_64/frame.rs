@@ -11,8 +11,8 @@ use core::hint::black_box;
 pub(super) fn align_frame() {
     #[repr(align(64))]
     struct CacheLine(#[allow(dead_code, reason = "only its address matters")] u8);
-    // The variable is borrowed mutably, so it must be on the stack. The compiler would make a
-    // static of a constant that is only read.
+    // The variable is borrowed mutably, so it must be on the stack. If it were only read, the
+    // compiler could put it in static memory.
     let mut local = CacheLine(0);
     black_box(&mut local);
 }

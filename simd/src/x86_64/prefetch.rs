@@ -18,7 +18,7 @@ pub(super) fn prefetch<T>(value: &T) {
 }
 
 /// Implements [`Level::prefetch_every`](crate::Level::prefetch_every): prefetches the first cache
-/// line of elements 0, `stride`, `2 · stride` and so on, `count` elements in all.
+/// line of elements 0, `stride`, `2 · stride` and so on, `count` elements altogether.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn prefetch_every<T>(memory: &[T], stride: usize, count: usize) {
     for index in 0..count {

@@ -16,9 +16,10 @@
 //! Shuffles inside of groups are quick, and no component has to cross from one group to another.
 //! The transpose is its own inverse, so a store transposes first and then writes the records.
 //!
-//! These functions are `unsafe`, because registers and pointers prove nothing. The lane types that
-//! call them prove that the CPU has the instructions, and the callers of the lanes' `unsafe`
-//! methods guarantee that the memory may be read or written.
+//! These functions are `unsafe`, because their arguments, registers and pointers, prove nothing
+//! about the CPU and the memory. The lane types that call them prove that the CPU has the
+//! instructions, and the callers of the lanes' `unsafe` methods guarantee that the memory may be
+//! read or written.
 #![allow(clippy::missing_safety_doc, reason = "stated once, below, for all functions")]
 
 use core::arch::x86_64::*;
