@@ -1,4 +1,5 @@
-//! [`OwnedReach`] and [`OwnedSixAxisArm`]: a problem and an arm that own their memory.
+//! [`OwnedReach`] and [`OwnedSixAxisArm`]: an inverse kinematics problem and a six-axis arm that
+//! own their memory.
 
 use super::family::{Family, Geometry, SolutionsError};
 use super::freedom::Freedom;
@@ -49,7 +50,7 @@ pub struct OwnedReach<R> {
 brief!([R] OwnedReach<R>: OwnedReach |it| { mechanism: it.mechanism, goals: it.goals.len() });
 
 impl<R: Real> OwnedReach<R> {
-    /// Makes a problem as [`Reach::new`] does.
+    /// Makes an inverse kinematics problem as [`Reach::new`] does.
     ///
     /// # Errors
     /// The errors of [`Reach::new`].

@@ -10,31 +10,31 @@ pub struct Options<R> {
     /// The largest distance from a target that counts as reached, in the unit of the mechanism.
     pub linear_tolerance: R,
     /// The largest number of steps and restarts together. Most targets of an arm take six or seven
-    /// iterations. The default of 100 is for the few in a hundred that need a restart. It costs
-    /// time only if a target cannot be reached or a posture is far. Several goals on one tree may
-    /// need 1000: a humanoid with four goals reached 93 % of random reachable targets within 100
-    /// iterations, and all of 200 targets within 1000.
+    /// iterations. The default of 100 is meant for the few targets in a hundred that need a
+    /// restart. It costs time only if a target cannot be reached or a posture is far. Several goals
+    /// on one tree may need 1000: a humanoid with four goals reached 93 % of random reachable
+    /// targets within 100 iterations, and all of 200 targets within 1000.
     pub max_iterations: u32,
     /// The length that weighs as much as a radian, more than zero. `None` means an eighth of the
     /// longest distance along the links to a goal. If a joint floats or slides without limits, the
-    /// distance that it has to move counts instead if it is longer, except in searches that
-    /// [track](super::Reach::track). The length decides which pose is nearest to a target that
-    /// cannot be reached, and how fast other targets are reached.
+    /// distance to the farthest target and the present slide count instead where they are longer,
+    /// except in searches that [track](super::Reach::track). The length decides which pose is
+    /// nearest to a target that cannot be reached, and how fast other targets are reached.
     pub length_per_radian: Option<R>,
-    /// The largest change of a hinge in one step, in radians. It must be more than zero, and more
-    /// than a turn counts as a turn. Slides are not limited.
+    /// The largest change of a hinge in one step, in radians. It must be more than zero. A value of
+    /// more than a turn acts like a turn. The steps of slides are not limited.
     pub max_step: R,
-    /// The damping λ of the least squares at the target itself, radians. Zero, the default,
+    /// The damping λ of the least squares where the error is zero, radians. Zero, the default,
     /// reaches targets fastest. With λ no step is longer than |e|/(2λ) for an error |e|, also
     /// near singular poses, which suits a machine that follows a target.
     pub damping: R,
     /// `true` if a search that is stuck begins again from another configuration; `false` if it only
     /// converges from its start, which suits a target that moves.
     pub restarts: bool,
-    /// The part of the weighted squared error that a step must gain, from 0 to 1. A step that gains
-    /// less is the last step, or the last step before a restart. With more goals than freedoms no
+    /// The part of the weighted squared error by which a step must reduce it, from 0 to 1. After a
+    /// step that reduces it by less, the search ends or restarts. With more goals than freedoms no
     /// target is reached, and only this option ends a search that cannot get better. With zero, the
-    /// default, no gain is required.
+    /// default, no reduction is required.
     pub least_gain: R,
 }
 
@@ -63,8 +63,9 @@ impl<R: Real> Options<R> {
     }
 
     /// Returns options for following moving targets ([`Reach::track`](super::Reach::track)) from
-    /// the last values: tolerances of 10⁻⁴ rad and 10⁻⁴ lengths, at most 3 steps, a least
-    /// gain of a hundredth, a damping of 0.1 rad, and no restarts.
+    /// the values of the previous frame: tolerances of 10⁻⁴ rad and 10⁻⁴ lengths, at most 3
+    /// steps, a least gain of a hundredth of the squared error, a damping of 0.1 rad, and no
+    /// restarts.
     #[must_use]
     pub fn track() -> Self {
         let fine = R::from(1e-4);

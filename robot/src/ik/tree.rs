@@ -52,8 +52,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let zero = L::splat(level, L::Real::default());
         self.scratch.bodies.fill(zero);
         for freedom in reach.freedoms.iter().filter(|freedom| freedom.is_slide()) {
-            // All unknowns of the equations are in radians, so a slide counts by its length per
-            // radian.
+            // All unknowns of the equations are in radians, so the twist of a slide is multiplied
+            // by the length that weighs as much as a radian.
             let at = freedom.twist_row as usize;
             let twist = Twist::from_array(self.scratch.twists.record(level, at));
             self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
