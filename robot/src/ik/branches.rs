@@ -89,8 +89,8 @@ pub(super) struct Arm<'s, L: Lanes> {
     geometry: &'s Geometry<L::Real>,
     /// The product of the six turns whose angles are sought.
     product: DualQuat<L>,
-    /// The angles of the caller's start, to which near solutions are preferred. If any angle solves
-    /// an equation, the solution takes the angle of the start.
+    /// The angles of the start that the caller gave. If any angle solves an equation, the solution
+    /// takes the angle of the start.
     start: [Complex<L>; 6],
     slack: Slack<L>,
     /// The direction of the second axis.

@@ -363,8 +363,8 @@ impl<R: Real> Range<R> {
         } else {
             [low, high]
         };
-        // Beyond 2¹⁷ radians in `f32`, and 2⁴⁶ radians in `f64`, the sine that registers of
-        // lanes compute is NaN.
+        // Beyond 2¹⁷ radians in `f32`, and 2⁴⁶ radians in `f64`, the sine of a register of
+        // lanes is NaN.
         let is_near = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
         let fits = |value: R| !is_angle || !value.is_finite() || is_near(value);
         // Limits that are NaN fail both comparisons.

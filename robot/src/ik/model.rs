@@ -23,8 +23,8 @@ use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Level, MAX_LANES};
 
 /// A configuration and its targets in each lane. With `TRACK`, steps are of first order, and steps
-/// for several goals solve normal equations that are sparse like the tree. `TRACK` is a constant of
-/// the type so that firmware that does not track does not contain this code.
+/// for several goals solve the sparse normal equations of `tree.rs`. `TRACK` is a constant of the
+/// type so that firmware that does not track does not contain this code.
 pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) level: L::Level,
     pub(super) reach: &'s Reach<'s, L::Real>,
@@ -36,7 +36,7 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
 /// The weights of posture and start while tracking.
 #[derive(Clone, Copy)]
 pub(super) struct PostureWeights<L> {
-    /// `true` if steps solve the normal equations that are sparse like the tree.
+    /// `true` if steps solve the sparse normal equations of `tree.rs`.
     uses_tree: bool,
     /// `true` if one of the two weights is not zero.
     has_weights: bool,
@@ -129,7 +129,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
         TRACK && self.weights.has_weights
     }
 
-    /// Returns `true` if steps solve the normal equations that are sparse like the tree.
+    /// Returns `true` if steps solve the sparse normal equations of `tree.rs`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn uses_tree(&self) -> bool {
         TRACK && self.weights.uses_tree

@@ -131,7 +131,8 @@ impl<R: Real> Options<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracking<R> {
-    /// The options of any search, [`Options::track`] by default; `restarts` has no effect.
+    /// The options that every search has, by default [`Options::track`]. The option `restarts` has
+    /// no effect in a search that tracks.
     pub options: Options<R>,
     /// The weight of a radian of distance from the [posture](super::Reach::with_posture), relative
     /// to a radian of distance from a target. It acts in every step. With zero, the default, the
@@ -264,11 +265,12 @@ pub enum Outcome {
     Stalled = 3,
     /// The iterations ran out while steps still reduced the error.
     Unfinished = 4,
-    /// An input is invalid; the joint values are untouched, and the errors are NaN. A target is
-    /// farther than 10⁻³ from a unit motion (by the norm of its real part, or by the dot product
-    /// of its real and dual parts), a value or a component of a target is not finite, or a distance
-    /// overflows. Or an option is out of range: it is negative or NaN, a damping, weight or length
-    /// per radian is infinite, a gain is above 1, or a step or length per radian is zero.
+    /// An input is invalid; the joint values are untouched, and the errors are NaN. This happens if
+    /// a target is farther than 10⁻³ from a unit motion (by the norm of its real part, or by the
+    /// dot product of its real and dual parts), if a value or a component of a target is not
+    /// finite, or if a distance overflows. It also happens if an option is out of range: negative
+    /// or NaN, an infinite damping, weight or length per radian, a least gain above 1, or a step or
+    /// length per radian of zero.
     #[default]
     Invalid = 5,
 }
