@@ -345,9 +345,9 @@ impl<R: Scalar> Job<'_, R> {
     /// one pass and without poses in memory. [`Mechanism::link_points`] computes them for one
     /// configuration.
     ///
-    /// Each of `points` is the index of a link and a point in its frame. `values` is laid out as
-    /// for [`poses`](Self::poses). `places` is `[configuration][point]` in the order of `points`,
-    /// with elements `[R; 3]` or blocks.
+    /// Each element of `points` is the index of a link and a point in its frame. `values` is laid
+    /// out as for [`poses`](Self::poses). `places` is `[configuration][point]` in the order of
+    /// `points`, with elements `[R; 3]` or blocks.
     ///
     /// ```
     /// use dq8::DualQuat;
