@@ -66,7 +66,8 @@ pub(super) struct Branch<L: Lanes> {
     pub(super) turns: [Complex<L>; 6],
     /// The lanes in which this solution exists.
     pub(super) exists: L::Mask,
-    /// The rounding error of the angles before the wrist, in units of the roundoff of their inputs.
+    /// The rounding error of the angles that are found before the angles of the wrist, in units of
+    /// the roundoff of their inputs.
     error_gain: L,
     /// The lanes in which this solution coincides with another solution or is one of infinitely
     /// many, because of the shoulder (element 0), the elbow (1) or the wrist (2).
@@ -567,7 +568,7 @@ impl<L: Lanes> Separation<L> {
         let differ = one - other;
         let left = differ.neg_mul_add(differ, square) - away;
         let least = L::select(sine.lt(slack), slack, sine) * slack;
-        // For parallel axes the root is set to zero, because it would be the square root of a
+        // For parallel axes the root is set to zero. A computed root would be the square root of a
         // rounding error.
         let root = L::select(self.is_along, sine.constant(0.0), positive(left).sqrt());
         let parts = [cosine - both, root];

@@ -59,7 +59,7 @@ errors! {
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     SolutionsError {
-        /// Lengths of slices do not fit, or the scratch is too short.
+        /// The lengths of two slices do not fit each other, or the scratch is too short.
         Shape(error: ShapeError) => "{error}";
         /// The problem has more goals than one.
         Goals { goals: usize = "The number of goals." } => "expected one goal, got {goals}";
@@ -76,7 +76,8 @@ errors! {
         /// A target is farther than 10⁻³ from a unit motion.
         NotUnit { index: usize = "The target.", norm: f64 = "The norm of its real part." }
             => "target {index} is not a unit motion: the norm of its real part is {norm}";
-        /// A value of a start is not finite.
+        /// A joint value of a start, the configuration to which solutions should be near, is not
+        /// finite.
         Start { index: usize = "The start.", hinge: usize = "The hinge.", value: f64 = "The value." }
             => "value {hinge} of start {index} is not finite: {value}";
     }
@@ -280,7 +281,7 @@ fn unit<R: Real, const N: usize>(v: [R; N]) -> [R; N] {
     vector::over_norm(v, norm(v))
 }
 
-/// Returns a unit vector at right angles to another vector.
+/// Returns any unit vector at right angles to `v`.
 fn any_across<R: Real>(v: [R; 3]) -> [R; 3] {
     let mut least = [R::ZERO; 3];
     let index = usize::from(v[1].abs() < v[0].abs());

@@ -66,7 +66,8 @@ impl<R: Real> Default for Freedom<R> {
 }
 
 impl<R: Real> Freedom<R> {
-    /// Returns `true` if the freedom is a joint's only value, and not a part of a floating joint.
+    /// Returns `true` if the freedom changes exactly one value. A freedom of a floating joint
+    /// changes the joint's quaternion or its translation.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_single(&self) -> bool {
         matches!(self.kind, Kind::Turn | Kind::Slide)
@@ -200,8 +201,9 @@ fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
 /// ½ in units of 2⁻⁶⁴.
 const HALF: u64 = 1 << 63;
 
-/// Returns 1/g in units of 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1. The
-/// loop finds one bit of x after the other.
+/// Returns 1/g in units of 2⁻⁶⁴, where gᴺ⁺¹ = g + 1 and N is `count`. This is the
+/// largest x for which xᴺ + xᴺ⁺¹ is less than 1. The loop finds one bit of x after the
+/// other.
 fn spacing(count: usize) -> u64 {
     let mut x = 0;
     for bit in (0..64).rev() {
@@ -367,7 +369,7 @@ impl<R: Real> Range<R> {
         // lanes is NaN.
         let is_near = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
         let fits = |value: R| !is_angle || !value.is_finite() || is_near(value);
-        // Limits that are NaN fail both comparisons.
+        // If a limit is NaN, the comparison `low <= high` is false.
         let is_range = low <= high && (low.is_finite() || low < R::ZERO);
         let is_range = is_range && (high.is_finite() || high > R::ZERO);
         if !(is_range && ends.into_iter().all(fits)) {
@@ -410,7 +412,7 @@ impl<R: Scalar> Range<R> {
         self.wrap_within(value, to, Self::rounding(value))
     }
 
-    /// Returns a bound on the rounding error of an angle.
+    /// Returns a bound on the rounding error of a computed angle that is about `value`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rounding<L: Lanes<Real = R>>(value: L) -> L {
         (value.abs() + value.constant(4.0)) * value.constant(4.0 * vector::epsilon::<L>())
@@ -462,7 +464,7 @@ impl<R: Scalar> Range<R> {
         outside & (less.lt(low) | high.lt(less)) & (more.lt(low) | high.lt(more))
     }
 
-    /// Returns the nearest value within the range.
+    /// Returns the value within the range that is nearest to `value`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn clamp<L: Lanes<Real = R>>(&self, value: L) -> L {
         let [low, high] = self.ends(value.level());

@@ -236,9 +236,9 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-/// The smallest number of configurations of a task. Some searches take ten times as long as others,
-/// so each thread gets four tasks. At the end of a task some lanes are idle, so tasks are not small
-/// either.
+/// Returns the number of configurations of a task. Some searches take ten times as long as others,
+/// so there are four tasks per thread, and a thread that ends early takes another task. At the end
+/// of a task some lanes are idle, so a task is not small either.
 #[cfg(feature = "alloc")]
 fn grain(configurations: usize) -> usize {
     #[cfg(feature = "rayon")]

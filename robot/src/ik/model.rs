@@ -33,7 +33,7 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) weights: PostureWeights<L>,
 }
 
-/// The weights of posture and start while tracking.
+/// The weights of the posture and of the start values, which only a search that tracks has.
 #[derive(Clone, Copy)]
 pub(super) struct PostureWeights<L> {
     /// `true` if steps solve the sparse normal equations of `tree.rs`.
@@ -59,7 +59,7 @@ pub(super) struct Scales<L> {
     pub(super) least_damping: L,
 }
 
-/// The errors of all lanes.
+/// The errors of the links in all lanes, one register for each kind of error.
 #[derive(Clone, Copy)]
 pub(super) struct PoseErrors<L> {
     /// The sum of the squares of all weighted errors. Weights make radians of distances, so the
@@ -271,7 +271,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     self.scratch.goals.set_record(index * GOAL + TARGET + POSE, angular);
                 }
             }
-            // Weights that differ from axis to axis belong to the axes of the target.
+            // Weights that differ from axis to axis are for the axes of the target, so the error is
+            // converted to these axes.
             if !goal.is_even() {
                 let to_target = target.real().conjugate();
                 angular = to_target.rotate(angular);
@@ -314,8 +315,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         DualQuat::from_array(self.of_goal::<EXCESS>(goal * GOAL, lane))
     }
 
-    /// Returns the vector from the point that replaces a target out of reach to the target itself;
-    /// zero for a target within reach.
+    /// If a target is out of reach, a nearer point replaces it. Returns the vector from this point
+    /// to the target itself; zero for a target within reach.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn excess(&self, goal: usize, lane: Option<usize>) -> [L; 3] {
         self.of_goal(goal * GOAL + EXCESS, lane)
@@ -451,7 +452,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let mut twist = twist;
             // Joints are visited from the base up, so the sum so far is the sum in the brackets of
             // the formula in the documentation of `linearize`. Each goal has its own sum, because
-            // other joints carry it.
+            // different joints carry different goals.
             if second_order && goal.is_pose() {
                 let moved = self.add_to_sum(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
@@ -490,8 +491,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let mut angular = twist.angular;
         let mut linear = vector::cross_onto(angular, end, twist.linear);
         if goal.asks_part_of_rotation() {
-            // The error is a rotation vector. Its rate is the inverse of the right Jacobian times
-            // the angular velocity.
+            // The angular error is a rotation vector. Its rate is the inverse of the right Jacobian
+            // of the rotation group, at this vector, times the angular velocity.
             let nowhere = [half[0].constant(0.0); 3];
             let turn = self.scratch.goals.record(level, first + POSE);
             let at = Twist { angular: turn, linear: nowhere };

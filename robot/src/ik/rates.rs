@@ -188,7 +188,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
         let zero = L::splat(level, L::Real::ZERO);
         let (goals, mut row) = (reach.goals.len(), 0);
         for (index, goal) in reach.goals.iter().enumerate() {
-            // Weights that differ from axis to axis belong to the axes of the link.
+            // Weights that differ from axis to axis are for the axes of the link, so the velocity
+            // is converted to these axes below.
             let motion = self.pose(index).to_motion();
             self.scratch.goals.set_record(index * GOAL, motion);
             self.scratch.goals.set_record(index * GOAL + TARGET + POSE, [zero; 3]);
@@ -221,7 +222,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
         }
     }
 
-    /// Solves for the rates in radians. No rate leads a joint at its limit beyond the limit.
+    /// Solves for the rates in radians. A joint that is at a limit gets no rate that leads beyond
+    /// it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn rates(&mut self) {
         let (level, zero) = (self.level, self.scales.least_damping.constant(0.0));

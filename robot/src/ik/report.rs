@@ -254,8 +254,9 @@ impl<R> Report<R> {
 pub enum Outcome {
     /// Both errors are within the tolerances.
     Converged = 0,
-    /// A target is farther away than the chain that carries the link is long, so no values reach
-    /// it. The returned values bring the link as near to the target as the search has found.
+    /// A target is farther from the base than the whole length of the chain that carries the link,
+    /// so no values reach it. The returned values bring the link as near to the target as the
+    /// search has found.
     OutOfReach = 1,
     /// No step reduced the error, and the best values have a joint at its limit. There may be a
     /// solution far from these values.

@@ -107,11 +107,12 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) held: Registers<'s, L>,
     /// The error of each component of the goals.
     pub(super) error: Registers<'s, L>,
-    /// The error of each component of the goals minus the contributions of held freedoms.
+    /// The error of each component of the goals, minus the parts that the changes of held freedoms
+    /// remove.
     pub(super) residual: Registers<'s, L>,
     /// The lower triangle of the matrix of the dense normal equations.
     pub(super) triangle: Registers<'s, L>,
-    /// The reciprocals of the diagonal of the matrix's Cholesky factor.
+    /// The reciprocals of the diagonal of the Cholesky factor of this matrix in `triangle`.
     pub(super) reciprocals: Registers<'s, L>,
     /// The right-hand side of the dense normal equations, later their solution.
     pub(super) solution: Registers<'s, L>,
@@ -185,8 +186,8 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts::most(values, values, values, 1, goals))
     }
 
-    /// Returns the length of the scratch that a [`ReachJob`](super::ReachJob) needs with any
-    /// instructions, in values of type `R`.
+    /// Returns the length of the scratch that a [`ReachJob`](super::ReachJob) needs, in values of
+    /// type `R`. It suffices for any number of lanes, so for any CPU.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))

@@ -112,8 +112,9 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         self.with_values(self.reach.scratch_len())
     }
 
-    /// Returns the length of the scratch for a [`SolutionsJob`](super::SolutionsJob) with any
-    /// instructions, in values of type `R`. It is zero for the two families.
+    /// Returns the length of the scratch for a [`SolutionsJob`](super::SolutionsJob), in values of
+    /// type `R`. It suffices for any number of lanes, so for any CPU. It is zero for the two
+    /// families.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         self.with_values(self.reach.batch_scratch_len())
@@ -475,7 +476,8 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
         let most = L::splat(level, arm.geometry.tolerance);
         for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
             let angle = branch.turns[index].angle();
-            // A nearly stretched elbow amplifies the rounding error of its angles.
+            // A nearly stretched elbow amplifies the rounding error of the angles, so this error
+            // depends on the branch.
             let rounding = branch.rounding(Range::rounding(start[index]), most);
             let value = freedom.range.wrap_within(angle, start[index], rounding);
             let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));

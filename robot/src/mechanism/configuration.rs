@@ -237,9 +237,10 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
         Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
     }
 
-    /// The axis of a planar joint is computed from the joint's frame and its two distances. So it
-    /// is finite even if the angle is out of range and the pose of the link is NaN. The function is
-    /// not inlined, as few robots have such joints: a Jacobian takes 7 % fewer instructions.
+    /// Returns the twist of a rotation about `axis` through the origin of the link. For a planar
+    /// joint this origin is computed from the joint's frame and its two distances. So it is finite
+    /// even if the angle is out of range and the pose of the link is NaN. The function is not
+    /// inlined, because few robots have such joints: a Jacobian takes 7 % fewer instructions.
     #[inline(never)]
     fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
         let JointKind::Planar { .. } = step.kind else {

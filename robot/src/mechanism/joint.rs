@@ -16,9 +16,9 @@ pub struct Joint<R> {
     pub placement: DualQuat<R>,
     /// The motion that the joint allows, with its axis or normal.
     pub kind: JointKind<R>,
-    /// The least and the largest value, which only a joint with one value may have. Inverse
-    /// kinematics ([`Reach`](crate::Reach)) keeps to these limits; poses are computed for any
-    /// values.
+    /// The lower and the upper limit of the joint's value. Only a joint with one value may have
+    /// limits. Inverse kinematics ([`Reach`](crate::Reach)) keeps to these limits; poses are
+    /// computed for any values.
     pub limits: Option<[R; 2]>,
     /// The rule by which this joint follows the value of another joint; `None` if this joint has
     /// values of its own.

@@ -92,8 +92,8 @@ pub struct Step<R> {
     /// The index of the child with the largest subtree. It is used only while steps are put in
     /// order.
     pub(crate) largest: u32,
-    /// The next free index for the subtree of another child. It is used only while steps are put in
-    /// order.
+    /// The index at which the subtree of the next child will begin. It is used only while steps are
+    /// put in order.
     pub(crate) free: u32,
     /// The index of the slot that holds the pose of this link. Kernels keep poses in a fixed number
     /// of slots.
@@ -290,9 +290,9 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
 }
 
 /// The twists that a joint gives to its link if one of its rates is 1. They are written once for
-/// each kind of joint, in [`screw`](Self::screw). The implementers on lanes and for one
-/// configuration of floats give spatial twists, in the frame of the base. The implementer for any
-/// `Real` gives body twists, in the frame of the link.
+/// each kind of joint, in [`screw`](Self::screw). The implementers for one configuration per lane,
+/// and for one configuration of `f32` or `f64`, give spatial twists, in the frame of the base. The
+/// implementer for any `Real` gives body twists, in the frame of the link.
 pub(crate) trait JointScrews<R: Real> {
     /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
@@ -302,7 +302,8 @@ pub(crate) trait JointScrews<R: Real> {
     fn axis(&self, step: &Step<R>) -> [Self::Number; 3];
     /// Returns the direction in which a planar joint slides for x (index 0) or y (index 1).
     fn plane_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
-    /// Returns an axis of the link's frame: x for index 0 or 3, y for 1 or 4, z for 2 or 5.
+    /// Returns the axis of the link's frame for rate `index` of a floating joint: x for index 0 or
+    /// 3, y for 1 or 4, z for 2 or 5.
     fn link_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
     /// Returns the twist of a rotation about `axis`, through the origin of the joint, at a rate
     /// of 1.
@@ -391,8 +392,8 @@ pub(crate) fn finite<R: Real>(
     Err(MechanismError::NotFinite { joint: index, what, value: value.into() })
 }
 
-/// The coordinate axis that a vector lies on. Most axes and offsets of robots lie on one. Kernels
-/// then leave out most of a product, which would be multiplications by zero.
+/// The coordinate axis that a vector lies on. Most axes and offsets of robots lie on one. For
+/// these, kernels leave out most of a product, which would consist of multiplications by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alignment {
     /// The vector is zero, so the rotation or translation is the identity.
