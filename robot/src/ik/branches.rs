@@ -36,17 +36,18 @@ use dq8::batch::{DualQuat, atan2, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::{Float, Lanes};
 
-/// The distance beyond the reach up to which a target still counts as reachable, in units of the
-/// roundoff times the arm's size. The rounding error of a computed pose is about ten of these
-/// units.
+/// A target counts as reachable if it is beyond the reach of the arm by at most this number of
+/// units. A unit is the roundoff times the arm's size, and the rounding error of a computed pose is
+/// about ten units.
 const REACH_SLACK: f64 = 64.0;
-/// The distance from the edge of the reach within which two solutions count as one, in units of the
-/// roundoff times the arm's size.
+/// Two solutions count as one if the target is within this distance of the edge of the reach, in
+/// units of the roundoff times the arm's size.
 const MERGE_SLACK: f64 = 16.0;
-/// The largest sine of the angle between two axes that count as parallel, in units of roundoff.
-const PARALLEL_SLACK: f64 = 32.0;
-/// The largest square of half the angle between two solutions that count as singular, in units of
+/// Two axes count as parallel if the sine of the angle between them is at most this, in units of
 /// roundoff.
+const PARALLEL_SLACK: f64 = 32.0;
+/// Two solutions count as singular if the square of half the angle between them is at most this, in
+/// units of roundoff.
 const SINGULAR_SLACK: f64 = 4096.0;
 
 /// The four constants above, such as [`REACH_SLACK`], multiplied by their units and copied to all
@@ -550,8 +551,8 @@ impl<L: Lanes> Separation<L> {
         Self { cosine: vector::dot(v, w), sine, square, slack, is_along: sine.le(slack[0]) }
     }
 
-    /// Returns the turns about `axis` after which `v` has this angle to `to` (subproblem 4 of
-    /// IK-Geo, a circle and a plane). `axis`, `v` and `to` are unit vectors.
+    /// Returns the turns about `axis` after which the angle between `v` and `to` is `self`
+    /// (subproblem 4 of IK-Geo, a circle and a plane). `axis`, `v` and `to` are unit vectors.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn turns_about(&self, to: [L; 3], axis: [L; 3], v: [L; 3]) -> Fork<L> {
         let Self { cosine, sine, square, slack: [slack, part], .. } = *self;

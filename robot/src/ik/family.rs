@@ -19,12 +19,12 @@
 //!           |  axis 1                                  |  axis 1
 //! ```
 //!
-//! Axis 1 need not lie in this plane, nor meet axis 2. The *shoulder* is the angle about axis 1
-//! that brings the wrist to its `height` along axis 2, which no other angle of the arm changes. The
-//! *elbow* is the angle about axis 3. It follows from the distance between axis 2 and the end of
-//! the lower arm (the wrist, or axis 4), which is within `elbow_reach`. The *wrist* is the angle
-//! about axis 5. It follows from the angle between axis 6 and `wrist_reference`, which is axis 4,
-//! or axis 2 of an arm with three parallel axes.
+//! Axis 1 need not lie in this plane, nor meet axis 2. The *shoulder* is the angle about axis 1. It
+//! brings the wrist to its `height` along axis 2, because no other angle of the arm changes this
+//! height. The *elbow* is the angle about axis 3. It follows from the distance between axis 2 and
+//! the end of the lower arm (the wrist, or axis 4), which is within `elbow_reach`. The *wrist* is
+//! the angle about axis 5. It follows from the angle between axis 6 and `wrist_reference`, which is
+//! axis 4, or axis 2 of an arm with three parallel axes.
 //!
 //! A third kind of arm counts as an arm with a spherical wrist: axes 1 and 2 intersect in `base`,
 //! and axis 3 has any direction (`crosses`). Then the elbow follows from the distance between

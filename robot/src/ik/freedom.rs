@@ -100,8 +100,8 @@ impl<R: Real> Freedom<R> {
         low + (high - low) * sum
     }
 
-    /// Makes the freedom for one of a joint's rates, of which a floating joint has six. `index`
-    /// counts within the joint. The freedom has the limits of the joint.
+    /// Makes the freedom for one of a joint's rates, of which a floating joint has six. `index` is
+    /// the index of the rate within the joint. The freedom has the limits of the joint.
     #[inline(never)]
     fn of(step: &Step<R>, index: usize) -> Self {
         let (kind, is_hinge, value) = match step.kind {

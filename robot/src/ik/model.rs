@@ -53,7 +53,7 @@ pub(super) struct Scales<L> {
     pub(super) length: L,
     /// The reciprocal of `length`.
     pub(super) radians_per_length: L,
-    /// The largest change of a hinge in a step.
+    /// The largest change of a hinge in a step, in radians.
     pub(super) longest: L,
     /// The damping λ² of the least squares where the error is zero.
     pub(super) least_damping: L,
@@ -665,7 +665,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             scratch.candidate.set(value, start);
         }
         for freedom in self.reach.freedoms {
-            // A freedom without limits has the stride zero and keeps its value of the start.
+            // A freedom without limits has the stride zero and keeps the value that it had at the
+            // start.
             if freedom.stride > 0 {
                 for index in 0..L::LANES {
                     let value = freedom.sample(first + index as u64 + 1);

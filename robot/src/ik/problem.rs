@@ -23,12 +23,12 @@ use dq8::scalar::{DualQuat, vector};
 ///
 /// A hinge has the same pose after a turn by 2π. Among the values within its limits that give the
 /// same pose, the result is the value nearest to the start. A start beyond the limits is first
-/// brought within them by whole turns, if that is possible. Screw joints, and hinges that another
-/// joint mimics with a multiplier that is no integer, are excepted, because a whole turn gives
-/// another pose there. Far from zero, the distance between neighbouring floats is a large angle. So
-/// hinges whose limits span more than 16 turns stay within 64 radians of zero in `f32` and 2²⁰
-/// in `f64`. If their limits exclude this range, they stay in the turn between the limits that is
-/// nearest to zero.
+/// brought within them by whole turns, if that is possible. This does not apply to screw joints,
+/// and to hinges that another joint mimics with a multiplier that is no integer, because a whole
+/// turn gives another pose there. Far from zero, the distance between neighbouring floats is a
+/// large angle. So hinges whose limits span more than 16 turns stay within 64 radians of zero in
+/// `f32` and 2²⁰ in `f64`. If their limits exclude this range, they stay in the turn between the
+/// limits that is nearest to zero.
 ///
 /// Joints that mimic other joints follow them, within the limits of both joints. Limits of the
 /// follower that would leave no range are [ignored](Mechanism::value_limits). A floating joint
@@ -198,8 +198,8 @@ impl<'a, R: Copy> Reach<'a, R> {
         needs_second_order
     }
 
-    /// Returns `true` if the joint whose step is at `position` moves a goal: its link, or a link
-    /// that its link carries, has one.
+    /// Returns `true` if the joint whose step is at `position` moves a goal: there is a goal for
+    /// its link, or for a link that its link carries.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves_goal(&self, position: usize) -> bool {
         moves_any(self.mechanism.steps, position, self.goals)

@@ -259,8 +259,8 @@ impl Counts {
     }
 }
 
-/// Returns the largest number of poses that are kept at the same time for links whose poses follow
-/// from them. It is one in a chain.
+/// Returns the largest number of poses that are kept at the same time, because the poses of other
+/// links are still to be computed from them. It is one in a chain.
 fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     let mut slots = 0;
     for step in mechanism.steps {

@@ -290,10 +290,10 @@ const PATIENCE: u32 = 2;
 /// The number of steps in which progress is expected, if the lane may not restart. The number may
 /// be larger than [`PATIENCE`], because no restart could use the iterations.
 const LAST_PATIENCE: u32 = 6;
-/// The largest part of the squared error that may remain after a step that limits shorten. If a
-/// larger part remains by the linear model of the step, the lane is hopeless: it restarts if it
-/// may. Of 10,000 random targets of an arm of seven axes 9,997 are reached; with 0.4, the value of
-/// [`PROGRESS`], 9,993 are reached.
+/// The largest part of the squared error that may remain after a step that joint limits have
+/// shortened. If a larger part remains by the linear model of the step, the lane is hopeless: it
+/// restarts if it may. Of 10,000 random targets of an arm of seven axes 9,997 are reached; with
+/// 0.4, the value of [`PROGRESS`], 9,993 are reached.
 const HOPELESS: f32 = 0.2;
 /// Below this squared error (radians²) a lane is never hopeless.
 const NEAR_TARGET: f32 = 1e-4;

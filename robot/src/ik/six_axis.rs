@@ -126,7 +126,8 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
     }
 }
 
-/// All solutions of an arm of six hinges for a target, the nearest to the start first, as a slice.
+/// All solutions of an arm of six hinges for a target, as a slice that is sorted by the distance
+/// from the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solutions<R> {
@@ -462,8 +463,8 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
         Self { level, arm, target, start, turns }
     }
 
-    /// Adds a branch to the solutions of the lanes in which it is within the limits and reaches the
-    /// target.
+    /// Adds a branch, one of the eight solutions by formula, to the solutions of the lanes in which
+    /// it is within the limits and reaches the target.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn insert(&self, branch: &Branch<L>, found: &mut [Solutions<L::Real>]) {
         let (level, arm, start) = (self.level, self.arm, self.start);

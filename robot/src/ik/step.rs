@@ -225,9 +225,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if freedom.range.wraps() || !freedom.is_single() {
                 continue;
             }
-            // Values are compared, and not changes: a joint that is at its limit and does not move
-            // is not stopped, and neither is a joint that a whole turn brings back within its
-            // limits.
+            // The new value is compared with the limits. So a joint that is at its limit and does
+            // not move is not stopped, and neither is a joint that a whole turn brings back within
+            // its limits.
             let value = scratch.values.get(level, freedom.value as usize);
             let next = value + change;
             let inside = freedom.range.clamp(next);

@@ -47,7 +47,7 @@ pub struct Job<'a, R, S = AllLinks> {
     pub(crate) choice: Choice,
 }
 
-/// The set of links of a [`Job`] over all links of the mechanism.
+/// The set of all links of the mechanism, for which a [`Job`] computes unless links are selected.
 #[derive(Clone, Copy, Debug)]
 pub struct AllLinks;
 

@@ -20,8 +20,7 @@ pub struct Joint<R> {
     /// limits. Inverse kinematics ([`Reach`](crate::Reach)) keeps to these limits; poses are
     /// computed for any values.
     pub limits: Option<[R; 2]>,
-    /// The rule by which this joint follows the value of another joint; `None` if this joint has
-    /// values of its own.
+    /// The rule by which this joint follows the value of another joint; `None` if it follows none.
     pub mimic: Option<Mimic<R>>,
 }
 

@@ -1,4 +1,5 @@
-//! The values of joints: their layouts in memory, and the loads that bring them to lanes.
+//! The values of joints: their layouts in slices, and the code that loads them into registers with
+//! one configuration per lane.
 
 use core::fmt::Debug;
 use core::ops::Range;

@@ -1,4 +1,5 @@
-//! The loop that all kernels over mechanisms share, on lanes.
+//! The loop over the links of a mechanism, which all kernels share, with one configuration in each
+//! lane.
 //!
 //! # The algorithm
 //!

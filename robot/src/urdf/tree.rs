@@ -12,7 +12,7 @@ pub(crate) struct Node<'u> {
     pub(crate) joint: Option<usize>,
 }
 
-/// Returns the links of a file in its order, except that a parent comes before its children.
+/// Returns the links in the order of the file, except that a parent comes before its children.
 pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     let mut numbers: HashMap<&str, usize> = HashMap::new();
     for (number, link) in robot.links.iter().enumerate() {
