@@ -292,8 +292,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Returns the two solutions for the first angle. If the target is turned back by either
-    /// solution, its wrist is at the height of the arm's wrist along the second axis.
+    /// Returns the two solutions for the first angle. If the target is turned back about the first
+    /// axis by either solution, its wrist is at the height of the arm's wrist along the second
+    /// axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shoulder(&self, to_wrist: [L; 3]) -> Fork<L> {
         let axis = self.axis(0);
@@ -355,10 +356,10 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     }
 
     /// Returns the two solutions for the fifth angle, and the lanes in which `last` and `against`
-    /// are parallel. The fifth angle brings the last axis to the angle with the wrist reference
-    /// that `last` has with `against`. The slack for parallel axes grows with the error of the
-    /// earlier angles, because a nearly stretched elbow amplifies rounding: nearly parallel axes
-    /// may then differ only by rounding.
+    /// are parallel. At the fifth angle, the angle between the last axis and the wrist reference
+    /// equals the angle between `last` and `against`. The slack for parallel axes grows with the
+    /// error of the earlier angles, because a nearly stretched elbow amplifies rounding: nearly
+    /// parallel axes may then differ only by rounding.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3], error_gain: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.wrist_reference);

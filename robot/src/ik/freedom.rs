@@ -17,9 +17,9 @@ pub struct Freedom<R> {
     /// The index of the value that the freedom changes. For a floating joint it is the index of the
     /// first of the joint's seven values.
     pub(super) value: u32,
-    /// The distance between one sample of this freedom and its next sample, from which restarts
-    /// begin, in units of 2⁻⁶⁴ of the range, modulo the range. It is zero if the range has no
-    /// limits.
+    /// The distance between two consecutive samples of this freedom in the sequence from which
+    /// restarts draw, in units of 2⁻⁶⁴ of the range, modulo the range. It is zero if the
+    /// range has no limits.
     pub(super) stride: u64,
     /// The index, among the freedoms that move a goal, of the freedom of rate `i`, where `i` is the
     /// index of this element in the array. All other fields of the element may belong to another

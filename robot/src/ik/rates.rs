@@ -270,7 +270,7 @@ errors! {
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     RatesError {
-        /// Lengths of slices do not fit.
+        /// The lengths of the slices do not fit the problem or each other.
         Shape(error: ShapeError) => "{error}";
         /// The damping is negative or not finite.
         Damping { value: f64 = "The damping." } => "the damping is negative or not finite: {value}";

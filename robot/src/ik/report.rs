@@ -7,7 +7,8 @@ use dq8::Real;
 pub struct Options<R> {
     /// The largest angle to a target that counts as reached, radians.
     pub angular_tolerance: R,
-    /// The largest distance from a target that counts as reached, in the unit of the mechanism.
+    /// The largest distance from a target that counts as reached, in the mechanism's unit of
+    /// length.
     pub linear_tolerance: R,
     /// The largest number of steps and restarts together. Most targets of an arm take six or seven
     /// iterations. The default of 100 is meant for the few targets in a hundred that need a
@@ -216,7 +217,7 @@ pub struct Report<R> {
     pub restarts: u32,
     /// The largest remaining angle to a target, radians.
     pub angular_error: R,
-    /// The largest remaining distance from a target.
+    /// The largest remaining distance from a target, in the mechanism's unit of length.
     pub linear_error: R,
 }
 
@@ -240,7 +241,7 @@ impl<R> Report<R> {
 }
 
 /// The way in which a search ended. The returned joint values are the best values that were found,
-/// or the last values of a search that [tracks](super::Reach::track), within the limits. Only
+/// or the final values of a search that [tracks](super::Reach::track), within the limits. Only
 /// [`Invalid`](Self::Invalid) leaves the caller's values as they were. The discriminants are the
 /// same in C and Python.
 ///

@@ -112,7 +112,7 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) residual: Registers<'s, L>,
     /// The lower triangle of the matrix of the dense normal equations.
     pub(super) triangle: Registers<'s, L>,
-    /// The reciprocals of the diagonal of the Cholesky factor of this matrix in `triangle`.
+    /// The reciprocals of the diagonal of the Cholesky factor of the matrix in `triangle`.
     pub(super) reciprocals: Registers<'s, L>,
     /// The right-hand side of the dense normal equations, later their solution.
     pub(super) solution: Registers<'s, L>,

@@ -35,7 +35,7 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 /// the last place (2⁻⁵² or 2⁻²³) of the arm's size beyond its reach. Other arms are solved
 /// by searches from many starts, which find about 99 of 100 solutions. If axes miss a family by at
 /// most 10⁻³, as in arms whose angles were typed with few digits, the searches start from the
-/// solutions of the family's formula, which are far fewer.
+/// solutions of the family's formula, so there are far fewer searches.
 ///
 #[doc = include_str!("six_axes.svg")]
 ///

@@ -16,7 +16,8 @@
 //! ```
 //!
 //! Slides and hinges share the system, because everything in it is in radians: rows that are
-//! lengths, and columns of slides, are divided by the length that weighs as much as a radian.
+//! lengths are divided by the length that weighs as much as a radian, and columns of slides are
+//! multiplied by it.
 //!
 //! A posture uses the freedom that the goals leave. If z is the step toward the posture, the change
 //! is z + J⁺(e − Jz), where J⁺ is the damped inverse Jᵀ (J Jᵀ + λ²)⁻¹.

@@ -82,8 +82,8 @@ impl<R: Real + Number> LinkPoses<'_, R> {
         let base = BaseFrame::base();
         let (mut last, mut at) = (NONE, base);
         for step in self.mechanism.steps {
-            // The parent is not the last link only where the tree branches: the steps of an earlier
-            // child's subtree lie between it and this step.
+            // The parent differs from the previous link only where the tree branches. There the
+            // steps of an earlier child's subtree lie between the parent and this step.
             if step.parent != last {
                 let link = step.parent as usize;
                 at = match (self.poses.get(link), self.mechanism.step(link)) {
@@ -240,7 +240,8 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
     /// Returns the twist of a rotation about `axis` through the origin of the link. For a planar
     /// joint this origin is computed from the joint's frame and its two distances. So it is finite
     /// even if the angle is out of range and the pose of the link is NaN. The function is not
-    /// inlined, because few robots have such joints: a Jacobian takes 7 % fewer instructions.
+    /// inlined, because few robots have planar or floating joints: so a Jacobian takes 7 % fewer
+    /// instructions.
     #[inline(never)]
     fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
         let JointKind::Planar { .. } = step.kind else {
@@ -412,7 +413,7 @@ impl<R: Real + Number> BaseFrame<R> {
                 at.rotated(Alignment::Any, [x * sin, y * sin, z * sin], cos)
             }
             // The frame is passed by value. If its address were taken, the compiler would keep the
-            // frame in memory for all kinds of joints.
+            // frame on the stack and not in registers, for all kinds of joints.
             Moves::General => Self::new(general_joint(at.to_array(), step, angles.values)),
         }
     }

@@ -203,7 +203,7 @@ where
             let rate = step.rate as usize + rate;
             if !self.sums {
                 // The column is stored for one link only. With a loop over all links that the joint
-                // carries, the compiler would keep the registers of the column in memory.
+                // carries, the compiler would spill the registers of the column to the stack.
                 let first = first_carried(self.steps, position, self.links).unwrap_or(0);
                 C::store(column.to_array(), self.columns, self.place::<V>(group, first, rate));
                 let (at, count) = (first * self.rates + rate, self.links.len() * self.rates);
@@ -279,12 +279,13 @@ where
 
 impl<R: Real> Mechanism<'_, R> {
     /// Returns the manipulability of a link, w = √det(J Jᵀ) (Yoshikawa, *Manipulability of
-    /// Robotic Mechanisms*, 1985, eq. 9). Up to a constant factor, w is the volume of the twists
-    /// that the link has for all rates of length one. J is the whole Jacobian of six rows, so the
-    /// unit is radians and lengths cubed, and w is the same in every [frame](super::JacobianFrame).
-    /// At a singularity, where the link cannot move in every direction, w is zero up to rounding;
-    /// it is always zero if there are fewer than six rates. It is NaN if the pose is NaN. `columns`
-    /// is scratch memory with one element per rate, whose contents do not matter.
+    /// Robotic Mechanisms*, 1985, eq. 9). Up to a constant factor, w is the volume of the set of
+    /// twists that the link can have if the vector of rates has at most length one. J is the whole
+    /// Jacobian of six rows, so the unit is radians³ times lengths³, and w is the same in every
+    /// [frame](super::JacobianFrame). At a singularity, where the link cannot move in every
+    /// direction, w is zero up to rounding; it is always zero if there are fewer than six rates. It
+    /// is NaN if the pose is NaN. `columns` is scratch memory with one element per rate, whose
+    /// contents do not matter.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};

@@ -64,7 +64,8 @@ pub struct Step<R> {
     /// The factor in the rule for the joint's value: `multiplier` · (the value at index `value`) +
     /// `offset`. It is 1 unless the joint mimics another joint.
     pub(crate) multiplier: R,
-    /// The summand `offset` in this rule.
+    /// The summand in the rule for the joint's value: `multiplier` · (the value at index
+    /// `value`) + `offset`. It is 0 unless the joint mimics another joint.
     pub(crate) offset: R,
     /// ½ · `sign` · `multiplier`. Half of the joint's value along the coordinate axis is this
     /// factor times the value at index `value`, plus `half_bias`.
@@ -83,8 +84,8 @@ pub struct Step<R> {
     pub(crate) link: u32,
     /// The index of the joint's parent in the caller's order.
     pub(crate) parent: u32,
-    /// After the steps are put in order: in the step at index i, the index of the step of link i.
-    /// Before that: the index to which this step will be moved.
+    /// In the finished mechanism, the step at index i holds here the index of the step of link i.
+    /// While the steps are put in order, each step holds the index to which it will be moved.
     pub(crate) position: u32,
     /// The count of steps, from this step on, that belong to this link and to the links that it
     /// carries.
@@ -225,11 +226,11 @@ impl<R: Real> Step<R> {
 
 /// A frame that a joint moves, from the joint's own frame to the frame of its link. The motion of
 /// each kind of joint is written once, in [`link_frame`](Self::link_frame), for three implementers:
-/// many configurations on lanes, one configuration of floats, and one configuration of any `Real`.
-/// `V` holds the values of the joints.
+/// one configuration per lane, one configuration of `f32` or `f64`, and one configuration of any
+/// `Real`. `V` holds the values of the joints.
 ///
-/// The implementation on lanes uses halves of angles and distances, because its products need only
-/// the halves. The other two implementations use whole angles and distances.
+/// The implementation for one configuration per lane uses halves of angles and distances, because
+/// its products need only the halves. The other two implementations use whole angles and distances.
 pub(crate) trait JointFrame<R: Real, V>: Copy {
     /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
@@ -309,7 +310,7 @@ pub(crate) trait JointScrews<R: Real> {
     /// of 1.
     fn hinge(&self, axis: [Self::Number; 3]) -> Twist<Self::Number>;
     /// Returns the twist of a screw motion about `axis`, through the origin of the joint, at a rate
-    /// of 1. It slides along the axis by `pitch` for each radian.
+    /// of 1. The motion slides along the axis by `pitch` for each radian.
     fn thread(&self, axis: [Self::Number; 3], pitch: R) -> Twist<Self::Number>;
     /// Returns the twist of a rotation about `axis`, through the origin of the link, at a rate
     /// of 1.

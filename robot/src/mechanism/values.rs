@@ -192,7 +192,7 @@ impl<Y: Layout> JointValues<Y> for &[Y::Real] {
 pub struct Part<'s, T> {
     slice: &'s [T],
     /// The index of the first configuration of the range in each column, because a column is never
-    /// divided. It is zero for the other layouts, whose slices are.
+    /// divided. It is zero for the other layouts, whose slices are divided.
     first: usize,
 }
 
