@@ -503,8 +503,8 @@ pub(super) struct Fork<L: Lanes> {
 }
 
 impl<L: Lanes> Fork<L> {
-    /// Returns the angles of base·(re ± i·im). These complex numbers may have any absolute
-    /// value. The solutions are singular if im² is less than `part` of the squared length. `size`
+    /// Returns the two solutions as the complex numbers base·(re ± i·im), which may have any
+    /// absolute value. The solutions are singular if im² is at most `part` of re² + im². `size`
     /// is the magnitude that determines the rounding error of `re`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(

@@ -49,7 +49,7 @@ pub(super) struct PostureWeights<L> {
 /// The factor between lengths and radians, and the quantities that keep a step short.
 #[derive(Clone, Copy)]
 pub(super) struct Scales<L> {
-    /// The length that weighs as much as a radian.
+    /// The length for which an error of a distance weighs as much as an error of one radian.
     pub(super) length: L,
     /// The reciprocal of `length`.
     pub(super) radians_per_length: L,

@@ -87,7 +87,7 @@ impl<R: Real> OwnedReach<R> {
         self.view().job()
     }
 
-    /// Returns the type that borrows the memory of this one. It has all other methods.
+    /// Returns a view that borrows the memory of this value. The view has all other methods.
     #[must_use]
     pub fn view(&self) -> Reach<'_, R> {
         Reach {
@@ -243,7 +243,7 @@ impl<R: Real> OwnedSixAxisArm<R> {
         self.view().job()
     }
 
-    /// Returns the type that borrows the memory of this one. It has all other methods.
+    /// Returns a view that borrows the memory of this value. The view has all other methods.
     #[must_use]
     pub fn view(&self) -> SixAxisArm<'_, R> {
         let reach = Reach { posture: None, ..self.reach.view() };

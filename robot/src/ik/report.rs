@@ -16,11 +16,12 @@ pub struct Options<R> {
     /// on one tree may need 1000: a humanoid with four goals reached 93 % of random reachable
     /// targets within 100 iterations, and all of 200 targets within 1000.
     pub max_iterations: u32,
-    /// The length that weighs as much as a radian, more than zero. `None` means an eighth of the
-    /// longest distance along the links to a goal. If a joint floats or slides without limits, the
-    /// distance to the farthest target and the present slide count instead where they are longer,
-    /// except in searches that [track](super::Reach::track). The length decides which pose is
-    /// nearest to a target that cannot be reached, and how fast other targets are reached.
+    /// The length, more than zero, for which an error of a distance weighs as much as an error of
+    /// one radian. `None` means an eighth of the longest distance along the links to a goal. If a
+    /// joint floats or slides without limits, the distance to the farthest target and the present
+    /// slide count instead where they are longer, except in searches that
+    /// [track](super::Reach::track). The length decides which pose is nearest to a target that
+    /// cannot be reached, and how fast other targets are reached.
     pub length_per_radian: Option<R>,
     /// The largest change of a hinge in one step, in radians. It must be more than zero. A value of
     /// more than a turn acts like a turn. The steps of slides are not limited.

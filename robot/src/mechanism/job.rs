@@ -584,8 +584,7 @@ impl<R: Real> OwnedMechanism<R> {
         self.view().link_poses(values, poses)
     }
 
-    /// Returns this mechanism as a [`Mechanism`] that borrows from it, and that has all other
-    /// methods.
+    /// Returns a [`Mechanism`] that borrows the memory of this one. It has all other methods.
     #[must_use]
     pub fn view(&self) -> Mechanism<'_, R> {
         Mechanism { steps: &self.steps, values: self.values, rates: self.rates }

@@ -506,10 +506,11 @@ pub struct Dh<R> {
 /// The order in which a row's motions about and along x and z are multiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DhConvention {
-    /// z, then x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit & Hartenberg 1955; Paul; Spong).
+    /// First the motions about and along z, then those of x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit
+    /// & Hartenberg 1955; Paul; Spong).
     Standard,
-    /// x, then z: A = Rx(α) Tx(a) Rz(θ) Tz(d), where a and α belong to the preceding link
-    /// (Craig, *Introduction to Robotics*).
+    /// First the motions about and along x, then those of z: A = Rx(α) Tx(a) Rz(θ) Tz(d), where a
+    /// and α belong to the preceding link (Craig, *Introduction to Robotics*).
     Modified,
 }
 

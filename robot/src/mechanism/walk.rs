@@ -379,7 +379,8 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
     }
 }
 
-/// Returns the product r (cos + sin e_K), with 8 multiplications instead of 16.
+/// Returns the product r (cos + sin e_K), where e_K is the unit vector of axis K, with 8
+/// multiplications instead of 16.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
     let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);

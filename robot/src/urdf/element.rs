@@ -1,6 +1,7 @@
 //! An element of a URDF file. Its attributes and child elements are read by name. Any other part
 //! gives an error if it describes where links are, or if its name looks like a misspelling of a
-//! name that is read. Otherwise it gives a warning.
+//! name that is read. Otherwise it is ignored, with a warning unless the format of URDF has such a
+//! part.
 
 use super::error::{UrdfError, UrdfWarning};
 use roxmltree::Node;
