@@ -503,9 +503,10 @@ pub(super) struct Fork<L: Lanes> {
 }
 
 impl<L: Lanes> Fork<L> {
-    /// Returns the two solutions as the complex numbers base·(re ± i·im), which may have any
-    /// absolute value. The solutions are singular if im² is at most `part` of re² + im². `size`
-    /// is the magnitude that determines the rounding error of `re`.
+    /// Returns the two solutions, which are the angles of the complex numbers base·(re ± i·im).
+    /// The absolute values of these numbers do not matter. The solutions are singular if im² is at
+    /// most `part` of re² + im². `size` is the magnitude that determines the rounding error of
+    /// `re`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
