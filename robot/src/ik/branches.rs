@@ -491,7 +491,7 @@ impl<L: Lanes> Complex<L> {
 /// The two solutions of an equation in one angle. If they coincide, only the first one exists.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fork<L: Lanes> {
-    /// The two angles, as complex numbers of any absolute value.
+    /// The two angles, as complex numbers of absolute value 1.
     pub(super) turns: [Complex<L>; 2],
     /// The lanes in which each of the two angles is a solution.
     pub(super) exists: [L::Mask; 2],
