@@ -6,8 +6,8 @@
 //!
 #![doc = include_str!("frames.svg")]
 //!
-//! The page `guide` (feature `urdf`) leads from a robot's file to inverse kinematics, and names the
-//! index of each array.
+//! The page `guide` (feature `urdf`) leads from a robot's file to inverse kinematics, and says by
+//! what each array is indexed.
 //!
 //! | item | meaning |
 //! |---|---|
@@ -16,7 +16,7 @@
 //! | [`Job`] | a run over many configurations, with options |
 //! | [`OwnedMechanism`] | a mechanism that owns its memory (feature `alloc`) |
 //! | [`World`], [`Body`], [`WorldAligned`] | the frames in which a Jacobian can be given |
-//! | [`JointValues`] | the layouts of values of many configurations in memory |
+//! | [`JointValues`] | the layouts of the values of many configurations |
 //! | [`Reach`], [`Goal`], [`ik`] | inverse kinematics: values that bring links to targets |
 //! | [`OwnedReach`], [`ik::OwnedSixAxisArm`] | solvers that own their memory (`alloc`) |
 //! | [`ik::SixAxisArm`] | all solutions of an arm of six hinges: elbow up and down, and so on |
@@ -82,8 +82,8 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
-/// A page of documentation that leads from a robot's file to inverse kinematics, and names the
-/// index of each array.
+/// A page of documentation that leads from a robot's file to inverse kinematics, and says by what
+/// each array is indexed.
 #[cfg(feature = "urdf")]
 #[doc = include_str!("guide.md")]
 pub mod guide {}

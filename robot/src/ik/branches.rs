@@ -2,10 +2,10 @@
 //! and links are those of the drawing in `family.rs`.
 //!
 //! All axes and points are those of the arm whose values are all zero. A pose of the arm is then
-//! the product of the turns eᵢ about the axes and of the pose with all values zero (Brockett
-//! 1984), so the product of the turns follows from the target. The angles are found one after the
-//! other, from quantities that a turn about a given axis does not change (Paden and Kahan; Elias
-//! and Wen, *IK-Geo*, 2022):
+//! the product of six turns eᵢ, one about each axis, and of the pose with all values zero
+//! (Brockett 1984). So the product of the turns follows from the target. The angles are found one
+//! after the other, from quantities that a turn about a given axis does not change (Paden and
+//! Kahan; Elias and Wen, *IK-Geo*, 2022):
 //!
 //! ```text
 //! spherical wrist
@@ -24,32 +24,34 @@
 //!                 axis 4               the rest of the rotation
 //! ```
 //!
-//! An equation has two solutions or one, or any angle solves it. The last angle of each group is
-//! computed from the rounded angles before it, so it makes up for their rounding, and no solution
-//! needs to be improved afterwards.
+//! Each equation for an angle has two solutions, one or none, or any angle solves it. The last
+//! angle of each group is computed from the rounded angles before it, so it makes up for their
+//! rounding, and no solution needs to be improved afterwards.
 //!
-//! Angles are complex numbers e^{iθ}, one in each lane: turns are products, and only final answers
-//! need an arctangent.
+//! Each angle θ is kept as the complex number e^{iθ}, one in each lane. So angles are added by
+//! multiplications, and only the final values need an arctangent.
 
 use super::family::{Family, Geometry};
 use dq8::batch::{DualQuat, atan2, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::{Float, Lanes};
 
-/// The distance by which a target may be out of reach, in units of the roundoff times the arm's
-/// size. The rounding error of a computed pose is about ten of these units.
+/// A target counts as reachable if it is beyond the reach of the arm by at most this number of
+/// units. A unit is the roundoff times the arm's size, and the rounding error of a computed pose is
+/// about ten units.
 const REACH_SLACK: f64 = 64.0;
-/// The distance from the edge of the reach within which two solutions count as one, in units of the
-/// roundoff times the arm's size.
+/// Two solutions count as one if the target is within this distance of the edge of the reach, in
+/// units of the roundoff times the arm's size.
 const MERGE_SLACK: f64 = 16.0;
-/// The sine of the angle between axes that count as parallel, in units of roundoff.
-const PARALLEL_SLACK: f64 = 32.0;
-/// The square of half the angle between two solutions that make each other singular, in units of
+/// Two axes count as parallel if the sine of the angle between them is at most this, in units of
 /// roundoff.
+const PARALLEL_SLACK: f64 = 32.0;
+/// Two solutions count as singular if the square of half the angle between them is at most this, in
+/// units of roundoff.
 const SINGULAR_SLACK: f64 = 4096.0;
 
-/// The four limits above, such as [`REACH_SLACK`], multiplied by their units, with a register for
-/// each. `reach` and `merge` are lengths.
+/// The four constants above, such as [`REACH_SLACK`], multiplied by their units and copied to all
+/// lanes of a register. `reach` and `merge` are lengths.
 #[derive(Clone, Copy)]
 struct Slack<L> {
     reach: L,
@@ -58,14 +60,15 @@ struct Slack<L> {
     singular: L,
 }
 
-/// One of the eight solutions. Each lane has the solution for its own target.
+/// One of the eight solutions of the arm. Each lane holds this solution for its own target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Branch<L: Lanes> {
-    /// The six angles, as complex numbers of any length.
+    /// The six angles, as complex numbers of any absolute value.
     pub(super) turns: [Complex<L>; 6],
     /// The lanes in which this solution exists.
     pub(super) exists: L::Mask,
-    /// The rounding error of the angles before the wrist, in units of the roundoff of their inputs.
+    /// The rounding error of the angles that are found before the angles of the wrist, in units of
+    /// the roundoff of their inputs.
     error_gain: L,
     /// The lanes in which this solution coincides with another solution or is one of infinitely
     /// many, because of the shoulder (element 0), the elbow (1) or the wrist (2).
@@ -88,8 +91,8 @@ pub(super) struct Arm<'s, L: Lanes> {
     geometry: &'s Geometry<L::Real>,
     /// The product of the six turns whose angles are sought.
     product: DualQuat<L>,
-    /// The angles of the start. If any angle solves an equation, the solution takes the angle of
-    /// the start.
+    /// The angles of the start that the caller gave. If any angle solves an equation, the solution
+    /// takes the angle of the start.
     start: [Complex<L>; 6],
     slack: Slack<L>,
     /// The direction of the second axis.
@@ -135,7 +138,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Branch { turns: [turn; 6], exists: never, error_gain: zero, singular: [never; 3] }
     }
 
-    /// Returns all solutions, without regard to limits.
+    /// Returns all solutions, without regard to the limits of the joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&self) -> [Branch<L>; 8] {
         let mut branches = [self.empty(); 8];
@@ -207,8 +210,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Finds the first three angles, which put the wrist into place, if the first two axes cross.
-    /// The elbow sets the distance from the crossing, then the first two axes set the direction.
+    /// Finds the first three angles, which put the wrist into place, if the first two axes
+    /// intersect. The angle of the elbow sets the distance of the wrist from the intersection, then
+    /// the first two angles set its direction from there.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn crossing_shoulder(&self, places: &mut [Branch<L>; 4]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -218,8 +222,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let elbow = self.elbow(distance);
         let one = distance.constant(1.0);
         let direction = vector::scale(to_wrist, one / distance);
-        // If the wrist is at the crossing, the first two axes do not move it, so their angles are
-        // free.
+        // If the wrist is at the intersection of the first two axes, they do not move it, so their
+        // angles are free.
         let is_free = distance.le(self.slack.reach);
         let mut rest = places.iter_mut();
         for (third, exists) in elbow.turns.into_iter().zip(elbow.exists) {
@@ -245,9 +249,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Solves an arm with three parallel axes. These axes change neither the height of a point
-    /// along them nor the angle of a direction to them, which gives the other three angles. Then
-    /// two links and a hand move in a plane.
+    /// Solves an arm with three parallel axes. Turns about these axes change neither the height of
+    /// a point along them nor the angle between a direction and them. These two invariants give the
+    /// other three angles. Then the two links and the hand move in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
         let to_wrist = self.relative_to_base(self.vector(self.geometry.wrist));
@@ -288,8 +292,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
-    /// Returns the two solutions for the first angle. When the arm is turned back by either
-    /// solution, the wrist is at its given height along the second axis.
+    /// Returns the two solutions for the first angle. If the target is turned back about the first
+    /// axis by either solution, its wrist is at the height of the arm's wrist along the second
+    /// axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shoulder(&self, to_wrist: [L; 3]) -> Fork<L> {
         let axis = self.axis(0);
@@ -314,8 +319,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         fork
     }
 
-    /// Returns the two solutions for the elbow, whose angle puts the end of the lower arm at a
-    /// `distance` from the second axis, or from the crossing of the first two axes (Heron's
+    /// Returns the two solutions for the angle of the elbow. They put the end of the lower arm at
+    /// `distance` from the second axis, or from the intersection of the first two axes (Heron's
     /// formula).
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn elbow(&self, distance: L) -> Fork<L> {
@@ -328,9 +333,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let mut root = positive(inner * inner_too * (outer * outer_too)).sqrt();
         let mut is_double = inner.le(merge) | outer.le(merge);
         if self.geometry.crosses {
-            // At the edge of the reach the root is set to zero. Otherwise it would be the square
-            // root of a rounding error, which is large enough to turn the end of the arm in a
-            // wrong direction.
+            // At the edge of the reach the root is set to zero. A computed root would be the square
+            // root of a rounding error, which is large enough to turn the end of the arm in a wrong
+            // direction.
             is_double = inner.le(reach) | outer.le(reach);
             root = L::select(is_double, root.constant(0.0), root);
         }
@@ -350,15 +355,17 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
     }
 
-    /// Returns the two solutions for the fifth angle, which gives the last axis its required angle
-    /// with `against`, and the lanes in which both axes are parallel. The slack for parallel axes
-    /// grows with the error of the earlier angles, because a nearly stretched elbow amplifies
-    /// rounding. The difference between nearly parallel axes may then be only rounding.
+    /// Returns the two solutions for the fifth angle, and the lanes in which `last` and `against`
+    /// are parallel. At the fifth angle, the angle between the last axis and the wrist reference
+    /// equals the angle between `last` and `against`. The slack for parallel axes grows with the
+    /// error of the earlier angles, because a nearly stretched elbow amplifies rounding: nearly
+    /// parallel axes may then differ only by rounding.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3], error_gain: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.wrist_reference);
         let one = error_gain.constant(1.0);
-        // This is half of the largest error that a solution may have.
+        // A solution may have an error of 16 tolerances (`SixAxisArm::tolerance`). This is half of
+        // it.
         let most = self.number(self.geometry.tolerance * L::Real::from(8.0));
         let slack = self.slack.parallel * (one + error_gain);
         let slack = L::select(most.lt(slack), most, slack);
@@ -366,7 +373,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         (separation.turns_about(before, self.axis(4), self.axis(5)), separation.is_along)
     }
 
-    /// Returns the vector from the base to a point of the tool.
+    /// Returns the vector from the base to a point of the tool at its target. `point` is its
+    /// position where all values are zero.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn relative_to_base(&self, point: [L; 3]) -> [L; 3] {
         vector::sub(self.product.transform_point(point), self.vector(self.geometry.base))
@@ -483,21 +491,22 @@ impl<L: Lanes> Complex<L> {
 /// The two solutions of an equation in one angle. If they coincide, only the first one exists.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fork<L: Lanes> {
-    /// The two angles, as complex numbers of any length.
+    /// The two angles, as complex numbers of absolute value 1.
     pub(super) turns: [Complex<L>; 2],
     /// The lanes in which each of the two angles is a solution.
     pub(super) exists: [L::Mask; 2],
     /// The lanes in which the two solutions are equal or nearly equal.
     pub(super) is_singular: L::Mask,
     /// The rounding error of an angle, in units of the roundoff of its inputs. It is large where
-    /// the two solutions meet.
+    /// the two solutions nearly coincide.
     pub(super) error_gain: L,
 }
 
 impl<L: Lanes> Fork<L> {
-    /// Returns the angles of base·(re ± i·im). These complex numbers may have any length. The
-    /// solutions are singular if im² is less than `part` of the squared length. `size` is the
-    /// magnitude that determines the rounding error of `re`.
+    /// Returns the two solutions, which are the angles of the complex numbers base·(re ± i·im).
+    /// The absolute values of these numbers do not matter. The solutions are singular if im² is at
+    /// most `part` of re² + im². `size` is the magnitude that determines the rounding error of
+    /// `re`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
@@ -511,7 +520,8 @@ impl<L: Lanes> Fork<L> {
         let turns = [Complex::unit(one.re, one.im), Complex::unit(other.re, other.im)];
         let square = im * im;
         let is_singular = is_double | square.le(part * re.mul_add(re, square));
-        // Where the two solutions meet, the error of the angle is the square root of a roundoff.
+        // Where the two solutions coincide, the error of the angle is the square root of a
+        // roundoff.
         let least = size * size.constant(root_of_epsilon::<L>());
         let error_gain = size / L::select(im.lt(least), least, im);
         Self { turns, exists: [exists, exists & !is_double], is_singular, error_gain }
@@ -543,8 +553,8 @@ impl<L: Lanes> Separation<L> {
         Self { cosine: vector::dot(v, w), sine, square, slack, is_along: sine.le(slack[0]) }
     }
 
-    /// Returns the turns about `axis` after which `v` has this angle to `to` (subproblem 4 of
-    /// IK-Geo, a circle and a plane). `axis`, `v` and `to` are unit vectors.
+    /// Returns the turns about `axis` after which the angle between `v` and `to` is `self`
+    /// (subproblem 4 of IK-Geo, a circle and a plane). `axis`, `v` and `to` are unit vectors.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn turns_about(&self, to: [L; 3], axis: [L; 3], v: [L; 3]) -> Fork<L> {
         let Self { cosine, sine, square, slack: [slack, part], .. } = *self;
@@ -552,15 +562,16 @@ impl<L: Lanes> Separation<L> {
         let both = one * other;
         let base =
             Complex { re: vector::dot(to, v) - both, im: vector::dot(to, vector::cross(axis, v)) };
-        // `left` is 1 − cos² − a² − b² + 2ab cos, where a and b are the cosines to the
-        // axis. This form keeps its digits if the sine is small and a and b are nearly equal.
+        // `left` is 1 − cos² − a² − b² + 2ab cos, where a and b are the cosines of the
+        // angles of `to` and `v` with the axis. This form keeps its digits if the sine is small and
+        // a and b are nearly equal.
         let is_back = cosine.lt(sine.constant(0.0));
         let (away, other) = (both + both, L::select(is_back, -other, other));
         let away = L::select(is_back, -away, away) * square / (sine.constant(1.0) + cosine.abs());
         let differ = one - other;
         let left = differ.neg_mul_add(differ, square) - away;
         let least = L::select(sine.lt(slack), slack, sine) * slack;
-        // For parallel axes the root is set to zero, because it would be the square root of a
+        // For parallel axes the root is set to zero. A computed root would be the square root of a
         // rounding error.
         let root = L::select(self.is_along, sine.constant(0.0), positive(left).sqrt());
         let parts = [cosine - both, root];

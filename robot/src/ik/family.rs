@@ -1,8 +1,8 @@
-//! [`Geometry`], the family, axes and lengths of an arm of six hinges, which are computed once, and
-//! the errors of joints that are no such arm.
+//! [`Geometry`], the family, axes and lengths of an arm of six hinges, which are computed once; and
+//! [`SolutionsError`], the error of joints that are not such an arm.
 //!
 //! The drawing shows both families where all values are zero. An `o` is an axis toward the reader,
-//! a `*` a point. The page is the *plane of the elbow*, across axis 2.
+//! a `*` a point. The plane of the drawing is the *plane of the elbow*, at right angles to axis 2.
 //!
 //! ```text
 //!  spherical wrist                            three parallel axes
@@ -19,16 +19,16 @@
 //!           |  axis 1                                  |  axis 1
 //! ```
 //!
-//! Axis 1 need not be in the page, nor meet axis 2. The *shoulder* is the angle about axis 1 that
-//! brings the wrist to its `height` along axis 2, which no other angle of the arm changes. The
-//! *elbow* is the angle about axis 3. It follows from the distance between axis 2 and the end of
-//! the lower arm (the wrist, or axis 4), which is within `elbow_reach`. The *wrist* is the angle
-//! about axis 5. It follows from the angle between axis 6 and `wrist_reference`, which is axis 4,
-//! or axis 2 of an arm with three parallel axes.
+//! Axis 1 need not lie in this plane, nor meet axis 2. The *shoulder* is the angle about axis 1. It
+//! brings the wrist to its `height` along axis 2, because no other angle of the arm changes this
+//! height. The *elbow* is the angle about axis 3. It follows from the distance between axis 2 and
+//! the end of the lower arm (the wrist, or axis 4), which is within `elbow_reach`. The *wrist* is
+//! the angle about axis 5. It follows from the angle between axis 6 and `wrist_reference`, which is
+//! axis 4, or axis 2 of an arm with three parallel axes.
 //!
-//! A third kind of arm counts as a spherical wrist: axes 1 and 2 cross in `base`, and axis 3 has
-//! any direction (`crosses`). Then the elbow follows from the distance between `base` and the
-//! wrist, and the first two angles from the direction to the wrist.
+//! A third kind of arm counts as an arm with a spherical wrist: axes 1 and 2 intersect in `base`,
+//! and axis 3 has any direction (`crosses`). Then the elbow follows from the distance between
+//! `base` and the wrist, and the first two angles from the direction to the wrist.
 
 use super::problem::Reach;
 use crate::mechanism::joint::JointKind;
@@ -54,11 +54,12 @@ pub enum Family {
 }
 
 errors! {
-    /// The error of an arm, its targets or its starts.
+    /// The reason why solutions cannot be computed: joints that are no arm of six hinges, or an
+    /// invalid target or start.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     SolutionsError {
-        /// Lengths of slices do not fit, or the scratch is too short.
+        /// The lengths of two slices do not fit each other, or the scratch is too short.
         Shape(error: ShapeError) => "{error}";
         /// The problem has more goals than one.
         Goals { goals: usize = "The number of goals." } => "expected one goal, got {goals}";
@@ -75,7 +76,8 @@ errors! {
         /// A target is farther than 10⁻³ from a unit motion.
         NotUnit { index: usize = "The target.", norm: f64 = "The norm of its real part." }
             => "target {index} is not a unit motion: the norm of its real part is {norm}";
-        /// A value of a start is not finite.
+        /// A joint value of a start, the configuration to which solutions should be near, is not
+        /// finite.
         Start { index: usize = "The start.", hinge: usize = "The hinge.", value: f64 = "The value." }
             => "value {hinge} of start {index} is not finite: {value}";
     }
@@ -90,25 +92,25 @@ pub(super) struct Geometry<R> {
     /// The inverse of the tool's pose where all values are zero. The product of a target and this
     /// inverse is the product of the turns about the six axes.
     pub(super) home_inverse: DualQuat<R>,
-    /// `true` if the first two axes cross in `base` and the formulas for links in a plane do not
-    /// fit the arm.
+    /// `true` if the first two axes intersect in `base` and the formulas for links that move in a
+    /// plane do not fit the arm.
     pub(super) crosses: bool,
     /// A point of the first axis.
     pub(super) base: [R; 3],
     /// The point where axes 5 and 6 meet, and for a spherical wrist axis 4 too.
     pub(super) wrist: [R; 3],
-    /// The vector from the base to the third axis. It is used only if the first two axes cross.
+    /// The vector from the base to the third axis. It is used only if `crosses` is `true`.
     pub(super) upper_arm: [R; 3],
-    /// The vector from the third axis to the wrist. It is used only if the first two axes cross.
+    /// The vector from the third axis to the wrist. It is used only if `crosses` is `true`.
     pub(super) lower_arm: [R; 3],
     /// The vector from the wrist to the fourth axis. It is used only for three parallel axes.
     pub(super) hand: [R; 3],
     /// The smallest and the largest distance of the lower arm's end from the second axis, or from
-    /// the point where the first two axes cross.
+    /// the point where the first two axes intersect.
     pub(super) elbow_reach: [R; 2],
     /// Two directions that span the plane of the elbow.
     pub(super) plane: [[R; 3]; 2],
-    /// The components of the base in the plane of the elbow, relative to the second axis.
+    /// The coordinates of `base` in the plane of the elbow, relative to the second axis.
     pub(super) base_in_plane: [R; 2],
     /// The vectors of the upper and the lower arm in the plane of the elbow.
     pub(super) links_in_plane: [[R; 2]; 2],
@@ -129,18 +131,19 @@ pub(super) struct Geometry<R> {
     pub(super) across_last: [[R; 3]; 2],
     /// A length that is typical for the arm.
     pub(super) size: R,
-    /// The largest angle, and the largest part of the size, by which axes may miss being parallel
-    /// or meeting: [`exact_tolerance`], or [`NEAR`] for an arm that is only nearly of its family.
+    /// The largest angle by which axes that count as parallel may differ, in radians, and the
+    /// largest distance between axes that count as meeting, as a fraction of `size`:
+    /// [`exact_tolerance`], or [`NEAR`] for an arm that is only nearly of its family.
     pub(super) tolerance: R,
 }
 
-/// Returns the tolerance for axes that are parallel or meet. Axes from values with nine decimals,
-/// or from chains of rounded turns, deviate by less.
+/// Returns the tolerance within which axes count as parallel or as meeting. Axes that were given
+/// with nine decimals, or computed as products of rounded rotations, deviate by less.
 pub(super) fn exact_tolerance<R: Real>() -> R {
     if R::EPSILON > R::from(1e-10) { R::from(1e-5) } else { R::from(1e-8) }
 }
 
-/// The tolerance for arms whose angles were typed with few digits, such as 1.57 for a quarter turn.
+/// The tolerance for arms that were described with few digits, such as 1.57 for a quarter turn.
 const NEAR: f32 = 1e-3;
 
 impl<R: Real> Geometry<R> {
@@ -259,8 +262,8 @@ impl<R: Real> Geometry<R> {
         geometry
     }
 
-    /// Sets `base` to the point at which the first two axes cross, and the lengths that follow from
-    /// it. Returns `true` if the third axis changes the distance between `base` and the wrist.
+    /// Sets `base` to the point at which the first two axes intersect, and the lengths that follow
+    /// from it. Returns `true` if the third axis changes the distance between `base` and the wrist.
     fn cross(&mut self, crossing: [R; 3], elbow: [R; 3]) -> bool {
         let (upper, lower, axis) = (sub(elbow, crossing), sub(self.wrist, elbow), self.axes[2]);
         let (a, b) = (cross(axis, upper), cross(axis, lower));
@@ -278,7 +281,7 @@ fn unit<R: Real, const N: usize>(v: [R; N]) -> [R; N] {
     vector::over_norm(v, norm(v))
 }
 
-/// Returns a unit vector at right angles to another vector.
+/// Returns any unit vector at right angles to `v`.
 fn any_across<R: Real>(v: [R; 3]) -> [R; 3] {
     let mut least = [R::ZERO; 3];
     let index = usize::from(v[1].abs() < v[0].abs());

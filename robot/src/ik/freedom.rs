@@ -1,5 +1,5 @@
-//! [`Freedom`], a rate of a mechanism that a search may change, and [`Range`], the values within
-//! its limits.
+//! [`Freedom`], a degree of freedom of a mechanism that a search may change, and [`Range`], the
+//! values within its limits.
 
 use super::goal::{Goal, ReachError};
 use crate::mechanism::joint::JointKind;
@@ -8,29 +8,30 @@ use dq8::batch::{half_turns, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-/// A degree of freedom of a search: a rate of a mechanism, with its limits. A
-/// [`Reach`](super::Reach) borrows memory for one freedom per rate.
+/// A degree of freedom of a search: one of the rates (components of the joint velocity) of a
+/// mechanism, with its limits. A [`Reach`](super::Reach) borrows memory for one freedom per rate.
 #[derive(Clone, Copy, Debug)]
 pub struct Freedom<R> {
     pub(super) kind: Kind,
     pub(super) range: Range<R>,
-    /// The index of the value that the freedom changes, or, for a floating joint, of the first of
-    /// the joint's seven values.
+    /// The index of the value that the freedom changes. For a floating joint it is the index of the
+    /// first of the joint's seven values.
     pub(super) value: u32,
-    /// The distance from one sample of a restart to the next, in units of 2⁻⁶⁴ of the range,
-    /// modulo the range. It is zero if the range has no limits.
+    /// The distance between two consecutive samples of this freedom in the sequence from which
+    /// restarts draw, in units of 2⁻⁶⁴ of the range, modulo the range. It is zero if the
+    /// range has no limits.
     pub(super) stride: u64,
-    /// A property of the rate whose index this array element has, even if the element holds the
-    /// freedom of another rate: the index of that rate's freedom among the freedoms that move a
-    /// goal.
+    /// The index, among the freedoms that move a goal, of the freedom of rate `i`, where `i` is the
+    /// index of this element in the array. All other fields of the element may belong to another
+    /// rate, because the freedoms that move a goal are moved to the front of the array.
     pub(super) column: u32,
     /// The index of the next freedom on the path to the base.
     pub(super) parent: u32,
     /// The number of freedoms on the path to the base.
     pub(super) depth: u32,
-    /// The index of the freedom's first entry in the sparse normal equations of the tree.
+    /// The index of the freedom's first entry in the sparse normal equations (see `tree.rs`).
     pub(super) first_entry: u32,
-    /// The index of the first register of the freedom's twist.
+    /// The index of the first of the six registers of the freedom's twist in the scratch.
     pub(super) twist_row: u32,
 }
 
@@ -65,7 +66,8 @@ impl<R: Real> Default for Freedom<R> {
 }
 
 impl<R: Real> Freedom<R> {
-    /// Returns `true` if the freedom is a joint's only value, and not a part of a floating joint.
+    /// Returns `true` if the freedom changes exactly one value. A freedom of a floating joint
+    /// changes the joint's quaternion or its translation.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_single(&self) -> bool {
         matches!(self.kind, Kind::Turn | Kind::Slide)
@@ -98,7 +100,8 @@ impl<R: Real> Freedom<R> {
         low + (high - low) * sum
     }
 
-    /// Makes the freedom of the rate at `index` within a joint, with the limits of the joint.
+    /// Makes the freedom for one of a joint's rates, of which a floating joint has six. `index` is
+    /// the index of the rate within the joint. The freedom has the limits of the joint.
     #[inline(never)]
     fn of(step: &Step<R>, index: usize) -> Self {
         let (kind, is_hinge, value) = match step.kind {
@@ -198,8 +201,9 @@ fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
 /// ½ in units of 2⁻⁶⁴.
 const HALF: u64 = 1 << 63;
 
-/// Returns 1/g in units of 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1. The
-/// loop finds one bit of x after the other.
+/// Returns 1/g in units of 2⁻⁶⁴, where gᴺ⁺¹ = g + 1 and N is `count`. This is the
+/// largest x for which xᴺ + xᴺ⁺¹ is less than 1. The loop finds one bit of x after the
+/// other.
 fn spacing(count: usize) -> u64 {
     let mut x = 0;
     for bit in (0..64).rev() {
@@ -231,8 +235,8 @@ fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>
 }
 
 /// Narrows the range of a joint by the limits of a joint that mimics it, the follower. The range
-/// still allows whole turns only if the follower has the same pose after a whole turn of its
-/// leader: if it is a hinge with a whole multiplier.
+/// still allows whole turns only if the follower has the same pose after a whole turn of the joint
+/// that it follows. So it must be a hinge with an integer as its multiplier.
 fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     let is_hinge = match step.kind {
         JointKind::Screw { pitch, .. } => pitch == R::ZERO,
@@ -248,7 +252,7 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Range<R> {
     }
 }
 
-/// Returns `true` if a float has no fraction. Floats of 1/ε and more never have one.
+/// Returns `true` if a float is an integer. All floats of 1/ε and more are integers.
 fn is_whole<R: Real>(number: R) -> bool {
     let shift = R::ONE / R::EPSILON;
     let size = number.abs();
@@ -259,11 +263,11 @@ fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {
     ReachError::Limits { joint: step.link as usize, low: low.into(), high: high.into() }
 }
 
-/// Finds the place of each freedom in the tree, and returns the number of entries of the normal
-/// equations that are sparse like the tree. It is zero if the equations are not sparse in this way,
-/// because a joint that mimics shares a column or weights differ from axis to axis. It is also zero
-/// if the goals have at most six weighted components, for which the dense equations JJᵀ are
-/// quicker.
+/// Finds the place of each freedom in the tree of joints. Returns the number of entries of the
+/// normal equations JᵀJ, which are nonzero only where one joint carries the other. Returns zero
+/// if these equations cannot be used, because a joint that mimics shares a column or weights differ
+/// from axis to axis. Also returns zero if the goals have at most six weighted components, for
+/// which the dense equations JJᵀ are quicker.
 pub(super) fn tree_shape<R: Real>(
     steps: &[Step<R>],
     goals: &[Goal<R>],
@@ -308,10 +312,10 @@ pub(super) fn tree_shape<R: Real>(
 
 /// The width of a range, in turns, above which a hinge counts as endless.
 const ENDLESS_TURNS: f32 = 16.0;
-/// The largest angle of an endless hinge from zero in `f32`, radians. It is about ten turns. Floats
+/// The largest absolute value of an endless hinge in `f32`, radians. It is about ten turns. Floats
 /// of this size are 4e-6 apart, which is less than the default tolerance of 10⁻⁵.
 const FAR_SINGLE: f32 = 64.0;
-/// The largest angle of an endless hinge from zero in `f64`, 2²⁰ radians. It is about 167,000
+/// The largest absolute value of an endless hinge in `f64`, 2²⁰ radians. It is about 167,000
 /// turns. Floats of this size are 10⁻¹⁰ apart.
 const FAR_DOUBLE: f32 = 1_048_576.0;
 
@@ -343,9 +347,9 @@ impl<R: Real> Range<R> {
     pub(crate) const NONE: Self =
         Self { low: R::ZERO, high: R::ZERO, whole_turn: WholeTurn::Differs };
 
-    /// Returns the range between two limits. For an endless hinge it ends where floats become too
-    /// coarse. Returns `None` if the limits are not in order, or are so large that floats do not
-    /// distinguish the angles between them.
+    /// Returns the range between two limits. The range of an endless hinge ends where floats become
+    /// too coarse. Returns `None` if the limits are not in order, or are so large that floats do
+    /// not distinguish the angles between them.
     pub(crate) fn within([low, high]: [R; 2], is_hinge: bool, is_angle: bool) -> Option<Self> {
         let turn = R::TWO * R::PI;
         let whole_turn = match high - low {
@@ -361,10 +365,11 @@ impl<R: Real> Range<R> {
         } else {
             [low, high]
         };
-        // Beyond 2¹⁷ radians in `f32`, and 2⁴⁶ radians in `f64`, the sine on lanes is NaN.
+        // Beyond 2¹⁷ radians in `f32`, and 2⁴⁶ radians in `f64`, the sine of a register of
+        // lanes is NaN.
         let is_near = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
         let fits = |value: R| !is_angle || !value.is_finite() || is_near(value);
-        // Limits that are NaN fail both comparisons.
+        // If a limit is NaN, the comparison `low <= high` is false.
         let is_range = low <= high && (low.is_finite() || low < R::ZERO);
         let is_range = is_range && (high.is_finite() || high > R::ZERO);
         if !(is_range && ends.into_iter().all(fits)) {
@@ -374,8 +379,8 @@ impl<R: Real> Range<R> {
         Some(Self { low, high, whole_turn })
     }
 
-    /// Returns `true` if the limits stop no motion, because a value beyond them has the same pose a
-    /// whole turn away, within the limits.
+    /// Returns `true` if the limits stop no motion: a value beyond a limit can be replaced by a
+    /// value within the limits that gives the same pose, a whole turn away.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn wraps(&self) -> bool {
         matches!(self.whole_turn, WholeTurn::Allowed | WholeTurn::Endless)
@@ -407,7 +412,7 @@ impl<R: Scalar> Range<R> {
         self.wrap_within(value, to, Self::rounding(value))
     }
 
-    /// Returns a bound on the rounding error of an angle.
+    /// Returns a bound on the rounding error of a computed angle that is about `value`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rounding<L: Lanes<Real = R>>(value: L) -> L {
         (value.abs() + value.constant(4.0)) * value.constant(4.0 * vector::epsilon::<L>())
@@ -430,7 +435,8 @@ impl<R: Scalar> Range<R> {
         }
         let [low, high] = self.ends(value.level());
         let (turn, half) = (value.constant(core::f64::consts::TAU), value.constant(0.5));
-        // A value that is less than half a turn from `to` is not changed by rounding.
+        // A value that is less than half a turn from `to` is kept with all its bits, because
+        // computing it again from `rest` would round it.
         let way = value - to;
         let (_, rest) = half_turns(way * half);
         let is_far = (turn * half).lt(way.abs());
@@ -458,7 +464,7 @@ impl<R: Scalar> Range<R> {
         outside & (less.lt(low) | high.lt(less)) & (more.lt(low) | high.lt(more))
     }
 
-    /// Returns the nearest value within the range.
+    /// Returns the value within the range that is nearest to `value`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn clamp<L: Lanes<Real = R>>(&self, value: L) -> L {
         let [low, high] = self.ends(value.level());

@@ -107,7 +107,8 @@ impl<R: Real> Goal<R> {
         self.asks_rotation() && !all
     }
 
-    /// Returns `true` if all six components have a weight. Then the error is one screw.
+    /// Returns `true` if all six components have a weight. Then the error is the twist of a single
+    /// screw motion.
     pub(super) fn is_pose(&self) -> bool {
         let [x, y, z] = self.linear;
         let all = x > R::ZERO && y > R::ZERO && z > R::ZERO;

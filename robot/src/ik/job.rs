@@ -1,7 +1,7 @@
 //! The methods that search: for one configuration, for many configurations, and for clips of
 //! frames.
 //!
-//! Each method checks the lengths of its slices once and collects them in a [`Work`], from which a
+//! Each method checks the lengths of its slices once and collects the slices in a [`Work`], which a
 //! [`Search`] reads.
 
 use super::model::Model;
@@ -29,17 +29,18 @@ where
     ///
     /// Targets are normalized. The outcome is [`Outcome::Invalid`](super::Outcome::Invalid), and
     /// `values` is untouched, if a target is farther than 10⁻³ from unit, an option is out of
-    /// its range, or a target or a value is not finite (values of joints that move no goal may be).
+    /// its range, or a target or a value is not finite. Values of joints that move no goal are not
+    /// checked.
     ///
     /// Each iteration is a damped step within the limits. If a goal asks for a whole pose, the step
     /// also uses second derivatives. If two steps in a row hardly reduce the error, or limits stop
     /// all progress, the search begins again from another configuration ([`Options::restarts`]).
-    /// Each restart compares new configurations that are spread evenly within the limits, and takes
-    /// the configuration nearest to the targets. The report has the largest errors at the returned
-    /// values, over all goals. Components without a weight do not count.
+    /// Each restart compares new configurations that are spread evenly within the limits, and
+    /// begins at the configuration nearest to the targets. The report has the largest errors at the
+    /// returned values, over all goals. Components without a weight do not count.
     ///
-    /// The result stays near a good start. To follow a target that moves, start from the last
-    /// values, and set `restarts` to false.
+    /// The result stays near a good start. To follow a target that moves, pass the values of the
+    /// previous call as the start, and set `restarts` to false.
     ///
     /// # Errors
     /// If there are not as many targets as goals, if `values` does not have the length of a
@@ -55,9 +56,9 @@ where
     }
 
     /// Solves as [`solve`](Self::solve) does, but without [restarts](Options::restarts), even if
-    /// the options ask for them. This is for a target that moves, with the last values as the
-    /// start. A program that calls no other search does not contain restarts, which saves a third
-    /// of the code.
+    /// the options ask for them. It is meant for a target that moves, with the values of the
+    /// previous call as the start. A program that calls no other search does not contain the code
+    /// of restarts, which saves a third of the code.
     ///
     /// # Errors
     /// The errors of [`solve`](Self::solve).
@@ -72,12 +73,13 @@ where
     }
 
     /// Follows moving targets of many goals. Steps are of first order. If the goals have more than
-    /// six components, steps solve normal equations that are sparse like the tree of joints, in a
-    /// fifth of the time or less. The length that weighs as much as a radian does not depend on the
-    /// position of a floating joint (see [`Options::length_per_radian`]). Unless a posture or the
-    /// start has a weight, steps are damped by half of the squared error, averaged over the goals
-    /// (λ² = ½|e|², Sugihara 2011). The search returns its last values and not its best values,
-    /// so an arm follows a target that is out of reach in every frame.
+    /// six components, steps solve sparse normal equations, in which an entry is nonzero only if
+    /// one joint carries the other. This takes a fifth of the time or less. The length that weighs
+    /// as much as a radian does not depend on the position of a floating joint (see
+    /// [`Options::length_per_radian`]). Unless a posture or the start has a weight, steps are
+    /// damped by half of the squared error, averaged over the goals (λ² = ½|e|², Sugihara
+    /// 2011). The search returns its final values and not its best values, so an arm keeps
+    /// following a moving target even while the target is out of reach.
     /// [`ReachJob::sequence`](super::ReachJob::sequence) tracks targets in clips, on lanes.
     ///
     /// # Errors
@@ -113,7 +115,8 @@ where
 }
 
 impl<R: Copy> Work<'_, R> {
-    /// Returns `self` if all lengths fit each other and the problem, and otherwise an error.
+    /// Returns `self` if the lengths of all slices fit each other and the problem, and otherwise an
+    /// error.
     fn checked(self, reach: &Reach<'_, R>) -> Result<Self, ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
@@ -234,9 +237,9 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-/// The smallest number of configurations of a task. Some searches take ten times as long as others,
-/// so each thread gets four tasks. At the end of a task some lanes are idle, so tasks are not small
-/// either.
+/// Returns the number of configurations of a task. Some searches take ten times as long as others,
+/// so there are four tasks per thread, and a thread that ends early takes another task. At the end
+/// of a task some lanes are idle, so a task is not small either.
 #[cfg(feature = "alloc")]
 fn grain(configurations: usize) -> usize {
     #[cfg(feature = "rayon")]
@@ -357,7 +360,8 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-/// Clips with the values and reports of their frames, which threads split between two clips.
+/// Clips, with the values and reports of their frames. Threads share the work in runs of whole
+/// clips.
 #[cfg(feature = "alloc")]
 struct Clips<'s, R> {
     clips: &'s [usize],

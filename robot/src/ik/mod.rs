@@ -3,11 +3,11 @@
 //! | item | meaning |
 //! |---|---|
 //! | [`Goal`] | a link, and the components of its target that count |
-//! | [`Reach`], [`Freedom`] | goals of a mechanism, checked once, in memory of the caller |
+//! | [`Reach`], [`Freedom`] | goals of a mechanism, checked once, in the caller's memory |
 //! | `OwnedReach` | a [`Reach`] that owns its memory (feature `alloc`) |
 //! | [`ReachJob`] | searches for many configurations |
 //! | [`Options`], [`Tracking`] | tolerances, limits and weights of a search |
-//! | [`Report`], [`Outcome`] | the end of a search |
+//! | [`Report`], [`Outcome`] | the result of a search |
 //! | [`Reach::rates`] | the rates that give links their velocities |
 //! | [`ReachJob::sequence`] | searches for clips of frames |
 //! | [`SixAxisArm`], [`Solutions`] | all solutions of an arm of six hinges for a target |
@@ -18,7 +18,8 @@
 //   both, checked once;
 // - `job.rs`, with `report.rs`: calls for one configuration, for many configurations, and for
 //   clips;
-// - `search.rs`: the loop over rounds and its decisions, in the memory of `scratch.rs`;
+// - `search.rs`: the loop of iterations and its decisions, with the memory that `scratch.rs`
+//   divides;
 // - `model.rs`: poses, errors and the Jacobian;
 // - `step.rs`, or `tree.rs` for many goals: damped least squares.
 //

@@ -7,7 +7,7 @@
 //!
 //! A restart draws [`CANDIDATES`] new configurations from a sequence of low discrepancy within the
 //! limits, and takes the configuration whose links are nearest to the targets. All lanes help to
-//! compute the candidates. A value without limits keeps its value of the start.
+//! compute the candidates. A joint value without limits stays as it was at the start.
 
 use super::freedom::Freedom;
 use super::goal::Goal;
@@ -23,8 +23,8 @@ use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Level, MAX_LANES};
 
 /// A configuration and its targets in each lane. With `TRACK`, steps are of first order, and steps
-/// for several goals solve normal equations that are sparse like the tree. `TRACK` is a constant of
-/// the type so that firmware that does not track does not contain this code.
+/// for several goals solve the sparse normal equations of `tree.rs`. `TRACK` is a constant of the
+/// type so that firmware that does not track does not contain this code.
 pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) level: L::Level,
     pub(super) reach: &'s Reach<'s, L::Real>,
@@ -33,10 +33,10 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) weights: PostureWeights<L>,
 }
 
-/// The weights of posture and start while tracking.
+/// The weights of the posture and of the start values, which only a search that tracks has.
 #[derive(Clone, Copy)]
 pub(super) struct PostureWeights<L> {
-    /// `true` if steps solve the normal equations that are sparse like the tree.
+    /// `true` if steps solve the sparse normal equations of `tree.rs`.
     uses_tree: bool,
     /// `true` if one of the two weights is not zero.
     has_weights: bool,
@@ -49,17 +49,17 @@ pub(super) struct PostureWeights<L> {
 /// The factor between lengths and radians, and the quantities that keep a step short.
 #[derive(Clone, Copy)]
 pub(super) struct Scales<L> {
-    /// The length that weighs as much as a radian.
+    /// The length for which an error of a distance weighs as much as an error of one radian.
     pub(super) length: L,
     /// The reciprocal of `length`.
     pub(super) radians_per_length: L,
-    /// The largest change of a hinge in a step.
+    /// The largest change of a hinge in a step, in radians.
     pub(super) longest: L,
-    /// λ² of the damped least squares at the target itself.
+    /// The damping λ² of the least squares where the error is zero.
     pub(super) least_damping: L,
 }
 
-/// The errors of all lanes.
+/// The errors of the links in all lanes, one register for each kind of error.
 #[derive(Clone, Copy)]
 pub(super) struct PoseErrors<L> {
     /// The sum of the squares of all weighted errors. Weights make radians of distances, so the
@@ -129,14 +129,14 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
         TRACK && self.weights.has_weights
     }
 
-    /// Returns `true` if steps solve the normal equations that are sparse like the tree.
+    /// Returns `true` if steps solve the sparse normal equations of `tree.rs`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn uses_tree(&self) -> bool {
         TRACK && self.weights.uses_tree
     }
 }
 
-/// The configurations whose poses are computed.
+/// The choice of the configurations whose poses are computed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Configurations {
     /// The present values of the lanes. The screws of the joints are computed too.
@@ -145,7 +145,7 @@ pub(super) enum Configurations {
     Candidates,
 }
 
-/// The values of all lanes, in the form in which the walk over the joints reads them.
+/// The values of all lanes, as the walk over the joints reads them: through [`LaneValues`].
 struct ValueRegisters<'r, 's, L: Lanes>(&'r Registers<'s, L>);
 
 impl<L: Lanes> LaneValues<L> for ValueRegisters<'_, '_, L> {
@@ -251,7 +251,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         for (index, goal) in self.reach.goals.iter().enumerate() {
             let target = self.target(index, lane);
             let pose = self.pose(index);
-            // Poses hold half their translation, as dual quaternions do.
+            // A pose holds half of its translation, as a dual quaternion does.
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
@@ -271,7 +271,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                     self.scratch.goals.set_record(index * GOAL + TARGET + POSE, angular);
                 }
             }
-            // Weights that differ from axis to axis belong to the axes of the target.
+            // Weights that differ from axis to axis are for the axes of the target, so the error is
+            // converted to these axes.
             if !goal.is_even() {
                 let to_target = target.real().conjugate();
                 angular = to_target.rotate(angular);
@@ -314,15 +315,15 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         DualQuat::from_array(self.of_goal::<EXCESS>(goal * GOAL, lane))
     }
 
-    /// Returns the vector from the point that replaces a target out of reach to the target itself;
-    /// zero for a target within reach.
+    /// If a target is out of reach, a nearer point replaces it. Returns the vector from this point
+    /// to the target itself; zero for a target within reach.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn excess(&self, goal: usize, lane: Option<usize>) -> [L; 3] {
         self.of_goal(goal * GOAL + EXCESS, lane)
     }
 
-    /// Reads `C` registers of a goal. Each lane gets its own components, or all lanes get the
-    /// components of lane `lane` if it is given.
+    /// Reads `C` registers of a goal's state. Each lane gets its own components, or all lanes get
+    /// the components of lane `lane` if it is given.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn of_goal<const C: usize>(&self, first: usize, lane: Option<usize>) -> [L; C] {
         let Some(lane) = lane else { return self.scratch.goals.record(self.level, first) };
@@ -339,8 +340,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 }
 
-/// Calls `take` with the row and the weighted value of each component that has a weight, and
-/// returns the next row.
+/// Calls `take` with the index of the row and the weighted value, for each component that has a
+/// weight. Returns the index of the row after these.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn for_each_row<L: Lanes<Real: Scalar>>(
     goal: &Goal<L::Real>,
@@ -379,13 +380,13 @@ fn max_or_nan<L: Lanes>(a: L, b: L) -> L {
     L::select(b.le(a), a, b)
 }
 
-/// The offset, among the registers of a goal, of the sum of its twists.
+/// The offset of the sum of twists among the registers of a goal's state.
 const MOVED: usize = TARGET + POSE + TURN;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Computes the columns of the Jacobian of all goals. With `second_order` the columns include
-    /// the effect of half of the last changes: the motion of a link is a product of exponentials,
-    /// whose logarithm is (Baker, Campbell, Hausdorff)
+    /// Computes the columns of the Jacobian of all goals. With `second_order` the columns cⱼ
+    /// include the effect of half of the changes δⱼ of the first-order solution. The motion of a
+    /// link is a product of exponentials, whose logarithm is (Baker, Campbell, Hausdorff)
     ///
     /// ```text
     /// Σ δⱼ (cⱼ + ½ [Σₖ₍ₖ₍ⱼ₎ δₖcₖ, cⱼ]) + third order
@@ -403,8 +404,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         let (mut position, mut screw) = (0, 0);
         while let Some(step) = reach.mechanism.steps.get(position) {
-            // A branch of the tree without a goal is skipped whole: `twists` has none of its
-            // screws.
+            // A branch of the tree without a goal is skipped as a whole, because `twists` holds no
+            // screws of its joints.
             if !reach.moves_goal(position) {
                 position += step.size as usize;
                 continue;
@@ -423,7 +424,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Adds the change of a freedom to the sum of twists of a goal, and returns the sum before it.
+    /// Adds a freedom's change, as a twist, to the sum of twists of a goal. Returns the sum as it
+    /// was before this addition.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn add_to_sum(&mut self, goal: usize, column: usize, twist: Twist<L>) -> Twist<L> {
         let (level, at) = (self.level, goal * GOAL + MOVED);
@@ -433,8 +435,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         moved
     }
 
-    /// Adds the screw of a step to the Jacobian's column, in the rows of all goals that the step
-    /// carries.
+    /// Adds the screw `twist` of a joint to the joint's column of the Jacobian, in the rows of all
+    /// goals whose links the joint carries. `position` is the index of the joint's step in the
+    /// mechanism.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn add_columns(&mut self, position: usize, column: usize, twist: Twist<L>, second_order: bool) {
         let (level, reach) = (self.level, self.reach);
@@ -449,13 +452,13 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             let mut twist = twist;
             // Joints are visited from the base up, so the sum so far is the sum in the brackets of
             // the formula in the documentation of `linearize`. Each goal has its own sum, because
-            // other joints carry it.
+            // different joints carry different goals.
             if second_order && goal.is_pose() {
                 let moved = self.add_to_sum(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
             }
-            // All unknowns of the equations are in radians, so a slide counts by its length per
-            // radian.
+            // All unknowns of the equations are in radians, so the column of a slide is multiplied
+            // by the length that weighs as much as a radian.
             if freedom.is_slide() {
                 twist = twist.scale(self.scales.length);
             }
@@ -488,8 +491,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let mut angular = twist.angular;
         let mut linear = vector::cross_onto(angular, end, twist.linear);
         if goal.asks_part_of_rotation() {
-            // The error is a rotation vector. Its rate is the inverse of the right Jacobian times
-            // the angular velocity.
+            // The angular error is a rotation vector. Its rate is the inverse of the right Jacobian
+            // of the rotation group, at this vector, times the angular velocity.
             let nowhere = [half[0].constant(0.0); 3];
             let turn = self.scratch.goals.record(level, first + POSE);
             let at = Twist { angular: turn, linear: nowhere };
@@ -662,7 +665,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             scratch.candidate.set(value, start);
         }
         for freedom in self.reach.freedoms {
-            // A freedom without limits has the stride zero and keeps its value of the start.
+            // A freedom without limits has the stride zero and keeps the value that it had at the
+            // start.
             if freedom.stride > 0 {
                 for index in 0..L::LANES {
                     let value = freedom.sample(first + index as u64 + 1);

@@ -1,4 +1,5 @@
-//! [`OwnedReach`] and [`OwnedSixAxisArm`]: a problem and an arm that own their memory.
+//! [`OwnedReach`] and [`OwnedSixAxisArm`]: an inverse kinematics problem and a six-axis arm that
+//! own their memory.
 
 use super::family::{Family, Geometry, SolutionsError};
 use super::freedom::Freedom;
@@ -49,7 +50,7 @@ pub struct OwnedReach<R> {
 brief!([R] OwnedReach<R>: OwnedReach |it| { mechanism: it.mechanism, goals: it.goals.len() });
 
 impl<R: Real> OwnedReach<R> {
-    /// Makes a problem as [`Reach::new`] does.
+    /// Makes an inverse kinematics problem as [`Reach::new`] does.
     ///
     /// # Errors
     /// The errors of [`Reach::new`].
@@ -86,7 +87,7 @@ impl<R: Real> OwnedReach<R> {
         self.view().job()
     }
 
-    /// Returns the borrowed form, which has all other methods.
+    /// Returns a view that borrows the memory of this value. The view has all other methods.
     #[must_use]
     pub fn view(&self) -> Reach<'_, R> {
         Reach {
@@ -242,7 +243,7 @@ impl<R: Real> OwnedSixAxisArm<R> {
         self.view().job()
     }
 
-    /// Returns the borrowed form, which has all other methods.
+    /// Returns a view that borrows the memory of this value. The view has all other methods.
     #[must_use]
     pub fn view(&self) -> SixAxisArm<'_, R> {
         let reach = Reach { posture: None, ..self.reach.view() };

@@ -18,16 +18,17 @@ use dq8::scalar::{DualQuat, vector};
 /// It borrows memory of the caller: the goals, and a [`Freedom`] for each rate of the mechanism.
 /// [`OwnedReach`](super::OwnedReach) owns this memory.
 ///
-/// Joints of every kind move, and stop at their limits; joints that carry no link with a goal keep
+/// Joints of every kind are moved, within their limits. Joints that carry no link with a goal keep
 /// their values.
 ///
-/// A hinge has the same pose after a turn by 2π. Among the values within its limits that give this
-/// pose, the result is the value nearest to the start. A start beyond the limits is first brought
-/// within them by whole turns, if that is possible. Screw joints, and hinges that another joint
-/// mimics with a multiplier that is no integer, are excepted, because a whole turn gives another
-/// pose there. Far from zero, neighbouring floats are angles with a large difference, so hinges
-/// whose limits span more than 16 turns stay within 64 radians of zero in `f32` and 2²⁰ in
-/// `f64`, or in the turn between their limits that is nearest to zero.
+/// A hinge has the same pose after a turn by 2π. Among the values within its limits that give the
+/// same pose, the result is the value nearest to the start. A start beyond the limits is first
+/// brought within them by whole turns, if that is possible. This does not apply to screw joints,
+/// and to hinges that another joint mimics with a multiplier that is no integer, because a whole
+/// turn gives another pose there. Far from zero, the distance between neighbouring floats is a
+/// large angle. So hinges whose limits span more than 16 turns stay within 64 radians of zero in
+/// `f32` and 2²⁰ in `f64`. If their limits exclude this range, they stay in the turn between the
+/// limits that is nearest to zero.
 ///
 /// Joints that mimic other joints follow them, within the limits of both joints. Limits of the
 /// follower that would leave no range are [ignored](Mechanism::value_limits). A floating joint
@@ -81,8 +82,8 @@ pub(super) struct Facts<R> {
     pub(super) rows: usize,
     /// The number of screws of the joints that move a goal.
     pub(super) twists: usize,
-    /// The number of entries of the normal equations that are sparse like the tree, or zero if the
-    /// problem does not use them.
+    /// The number of entries of the sparse normal equations of `tree.rs`, or zero if the problem
+    /// cannot use these equations.
     pub(super) tree: usize,
     /// A length that is typical of the mechanism.
     pub(super) size: R,
@@ -197,14 +198,14 @@ impl<'a, R: Copy> Reach<'a, R> {
         needs_second_order
     }
 
-    /// Returns `true` if the link of the step at `position`, or a link that this link carries, has
-    /// a goal.
+    /// Returns `true` if the joint whose step is at `position` moves a goal: there is a goal for
+    /// its link, or for a link that its link carries.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves_goal(&self, position: usize) -> bool {
         moves_any(self.mechanism.steps, position, self.goals)
     }
 
-    /// Returns `true` if the step at `position` carries the link of `goal`.
+    /// Returns `true` if the joint whose step is at `position` carries the link of `goal`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves(&self, position: usize, goal: &Goal<R>) -> bool {
         carries(self.mechanism.steps, position, &[goal.link])
@@ -281,7 +282,8 @@ impl<R: Real> Reach<'_, R> {
         Some((centre, length))
     }
 
-    /// Returns the largest length by which a joint slides; infinite if the joint has no limits.
+    /// Returns the largest distance by which a joint can slide; infinity if the joint has no
+    /// limits.
     #[inline(never)]
     fn slide_length(&self, step: &Step<R>) -> R {
         let infinite = R::ONE / R::ZERO;
@@ -321,8 +323,8 @@ impl<R: Real> Reach<'_, R> {
     }
 
     /// Returns the typical length of the mechanism. If a joint floats or slides without limits, the
-    /// distance to the farthest target, or the length of its present slide, counts where it is
-    /// longer.
+    /// result is at least the distance to the farthest target, and at least the distance by which
+    /// any joint has slid at present.
     pub(super) fn typical_length_to(&self, targets: &[DualQuat<R>], values: &[R]) -> R {
         let mut longest = self.facts.size;
         if self.facts.is_endless {
@@ -393,7 +395,7 @@ fn norm<R: Real>(vector: [R; 3]) -> R {
     vector::norm(vector)
 }
 
-/// Returns the largest length by which a joint has slid along one axis.
+/// Returns the largest distance by which a joint has slid along one of its axes.
 fn longest_slide<R: Real>(step: &Step<R>, values: &[R]) -> R {
     let (lengths, factor) = match step.kind {
         JointKind::Prismatic { .. } => (0..1, R::ONE),

@@ -17,15 +17,15 @@ impl<R> Reach<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// Computes the rates that give goals their velocities as nearly as possible. They
-    /// minimise |W(Jq̇ − v)|² + λ²|q̇|², where W has the weights, J is the Jacobian, v the
-    /// velocities and q̇ the rates. λ is the `damping`, which keeps rates small near singular
-    /// poses (Nakamura & Hanafusa 1986). A joint at a limit does not go beyond it, and the other
-    /// joints make up for it. `twists[i]` is the velocity for goal i: the angular velocity of its
-    /// link and the velocity of its point, in the axes of the base
+    /// Computes the joint rates that give the links of the goals the velocities `twists`, as nearly
+    /// as possible. They minimise |W(Jq̇ − v)|² + λ²|q̇|², where W has the weights, J is
+    /// the Jacobian, v the velocities and q̇ the rates. λ is the `damping`, which keeps rates
+    /// small near singular poses (Nakamura & Hanafusa 1986). A joint at a limit does not go beyond
+    /// it, and the other joints make up for it. `twists[i]` is the velocity for goal i: the angular
+    /// velocity of its link and the velocity of its point, in the axes of the base
     /// ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal, in the axes of its
-    /// link. An eighth of the longest distance along the links to a goal weighs as much as a
-    /// radian. Rates of joints that move no goal are zero.
+    /// link. A length weighs as much as a radian if it is an eighth of the longest distance along
+    /// the links to a goal. Rates of joints that move no goal are zero.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -180,14 +180,16 @@ impl<R: Scalar> Velocities<'_, R> {
 }
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
-    /// Writes the velocities to the memory of the errors, so that a step solves for them.
+    /// Writes the velocities to the memory of the errors. Then the equations that find changes for
+    /// errors find rates for velocities.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn set_velocities(&mut self, twists: &[Twist<L::Real>], first: usize, configurations: usize) {
         let (level, reach) = (self.level, self.reach);
         let zero = L::splat(level, L::Real::ZERO);
         let (goals, mut row) = (reach.goals.len(), 0);
         for (index, goal) in reach.goals.iter().enumerate() {
-            // Weights that differ from axis to axis belong to the axes of the link.
+            // Weights that differ from axis to axis are for the axes of the link, so the velocity
+            // is converted to these axes below.
             let motion = self.pose(index).to_motion();
             self.scratch.goals.set_record(index * GOAL, motion);
             self.scratch.goals.set_record(index * GOAL + TARGET + POSE, [zero; 3]);
@@ -220,7 +222,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
         }
     }
 
-    /// Solves for the rates in radians, such that no rate leads beyond a limit.
+    /// Solves for the rates in radians. A joint that is at a limit gets no rate that leads beyond
+    /// it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn rates(&mut self) {
         let (level, zero) = (self.level, self.scales.least_damping.constant(0.0));
@@ -232,8 +235,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
         } else {
             self.linearize(false);
         }
-        // Each round but the last holds at least one more freedom in some lane, so this number of
-        // rounds suffices.
+        // Each round but the final one holds at least one more freedom at its limit in some lane,
+        // so this number of rounds suffices.
         for _ in 0..=self.reach.freedoms.len() {
             self.solve(self.scales.least_damping);
             let mut stopped = zero.lt(zero);
@@ -267,7 +270,7 @@ errors! {
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     RatesError {
-        /// Lengths of slices do not fit.
+        /// The lengths of the slices do not fit the problem or each other.
         Shape(error: ShapeError) => "{error}";
         /// The damping is negative or not finite.
         Damping { value: f64 = "The damping." } => "the damping is negative or not finite: {value}";

@@ -7,34 +7,36 @@ use dq8::Real;
 pub struct Options<R> {
     /// The largest angle to a target that counts as reached, radians.
     pub angular_tolerance: R,
-    /// The largest distance from a target that counts as reached, in the unit of the mechanism.
+    /// The largest distance from a target that counts as reached, in the mechanism's unit of
+    /// length.
     pub linear_tolerance: R,
     /// The largest number of steps and restarts together. Most targets of an arm take six or seven
-    /// iterations. The default of 100 is for the few in a hundred that need a restart. It costs
-    /// time only if a target cannot be reached or a posture is far. Several goals on one tree may
-    /// need 1000: a humanoid with four goals reached 93 % of random reachable targets within 100
-    /// iterations, and all of 200 targets within 1000.
+    /// iterations. The default of 100 is meant for the few targets in a hundred that need a
+    /// restart. It costs time only if a target cannot be reached or a posture is far. Several goals
+    /// on one tree may need 1000: a humanoid with four goals reached 93 % of random reachable
+    /// targets within 100 iterations, and all of 200 targets within 1000.
     pub max_iterations: u32,
-    /// The length that weighs as much as a radian, more than zero. `None` means an eighth of the
-    /// longest distance along the links to a goal. If a joint floats or slides without limits, the
-    /// distance that it has to move counts instead if it is longer, except in searches that
+    /// The length, more than zero, for which an error of a distance weighs as much as an error of
+    /// one radian. `None` means an eighth of the longest distance along the links to a goal. If a
+    /// joint floats or slides without limits, the distance to the farthest target and the present
+    /// slide count instead where they are longer, except in searches that
     /// [track](super::Reach::track). The length decides which pose is nearest to a target that
     /// cannot be reached, and how fast other targets are reached.
     pub length_per_radian: Option<R>,
-    /// The largest change of a hinge in one step, in radians. It must be more than zero, and more
-    /// than a turn counts as a turn. Slides are not limited.
+    /// The largest change of a hinge in one step, in radians. It must be more than zero. A value of
+    /// more than a turn acts like a turn. The steps of slides are not limited.
     pub max_step: R,
-    /// The damping λ of the least squares at the target itself, radians. Zero, the default,
+    /// The damping λ of the least squares where the error is zero, radians. Zero, the default,
     /// reaches targets fastest. With λ no step is longer than |e|/(2λ) for an error |e|, also
     /// near singular poses, which suits a machine that follows a target.
     pub damping: R,
     /// `true` if a search that is stuck begins again from another configuration; `false` if it only
     /// converges from its start, which suits a target that moves.
     pub restarts: bool,
-    /// The part of the weighted squared error that a step must gain, from 0 to 1. A step that gains
-    /// less is the last step, or the last step before a restart. With more goals than freedoms no
+    /// The part of the weighted squared error by which a step must reduce it, from 0 to 1. After a
+    /// step that reduces it by less, the search ends or restarts. With more goals than freedoms no
     /// target is reached, and only this option ends a search that cannot get better. With zero, the
-    /// default, no gain is required.
+    /// default, no reduction is required.
     pub least_gain: R,
 }
 
@@ -63,8 +65,9 @@ impl<R: Real> Options<R> {
     }
 
     /// Returns options for following moving targets ([`Reach::track`](super::Reach::track)) from
-    /// the last values: tolerances of 10⁻⁴ rad and 10⁻⁴ lengths, at most 3 steps, a least
-    /// gain of a hundredth, a damping of 0.1 rad, and no restarts.
+    /// the values of the previous frame: tolerances of 10⁻⁴ rad and 10⁻⁴ lengths, at most 3
+    /// steps, a least gain of a hundredth of the squared error, a damping of 0.1 rad, and no
+    /// restarts.
     #[must_use]
     pub fn track() -> Self {
         let fine = R::from(1e-4);
@@ -130,7 +133,8 @@ impl<R: Real> Options<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracking<R> {
-    /// The options of any search, [`Options::track`] by default; `restarts` has no effect.
+    /// The options that every search has, by default [`Options::track`]. The option `restarts` has
+    /// no effect in a search that tracks.
     pub options: Options<R>,
     /// The weight of a radian of distance from the [posture](super::Reach::with_posture), relative
     /// to a radian of distance from a target. It acts in every step. With zero, the default, the
@@ -214,7 +218,7 @@ pub struct Report<R> {
     pub restarts: u32,
     /// The largest remaining angle to a target, radians.
     pub angular_error: R,
-    /// The largest remaining distance from a target.
+    /// The largest remaining distance from a target, in the mechanism's unit of length.
     pub linear_error: R,
 }
 
@@ -238,7 +242,7 @@ impl<R> Report<R> {
 }
 
 /// The way in which a search ended. The returned joint values are the best values that were found,
-/// or the last values of a search that [tracks](super::Reach::track), within the limits. Only
+/// or the final values of a search that [tracks](super::Reach::track), within the limits. Only
 /// [`Invalid`](Self::Invalid) leaves the caller's values as they were. The discriminants are the
 /// same in C and Python.
 ///
@@ -252,8 +256,9 @@ impl<R> Report<R> {
 pub enum Outcome {
     /// Both errors are within the tolerances.
     Converged = 0,
-    /// A target is farther away than the chain that carries the link is long, so no values reach
-    /// it. The returned values bring the link as near to the target as the search has found.
+    /// A target is farther from the base than the whole length of the chain that carries the link,
+    /// so no values reach it. The returned values bring the link as near to the target as the
+    /// search has found.
     OutOfReach = 1,
     /// No step reduced the error, and the best values have a joint at its limit. There may be a
     /// solution far from these values.
@@ -263,11 +268,12 @@ pub enum Outcome {
     Stalled = 3,
     /// The iterations ran out while steps still reduced the error.
     Unfinished = 4,
-    /// An input is invalid; the joint values are untouched, and the errors are NaN. A target is
-    /// farther than 10⁻³ from a unit motion (by the norm of its real part, or by the dot product
-    /// of its real and dual parts), a value or a component of a target is not finite, or a distance
-    /// overflows. Or an option is out of range: it is negative or NaN, a damping, weight or length
-    /// per radian is infinite, a gain is above 1, or a step or length per radian is zero.
+    /// An input is invalid; the joint values are untouched, and the errors are NaN. This happens if
+    /// a target is farther than 10⁻³ from a unit motion (by the norm of its real part, or by the
+    /// dot product of its real and dual parts), if a value or a component of a target is not
+    /// finite, or if a distance overflows. It also happens if an option is out of range: negative
+    /// or NaN, an infinite damping, weight or length per radian, a least gain above 1, or a step or
+    /// length per radian of zero.
     #[default]
     Invalid = 5,
 }

@@ -1,11 +1,12 @@
-//! [`Scratch`], the memory of a search for all lanes, which the caller lends, and its length.
+//! [`Scratch`], the memory of a search for all lanes, which is a slice of the caller, and the
+//! length that this slice must have.
 
 use super::problem::Reach;
 use crate::mechanism::tree::Mechanism;
 use dq8::{Scalar, ShapeError};
 use dq8_simd::{Lanes, MAX_LANES};
 
-/// Registers in memory. Each row of the slice is one register and holds one component for every
+/// A slice of registers. Each row of the slice is one register and holds one component for every
 /// lane.
 #[derive(Debug)]
 pub(super) struct Registers<'s, L: Lanes>(pub(super) &'s mut [L::Array]);
@@ -106,31 +107,35 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) held: Registers<'s, L>,
     /// The error of each component of the goals.
     pub(super) error: Registers<'s, L>,
-    /// The error of each component of the goals minus the contributions of held freedoms.
+    /// The error of each component of the goals, minus the parts that the changes of held freedoms
+    /// remove.
     pub(super) residual: Registers<'s, L>,
     /// The lower triangle of the matrix of the dense normal equations.
     pub(super) triangle: Registers<'s, L>,
-    /// The reciprocals of the diagonal of the matrix's Cholesky factor.
+    /// The reciprocals of the diagonal of the Cholesky factor of the matrix in `triangle`.
     pub(super) reciprocals: Registers<'s, L>,
     /// The right-hand side of the dense normal equations, later their solution.
     pub(super) solution: Registers<'s, L>,
-    /// The entries of the normal equations that are sparse like the tree, for several goals.
+    /// The nonzero entries of the sparse normal equations of `tree.rs`, for several goals.
     pub(super) system: Registers<'s, L>,
-    /// The factors of the sparse equations.
+    /// A copy of `system` that is factorised in place as LᵀDL.
     pub(super) factor: Registers<'s, L>,
-    /// The right-hand side of the sparse equations.
+    /// The right-hand side of the sparse normal equations.
     pub(super) right_hand_side: Registers<'s, L>,
-    /// The articulated bodies of links whose parents are not computed yet, [`BODY`] registers each.
+    /// The composite rigid bodies of links whose parents are not computed yet, [`BODY`] registers
+    /// each.
     pub(super) bodies: Registers<'s, L>,
 }
 
-/// The number of registers of an articulated body in the tree. They hold its mass, its mass times
-/// its position, its inertia (xx, yy, zz, xy, xz, yz), and the torque and the force on it.
+/// The number of registers of a composite rigid body: a link with all links that it carries. They
+/// hold its mass, its mass times its position, its inertia (xx, yy, zz, xy, xz, yz), and the torque
+/// and the force on it.
 pub(super) const BODY: usize = 16;
 
-/// The number of registers of a goal. They hold the target, replaced by the nearest point within
-/// reach if it is out of reach; the vector from that point to the target itself; the pose (rotation
-/// and half the translation); the rotation to the target; and the sum of the twists so far.
+/// The number of registers of a goal's state. They hold the target, replaced by the nearest point
+/// within reach if it is out of reach; the vector from that point to the target itself; the pose
+/// (rotation and half the translation); the rotation to the target; and the sum of the twists of
+/// the joints visited so far.
 pub(super) const GOAL: usize = TARGET + POSE + TURN + MOVED;
 pub(super) const TARGET: usize = EXCESS + 3;
 pub(super) const EXCESS: usize = 8;
@@ -181,8 +186,8 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts::most(values, values, values, 1, goals))
     }
 
-    /// Returns the length of the scratch that a [`ReachJob`](super::ReachJob) needs with any
-    /// instructions, in values of type `R`.
+    /// Returns the length of the scratch that a [`ReachJob`](super::ReachJob) needs, in values of
+    /// type `R`. It suffices for any number of lanes, so for any CPU.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))
@@ -213,8 +218,8 @@ impl Counts {
         }
     }
 
-    /// Returns the largest number of registers that a search needs. Goals that are whole poses need
-    /// this number.
+    /// Returns the largest number of registers that a search needs for any goals. If all goals are
+    /// whole poses, a search needs exactly this number.
     const fn most(
         values: usize,
         freedoms: usize,
@@ -223,7 +228,7 @@ impl Counts {
         goals: usize,
     ) -> usize {
         let rows = goals.saturating_mul(6);
-        // A single goal does not use the system of the tree.
+        // A single goal does not use the sparse normal equations.
         let tree = if goals > 1 { triangle(freedoms) } else { 0 };
         Self { values, twists, slots, goals, freedoms, rows, tree }.numbers()
     }
@@ -254,8 +259,8 @@ impl Counts {
     }
 }
 
-/// Returns the largest number of poses that are kept for their children at the same time. It is one
-/// in a chain.
+/// Returns the largest number of poses that are kept at the same time, because the poses of other
+/// links are still to be computed from them. It is one in a chain.
 fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     let mut slots = 0;
     for step in mechanism.steps {
@@ -270,8 +275,8 @@ pub(super) fn check_scratch(length: usize, expected: usize) -> Result<(), ShapeE
     if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }
 
-/// Returns `numbers`, a length in elements of type `R`, plus the elements of one cache line. So
-/// there is room to begin the scratch at a cache line.
+/// Returns `numbers`, a length in elements of type `R`, plus the number of such elements in a cache
+/// line. So there is room to begin the scratch at a cache line.
 const fn padded<R>(numbers: usize) -> usize {
     numbers.saturating_add(LINE / size_of::<R>())
 }
@@ -296,8 +301,8 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
         }
     }
 
-    /// Cuts the memory of a search out of `memory`, which may have any alignment; `None` if it is
-    /// too short.
+    /// Divides `memory`, which may have any alignment, into the arrays of a search. Returns `None`
+    /// if it is too short.
     pub(super) fn new(reach: &Reach<'_, L::Real>, memory: &'s mut [L::Real]) -> Option<Self> {
         let counts = Counts::of(reach);
         let first = memory.as_ptr().align_offset(LINE);
@@ -336,7 +341,8 @@ fn arrays<L: Lanes>(memory: &mut [L::Real], registers: usize) -> Option<&mut [L:
     bytemuck::try_cast_slice_mut(memory).ok()
 }
 
-/// Cuts the first `rows` registers off `rest`; `None` if there are fewer.
+/// Takes the first `rows` registers from `rest` and leaves the others in it. Returns `None` if
+/// there are fewer.
 fn take<'s, L: Lanes>(rest: &mut &'s mut [L::Array], rows: usize) -> Option<Registers<'s, L>> {
     let (first, others) = core::mem::take(rest).split_at_mut_checked(rows)?;
     *rest = others;

@@ -6,28 +6,29 @@
 //! Each lane holds one configuration. A round does the following for all lanes. It brings the
 //! values within their limits, and computes the poses of the goals and their errors. It decides,
 //! lane by lane, on a step, a restart, a return to the best values, or the end. It computes the
-//! step by damped least squares (Wampler 1986, Sugihara 2011), which is of second order if a goal
-//! asks for a whole pose. A lane that ends writes its report and takes the next configuration.
+//! step by damped least squares (Wampler 1986, Sugihara 2011). If a goal asks for a whole pose, the
+//! step also uses second derivatives. A lane that ends writes its report and takes the next
+//! configuration.
 //!
 //! *Progress* means that the squared error falls to a given part within a few steps. Near a
 //! solution a search converges quadratically, so a slowly falling error means that the search
 //! approaches a local minimum. A lane without progress restarts, or ends if restarts are off. A
-//! lane is *hopeless*, and restarts or ends at once, if limits cut its step so short that most of
-//! the error remains. In the last twelfth of the iterations a lane does not restart but returns to
-//! the best values that it found, and takes its steps from there.
+//! lane is *hopeless*, and restarts or ends at once, if joint limits shorten its step so much that
+//! a large part of the error remains. In the last twelfth of the iterations a lane does not restart
+//! but returns to the best values that it found, and takes its steps from there.
 //!
 //! # Reasons
 //!
 //! - *Lanes with different numbers of iterations share a round.* So no lane waits for the slowest
 //!   configuration of a group.
-//! - *Decisions are scalar, arithmetic is not.* The decisions of a lane are a page of branches that
-//!   differ from lane to lane. So their inputs leave the registers once per round, and the
-//!   decisions come back as masks.
+//! - *Decisions are scalar, arithmetic is not.* The decisions of a lane are many branches that
+//!   differ from lane to lane. So the errors are copied from the registers to each lane's state
+//!   once per round, and the decisions come back as masks.
 //! - *Errors are computed for the values that may be returned.* So the values are first brought
-//!   within their limits. If a whole turn gives the same pose, this is the value nearest to the
-//!   start.
+//!   within their limits. If a whole turn of a joint gives the same pose, its value becomes the
+//!   equivalent value nearest to the start.
 //! - *Idle lanes compute too*, from zeros and not from the former contents of the scratch, so that
-//!   equal calls have equal bits.
+//!   equal inputs give equal bits.
 //! - *Restarts are a type parameter*, so that firmware that never restarts does not contain their
 //!   code.
 
@@ -121,7 +122,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         }
     }
 
-    /// Moves the lanes that restart or return to their best values.
+    /// Sets the values of the lanes that restart, or that return to their best values.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn relocate(&mut self) {
         for index in 0..L::LANES {
@@ -216,8 +217,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         posture_distance: L,
         last: StepResult<L>,
     ) {
-        // The errors leave the registers here, once per round, because the decisions below are
-        // branches that differ from lane to lane.
+        // The errors are copied from registers to arrays here, once per round, because the
+        // decisions below are branches that differ from lane to lane.
         let PoseErrors { square, angular, linear } = errors;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
         let has_posture = self.model.reach.posture.is_some();
@@ -246,8 +247,8 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             let (is_best, next) =
                 lane.decide::<RESTARTS, TRACK>(measured, options, has_posture, has_weights);
             lane.next = next;
-            // The best values are kept before the step overwrites them: a search may end far from
-            // its best.
+            // The best values are copied before the step overwrites them, because a search may end
+            // far from its best values.
             if is_best {
                 let scratch = &mut self.model.scratch;
                 for value in 0..self.model.reach.mechanism.values {
@@ -277,11 +278,11 @@ pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     L::load(lanes.level(), &array)
 }
 
-/// The factor below which the squared error must fall within [`PATIENCE`] steps to count as
-/// progress, if the lane may restart.
+/// Within [`PATIENCE`] steps the squared error must fall below this part of its value at the
+/// previous progress, if the lane may restart.
 const PROGRESS: f32 = 0.4;
-/// The factor below which the squared error must fall within [`LAST_PATIENCE`] steps to count as
-/// progress, if the lane may not restart.
+/// Within [`LAST_PATIENCE`] steps the squared error must fall below this part of its value at the
+/// previous progress, if the lane may not restart.
 const LAST_PROGRESS: f32 = 0.999;
 /// The number of steps in which progress is expected, if the lane may restart. A larger number
 /// takes iterations from restarts: with 3, fewer of the random targets in the tests are reached.
@@ -289,25 +290,25 @@ const PATIENCE: u32 = 2;
 /// The number of steps in which progress is expected, if the lane may not restart. The number may
 /// be larger than [`PATIENCE`], because no restart could use the iterations.
 const LAST_PATIENCE: u32 = 6;
-/// The part of the squared error above which a step is hopeless. A lane that may restart does so if
-/// limits cut its step so short that, by its linear model, a larger part remains. Of 10,000 random
-/// targets of an arm of seven axes 9,997 are reached; with 0.4, the value of [`PROGRESS`], 9,993
-/// are reached.
+/// The largest part of the squared error that may remain after a step that joint limits have
+/// shortened. If a larger part remains by the linear model of the step, the lane is hopeless: it
+/// restarts if it may. Of 10,000 random targets of an arm of seven axes 9,997 are reached; with
+/// 0.4, the value of [`PROGRESS`], 9,993 are reached.
 const HOPELESS: f32 = 0.2;
 /// Below this squared error (radians²) a lane is never hopeless.
 const NEAR_TARGET: f32 = 1e-4;
-/// The number of steps toward a posture, in a row, that may end away from the targets or no nearer
-/// to the posture.
+/// The largest number of consecutive steps toward a posture that may end away from the targets or
+/// no nearer to the posture.
 const POSTURE_PATIENCE: u32 = 60;
 /// The change of values, in radians, below which the search takes no further step toward a posture.
 const POSTURE_STEP: f32 = 1e-4;
-/// The number of equal parts of the iterations, of which the last part is for steps from the best
-/// values.
+/// The number of equal parts of the allowed iterations. In the final part a lane steps from its
+/// best values and does not restart.
 const LAST_PART: u32 = 12;
 /// The factor by which damping grows after a step that increased the error.
 const DAMPING_GROWTH: f32 = 8.0;
 
-/// The errors of a lane, and the effect of its last step.
+/// The errors of a lane, and the effect of the step that led to them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measured<R> {
     /// The weighted squared error of all goals, radians².
@@ -318,10 +319,10 @@ pub(super) struct Measured<R> {
     pub(super) linear: R,
     /// The squared distance from the posture.
     pub(super) posture_distance: R,
-    /// The squared error that the last step would leave by its linear model if a limit cut it
-    /// short, otherwise zero.
+    /// The squared error that remains after the previous step, as its linear model predicts it, if
+    /// a joint limit shortened this step; otherwise zero.
     pub(super) residual: R,
-    /// The sum of squares of all changes of the last step, radians².
+    /// The sum of the squares of all changes in the previous step, radians².
     pub(super) change: R,
 }
 
@@ -353,16 +354,16 @@ pub(super) struct Lane<R> {
     /// `true` after the lane has returned to its best values, from which it steps for the remaining
     /// iterations.
     stays_at_best: bool,
-    /// The squared error after the last step.
+    /// The squared error at the previous decision, before the step to which it led.
     square: R,
-    /// The squared error at the last progress, with which later errors are compared.
+    /// The squared error when the lane last made progress. Later errors are compared with it.
     reference: R,
-    /// The number of steps since the last progress.
+    /// The number of steps since the lane last made progress.
     idle_steps: u32,
     /// The factor by which steps are damped more than usual. It grows if the lane may not restart
     /// and a step has increased the error, so the next steps are shorter (Marquardt 1963).
     pub(super) damping_factor: R,
-    /// The last decision.
+    /// The action that was decided most recently.
     pub(super) next: Next,
 }
 
@@ -410,9 +411,9 @@ impl<R: Real> Lane<R> {
         Self { configuration, out_of_reach, is_new: true, has_restarted: true, next, ..Self::IDLE }
     }
 
-    /// Returns two results: `true` if the measured values are the best so far, and the next action.
-    /// With `has_posture` the search goes on toward a posture after the targets are reached. With
-    /// `has_weights` the posture or the start has a weight in every step.
+    /// Returns `true` if the measured values are the best so far, otherwise `false`, together with
+    /// the next action. With `has_posture` the search goes on toward a posture after the targets
+    /// are reached. With `has_weights` the posture or the start has a weight in every step.
     #[cfg_attr(target_os = "none", inline(never))]
     fn decide<const RESTARTS: bool, const TRACK: bool>(
         &mut self,
@@ -425,13 +426,13 @@ impl<R: Real> Lane<R> {
             && measured.linear <= options.linear_tolerance
             && !self.out_of_reach;
         // The best values are updated before the search can end, because the report has the errors
-        // of the best values and not of the last values.
+        // of the best values and not of the final values.
         let is_best = if has_weights {
             self.is_new || self.is_nearer(&measured)
         } else if TRACK && !self.converged && measured.square.is_finite() {
-            // For a moving target the values of the last step count as the best if their pose is
-            // finite. Otherwise an arm whose target is out of reach would stand still until a step
-            // reduced the error.
+            // For a moving target the newest values count as the best if their pose is finite.
+            // Otherwise an arm whose target is out of reach would stand still until a step reduced
+            // the error.
             true
         } else {
             self.is_best(&measured, arrived)
@@ -475,9 +476,9 @@ impl<R: Real> Lane<R> {
     }
 
     /// Returns `true` if the error is smaller than the error of the best values. If a target is out
-    /// of reach, a nearer point replaces it, and the squared error is the distance from this point.
-    /// So one of the two reported errors, which are measured to the target itself, must fall as
-    /// well.
+    /// of reach, a nearer point replaces it, and the squared error is measured to this point. So a
+    /// smaller squared error is not enough: of the two reported errors, which are measured to the
+    /// target itself, the distance must not grow or the angle must fall.
     fn is_nearer(&self, measured: &Measured<R>) -> bool {
         let gains = measured.linear <= self.best.linear || measured.angular < self.best.angular;
         measured.square < self.best.square && (gains || !self.out_of_reach)
@@ -510,17 +511,17 @@ impl<R: Real> Lane<R> {
         if self.stays_at_best { Next::ReturnToBest } else { Next::Restart }
     }
 
-    /// Returns `true` if too many steps in a row have brought no progress, or the last step is
-    /// hopeless. If the lane may restart, fewer steps are allowed and more progress is required,
-    /// because a restart is cheap.
+    /// Returns `true` if too many steps in a row have brought no progress, or limits shortened the
+    /// previous step too much ([`is_hopeless`](Self::is_hopeless)). If the lane may restart, fewer
+    /// steps are allowed and more progress is required, because a restart is cheap.
     fn is_stuck(&mut self, measured: &Measured<R>, may_restart: bool) -> bool {
         let (needed, patience) = match may_restart {
             true => (PROGRESS, PATIENCE),
             false => (LAST_PROGRESS, LAST_PATIENCE),
         };
         let is_hopeless = may_restart && !self.has_restarted && self.is_hopeless(measured);
-        // Progress is measured from the last reference and not from the last step, so that many
-        // small gains together count as progress too.
+        // The error is compared with `reference`, the error at the previous progress, and not with
+        // the error before the step. So many small reductions together count as progress too.
         if self.has_restarted || measured.square < self.reference * R::from(needed) {
             (self.reference, self.idle_steps) = (measured.square, 0);
         } else {
@@ -529,14 +530,15 @@ impl<R: Real> Lane<R> {
         self.idle_steps >= patience || is_hopeless
     }
 
-    /// Returns `true` if the last step gained less than the options require.
+    /// Returns `true` if the previous step reduced the squared error by less than the options
+    /// require.
     fn gains_too_little(&mut self, measured: &Measured<R>, options: &Options<R>) -> bool {
         let required = self.square * (R::ONE - options.least_gain);
-        // An error that is NaN gains nothing.
+        // This is `false` for an error that is NaN, which so counts as no reduction.
         let gains = measured.square < required;
         let is_little = options.least_gain > R::ZERO && !self.has_restarted && !gains;
-        // A step that gains too little counts as a step without progress, so that the outcome is
-        // Stalled and not Unfinished.
+        // A step that reduces the error too little counts as a step without progress, so that the
+        // outcome is Stalled and not Unfinished.
         self.idle_steps += u32::from(is_little);
         is_little
     }
@@ -585,8 +587,8 @@ impl<R: Real> Lane<R> {
         Next::Step
     }
 
-    /// Returns `true` if a limit cut the last step so short that, by its linear model, most of the
-    /// error remained.
+    /// Returns `true` if joint limits shortened the previous step so much that a large part of the
+    /// squared error remained, more than [`HOPELESS`], as the linear model of the step predicts.
     fn is_hopeless(&self, measured: &Measured<R>) -> bool {
         measured.residual > self.square * R::from(HOPELESS) && self.square > R::from(NEAR_TARGET)
     }
@@ -606,10 +608,12 @@ impl<R: Real> Lane<R> {
     }
 
     fn outcome(&self, is_at_limits: bool) -> Outcome {
-        // If the last step gave the best values, more iterations would improve them further.
+        // If the final step still gave the best values, more iterations would probably improve them
+        // further.
         let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
-        // The first outcome that applies counts, in order from the most to the least specific: a
-        // search for a target out of reach also stalls, and may press joints to their limits.
+        // Of the outcomes that apply, the first one counts. They are ordered from the most to the
+        // least specific, because a search for a target out of reach also stalls, and may press
+        // joints to their limits.
         match self {
             Self { is_invalid: true, .. } => Outcome::Invalid,
             Self { converged: true, .. } => Outcome::Converged,

@@ -1,9 +1,9 @@
-//! [`SixAxisArm`], an arm of six hinges, its solutions, and the search for all solutions of a
-//! target.
+//! [`SixAxisArm`], an arm of six hinges, and the methods that find all joint values that bring its
+//! tool to a target, the solutions.
 //!
 //! Arms of the two families are solved by formula (`branches.rs`), and a solution counts only if
-//! the forward kinematics of the mechanism reaches the target with it. Other arms are searched from
-//! many starts.
+//! the forward kinematics of the mechanism reaches the target with it. The solutions of other arms
+//! are found by numerical searches from many starts.
 
 use super::branches::{Arm, Branch, Complex};
 use super::family::{Family, Geometry, SolutionsError};
@@ -25,17 +25,17 @@ use dq8::storage::same_length;
 use dq8::{Backend, DualQuat, Kernel, Real, Scalar};
 use dq8_simd::{Lanes, Level, Mask, Portable};
 
-/// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose. It is analysed
-/// once, to find all solutions for any target.
+/// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose. The arm is
+/// analysed once; then all solutions can be found for any target.
 ///
 /// Most industrial arms belong to one of two [families](Family), which have up to eight solutions.
 /// A formula finds all of them. Among solutions that differ by whole turns, only the one nearest to
 /// the start is listed. Each solution is checked by the forward kinematics of the mechanism, which
 /// puts the tool at the target except for rounding. A target counts as reachable up to 64 units in
 /// the last place (2⁻⁵² or 2⁻²³) of the arm's size beyond its reach. Other arms are solved
-/// by searches from many starts, which find some 99 of 100 solutions. If axes miss a family by at
+/// by searches from many starts, which find about 99 of 100 solutions. If axes miss a family by at
 /// most 10⁻³, as in arms whose angles were typed with few digits, the searches start from the
-/// solutions of the family's formula, which are far fewer.
+/// solutions of the family's formula, so there are far fewer searches.
 ///
 #[doc = include_str!("six_axes.svg")]
 ///
@@ -77,9 +77,9 @@ pub struct SixAxisArm<'a, R> {
 }
 
 impl<'a, R: Real> SixAxisArm<'a, R> {
-    /// Makes the arm of a problem. Axes count as parallel if their lines differ by at most
-    /// 10⁻⁸ radians (`f32`: 10⁻⁵), and as meeting if their distance is at most that part of
-    /// the arm's size. The posture of the problem is ignored.
+    /// Makes the arm of a problem. Axes count as parallel if their lines differ by at most 10⁻⁸
+    /// radians (`f32`: 10⁻⁵), and as meeting if their distance is at most 10⁻⁸ (`f32`:
+    /// 10⁻⁵) of the arm's size. The posture of the problem is ignored.
     ///
     /// # Errors
     /// If there is not exactly one goal, if it is not for a whole pose, or if the joints that carry
@@ -112,8 +112,9 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         self.with_values(self.reach.scratch_len())
     }
 
-    /// Returns the length of the scratch for a [`SolutionsJob`](super::SolutionsJob) with any
-    /// instructions, in values of type `R`. It is zero for the two families.
+    /// Returns the length of the scratch for a [`SolutionsJob`](super::SolutionsJob), in values of
+    /// type `R`. It suffices for any number of lanes, so for any CPU. It is zero for the two
+    /// families.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         self.with_values(self.reach.batch_scratch_len())
@@ -125,7 +126,8 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
     }
 }
 
-/// All solutions of an arm of six hinges for a target, the nearest to the start first, as a slice.
+/// All solutions of an arm of six hinges for a target, as a slice that is sorted by the distance
+/// from the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solutions<R> {
@@ -156,8 +158,8 @@ pub struct Solution<R> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular {
-    /// `true` if the arm is singular at the first axis: the wrist is on this axis, or as far from
-    /// the plane of the arm as it can be.
+    /// `true` if the arm is singular at the first axis: the wrist is on this axis, or as near to it
+    /// as the offsets of the arm allow.
     pub shoulder: bool,
     /// `true` if the arm is singular at the second and third axis: it is stretched or folded.
     pub elbow: bool,
@@ -192,8 +194,8 @@ impl<R> Deref for Solutions<R> {
 }
 
 impl<R: Real> Solutions<R> {
-    /// Inserts a solution behind the solutions that are nearer to the start. The list holds eight
-    /// solutions. If searches find more, the farthest solution is dropped.
+    /// Inserts a solution into the list, which is sorted by the distance from the start. The list
+    /// holds at most eight solutions. If searches find more, the farthest solution is dropped.
     pub(super) fn insert(&mut self, solution: Solution<R>) {
         let nearer = self.iter().filter(|other| other.distance <= solution.distance).count();
         self.count = self.all.len().min(self.count + 1);
@@ -221,9 +223,9 @@ impl<R> SixAxisArm<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// Returns all solutions within the limits that bring the tool to a target, the one nearest to
-    /// `start` first; the list is empty if the target cannot be reached. `scratch` must have at
-    /// least the length [`scratch_len`](Self::scratch_len), and may hold anything.
+    /// Returns all joint values within the limits that bring the tool to a target, sorted by their
+    /// distance from `start`. The list is empty if the target cannot be reached. `scratch` must
+    /// have at least the length [`scratch_len`](Self::scratch_len), and may hold anything.
     ///
     /// # Errors
     /// If the target or the start is not finite, if the target is farther than 10⁻³ from a unit
@@ -364,8 +366,8 @@ impl<R: Scalar> SolutionsKernel<'_, R> {
             backend.run(SolutionsKernel { found: &mut *self.found, ..self });
         }
         self.by_searches(scratch, |work, scratch| {
-            // These searches do not restart, because their `options` rule it out. `RESTARTS` has
-            // the value of other searches, so that a program does not contain a second
+            // These searches never restart, because their `options` rule it out. `RESTARTS` still
+            // has the value that other searches use, so that a program does not contain a second
             // monomorphised copy of the kernel.
             const RESTARTS: bool = cfg!(not(target_os = "none"));
             arm.reach.job().run::<RESTARTS, false>(backend, work, scratch);
@@ -461,21 +463,22 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
         Self { level, arm, target, start, turns }
     }
 
-    /// Adds a branch to the solutions of the lanes in which it is within the limits and reaches the
-    /// target.
+    /// Adds a branch, one of the eight solutions by formula, to the solutions of the lanes in which
+    /// it is within the limits and reaches the target.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn insert(&self, branch: &Branch<L>, found: &mut [Solutions<L::Real>]) {
         let (level, arm, start) = (self.level, self.arm, self.start);
         let zero = L::splat(level, L::Real::ZERO);
-        // If the formulas fit only nearly, searches improve their solutions later and bring them
-        // within the limits. So such a solution may lie beyond a limit by the tolerance.
+        // If the formulas fit the arm only nearly, searches improve the solutions later and bring
+        // them within the limits. So such a solution may lie beyond a limit by the tolerance.
         let margin = if arm.geometry.is_exact() { zero } else { L::splat(level, arm.tolerance()) };
         let mut exists = branch.exists;
         let (mut values, mut square) = ([zero; 6], zero);
         let most = L::splat(level, arm.geometry.tolerance);
         for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
             let angle = branch.turns[index].angle();
-            // A nearly stretched elbow amplifies the rounding error of its angles.
+            // A nearly stretched elbow amplifies the rounding error of the angles, so this error
+            // depends on the branch.
             let rounding = branch.rounding(Range::rounding(start[index]), most);
             let value = freedom.range.wrap_within(angle, start[index], rounding);
             let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
@@ -506,8 +509,8 @@ impl<'s, L: Lanes<Real: Scalar>> TargetLanes<'s, L> {
 }
 
 impl<R: Scalar> SixAxisArm<'_, R> {
-    /// Returns the largest angle, and the largest part of the arm's size, by which a solution may
-    /// miss the target: 16 times the tolerance of the family.
+    /// Returns the largest angle by which a solution may miss the target, in radians, which is also
+    /// the largest distance as a fraction of the arm's size: 16 times the tolerance of the family.
     fn tolerance(&self) -> R {
         self.geometry.tolerance * R::from(16.0)
     }
@@ -554,12 +557,12 @@ const STARTS: usize = 64;
 /// largest difference of an angle.
 const DISTINCT: f32 = 1e-3;
 
-/// Returns the number of values in all starts together.
+/// Returns the total number of values in all starts of a target's searches.
 fn starts_len<R: Copy>(reach: &Reach<'_, R>) -> usize {
     reach.mechanism.values.saturating_mul(STARTS)
 }
 
-/// The inputs and outputs of the searches for all solutions of a target.
+/// The inputs and outputs of the searches that find all solutions for one target.
 struct Starts<'s, R> {
     reach: &'s Reach<'s, R>,
     target: DualQuat<R>,
@@ -572,9 +575,9 @@ struct Starts<'s, R> {
 }
 
 impl<R: Scalar> Starts<'_, R> {
-    /// Finds the solutions to which `search` converges. It starts from the solutions of the
-    /// formulas in `found`; if there are none, from `start` and from values that are spread evenly
-    /// within the limits.
+    /// Finds the solutions to which `search` converges. The searches start from the solutions of
+    /// the formulas in `found`. If there are none, they start from `start` and from values that are
+    /// spread evenly within the limits.
     fn search_all(self, search: impl FnOnce(Work<'_, R>)) {
         let Self { reach, target, start, found, values } = self;
         let fine = R::from(if R::EPSILON > R::from(1e-10) { 1e-5 } else { 1e-10 });

@@ -4,7 +4,7 @@
 //! limit goes to the limit and is *held* there: its contribution is subtracted from the errors, its
 //! column becomes zero, and the system is solved again for the other freedoms (Baerlocher & Boulic
 //! 2004). So the other freedoms make up for the limit, whereas clipping the result would move the
-//! link in a wrong direction. Each round holds at least one freedom more, in some lane:
+//! link in a wrong direction. Each round holds at least one more freedom in some lane:
 //!
 //! ```text
 //! residual = e
@@ -16,12 +16,14 @@
 //! ```
 //!
 //! Slides and hinges share the system, because everything in it is in radians: rows that are
-//! lengths, and columns of slides, are divided by the length that weighs as much as a radian.
+//! lengths are divided by the length that weighs as much as a radian, and columns of slides are
+//! multiplied by it.
 //!
 //! A posture uses the freedom that the goals leave. If z is the step toward the posture, the change
-//! is z + J⁺(e − Jz).
+//! is z + J⁺(e − Jz), where J⁺ is the damped inverse Jᵀ (J Jᵀ + λ²)⁻¹.
 //!
-//! The normal equations, of a size that is known at run time, are at the end of the file.
+//! The solver of the dense normal equations, whose size is known only at run time, is at the end of
+//! the file.
 
 use super::freedom::{Freedom, Kind};
 use super::model::{Decisions, Model, PoseErrors, StepResult};
@@ -38,12 +40,14 @@ use dq8_simd::{Lanes, Mask};
 /// of reach, but not near the solution. Sugihara's μ is ½; with steps of second order, all values
 /// from 0.01 to 0.05 are equally good, and better than ½.
 const DAMPING: f64 = 0.02;
-/// λ² in searches that track without weights, as a part of the mean squared error over the goals:
-/// Sugihara's ½. The few steps of such a search must also converge if a target is out of reach.
+/// The factor μ in searches that track without weights for posture or start. It multiplies the
+/// mean squared error over the goals, and has Sugihara's value ½, with which the few steps of such
+/// a search converge also if a target is out of reach.
 const TRACK_DAMPING: f64 = 0.5;
 
 impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
-    /// Moves the lanes that step. Lanes at their targets also move toward the posture.
+    /// Computes a step, and applies it in the lanes that are `running`. Lanes at their targets also
+    /// move toward the posture.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn step(&mut self, errors: PoseErrors<L>, decisions: Decisions<L>) -> StepResult<L> {
         let Decisions { damping_factor, running, arrived, may_restart } = decisions;
@@ -82,7 +86,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             limited = self.limited_step(damping, running);
         }
-        // Only a search that may restart uses the residual.
+        // Only a search that may restart uses the residual, to find out if a lane is hopeless.
         let residual = if may_restart && limited.any() {
             L::select(limited, self.squared_residual(), zero)
         } else {
@@ -107,9 +111,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.release_all();
         // This mask starts with no lane set.
         let mut limited = zero.lt(zero);
-        // Each round but the last holds at least one more freedom in some lane, so the rounds are
-        // at most one more than the freedoms. Lanes that no limit stops compute the same changes
-        // again.
+        // Each round but the final one holds at least one more freedom in some lane, so the number
+        // of rounds is at most the number of freedoms plus one. Lanes that no limit stops compute
+        // the same changes again.
         for _ in 0..=self.reach.freedoms.len() {
             let shrink = self.solve(damping);
             let stopped = self.apply_limits(shrink) & running;
@@ -135,7 +139,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     }
 
     /// Solves for the changes of the freedoms that are not held, in radians. Returns the factor
-    /// that scales the longest change to the longest allowed change.
+    /// that scales the largest change of an angle to the largest allowed change.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.facts.rows, damping.constant(0.0));
@@ -144,14 +148,15 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             self.solve_tree(damping, posture_step);
             return self.shrink();
         }
-        // y of (JJᵀ + λ²)y = e. Its size is the number of components of the goals (six for a
-        // pose) and does not depend on the number of joints.
+        // This solves (JJᵀ + λ²)y = e for y. The number of these equations is the number of
+        // weighted components of the goals (six for a pose) and does not depend on the number of
+        // joints.
         self.set_right_hand_side();
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
-            // z + Jᵀy. The columns of held freedoms are zero, so only z must be set to zero for
-            // them.
+            // The change is z + Jᵀy. The columns of held freedoms are zero, so only z must be set
+            // to zero for these freedoms.
             let mut radians = if posture_step {
                 let is_held = scratch.held.get(level, index).eq(zero.constant(1.0));
                 L::select(is_held, zero, scratch.posture_step.get(level, index))
@@ -167,12 +172,12 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         self.shrink()
     }
 
-    /// Returns the factor that scales the longest turn to the longest allowed turn.
+    /// Returns the factor that scales the largest change of an angle to the largest allowed change.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shrink(&self) -> L {
         let (zero, mut most) = (self.scales.longest.constant(0.0), self.scales.longest);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {
-            // A slide may have a long way to go, so its length is not limited.
+            // A slide may have a long way to go, so its step is not limited.
             let radians = self.scratch.radians.get(self.level, index);
             let length = if freedom.is_slide() { zero } else { radians.abs() };
             most = L::select(most.lt(length), length, most);
@@ -221,9 +226,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if freedom.range.wraps() || !freedom.is_single() {
                 continue;
             }
-            // Values are compared, and not changes: a joint that is at its limit and does not move
-            // is not stopped, and neither is a joint that a whole turn brings back within its
-            // limits.
+            // The new value is compared with the limits. So a joint that is at its limit and does
+            // not move is not stopped, and neither is a joint that a whole turn brings back within
+            // its limits.
             let value = scratch.values.get(level, freedom.value as usize);
             let next = value + change;
             let inside = freedom.range.clamp(next);
@@ -342,9 +347,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     pub(super) fn solve_normal(&mut self, damping: L) {
         let (level, rows, scratch) = (self.level, self.reach.facts.rows, &mut self.scratch);
         let none = damping.constant(0.0).to_array();
-        // Most problems have one pose as their goal. Its triangle has 21 entries, which stay on the
-        // stack, in loops of known length. For one lane the gain is small, so builds without std
-        // leave this branch out to save code.
+        // Most problems have one pose as their goal. The triangle of its equations has 21 entries,
+        // so it is copied to the stack, and the compiler knows the length of all loops. For one
+        // lane this saves little time, so builds without std leave this branch out to save code.
         if (L::LANES > 1 || cfg!(feature = "std")) && rows == POSE {
             let (mut a, mut b, mut c) = ([none; POSE * (POSE + 1) / 2], [none; POSE], [none; POSE]);
             let (mut triangle, mut reciprocals, mut y) =
@@ -408,8 +413,8 @@ fn solve<L: Lanes<Real: Scalar>>(
     // gives zero.
     let floor = damping + damping.constant(FLOOR);
     let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
-    // Row by row, this loop factorises A = LLᵀ and solves Lz = e at once; z overwrites e in `y`.
-    // It keeps the reciprocals of the diagonal of L.
+    // Row by row, this loop factorises A = LLᵀ and also solves Lz = e; z overwrites e in `y`. The
+    // loop stores the reciprocals of the diagonal of L.
     for i in 0..rows {
         let of_i = i * (i + 1) / 2;
         let mut pivot = a.get(level, of_i + i) + least;

@@ -1,5 +1,5 @@
-//! Damped least squares for many goals, with normal equations that are sparse like the tree of
-//! joints.
+//! Damped least squares for many goals, with sparse normal equations: entry (i, j) is nonzero only
+//! if joint i carries joint j or is carried by it.
 //!
 //! A goal acts on a twist ξ of its link as a rigid body does. With μ and ν the squares of its
 //! weights for position and rotation, and p its point, ξᵀJᵀJξ is twice the kinetic energy of
@@ -52,8 +52,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let zero = L::splat(level, L::Real::default());
         self.scratch.bodies.fill(zero);
         for freedom in reach.freedoms.iter().filter(|freedom| freedom.is_slide()) {
-            // All unknowns of the equations are in radians, so a slide counts by its length per
-            // radian.
+            // All unknowns of the equations are in radians, so the twist of a slide is multiplied
+            // by the length that weighs as much as a radian.
             let at = freedom.twist_row as usize;
             let twist = Twist::from_array(self.scratch.twists.record(level, at));
             self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
@@ -90,7 +90,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
     }
 
-    /// Adds the body and the force of a goal to `body`.
+    /// Adds to `body` the mass and the inertia that stand for a goal's weights, and the force that
+    /// stands for its error. `row` is the first row of the error.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn add_goal(&self, body: &mut [L; BODY], index: usize, goal: &Goal<L::Real>, row: usize) {
         let (level, half) = (self.level, self.pose(index).half);
@@ -118,8 +119,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         add(body, [mass, mx, my, mz, ixx, iyy, izz, ixy, ixz, iyz, tx, ty, tz, fx, fy, fz]);
     }
 
-    /// Computes a row of the normal equations: the entries of a freedom with itself and with the
-    /// freedoms that carry it, and its right-hand side.
+    /// Computes the row of a freedom in the normal equations: its right-hand side, and the entries
+    /// in its own column and in the columns of the freedoms that carry it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn set_row(&mut self, body: &[L; BODY], column: usize) {
         let (level, reach, scratch) = (self.level, self.reach, &mut self.scratch);
@@ -149,7 +150,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 
     /// Solves (JᵀJ + λ²1) x = Jᵀe + λ²z for x in `radians`, where z is the step toward the
     /// posture. The changes of held freedoms are known, so their rows and columns are removed from
-    /// the equations, and their products are subtracted from the right-hand side.
+    /// the equations, and the products of these columns and changes are subtracted from the
+    /// right-hand side.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_tree(&mut self, damping: L, posture_step: bool) {
         let (level, freedoms, scratch) = (self.level, self.reach.freedoms, &mut self.scratch);
@@ -169,8 +171,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             *to = *from;
         }
         if holds.any() {
-            // The products of held freedoms are subtracted from the right-hand side, and their rows
-            // and columns become those of the identity matrix.
+            // The columns of held freedoms times their changes are subtracted from the right-hand
+            // side. Then the rows and columns of these freedoms become those of the identity
+            // matrix.
             for (index, freedom) in freedoms.iter().enumerate() {
                 let is_held = held.get(level, index).eq(one);
                 let unit = if freedom.is_slide() { self.scales.radians_per_length } else { one };
@@ -249,8 +252,8 @@ impl<R: Real> Reach<'_, R> {
         posture || settings.start_weight > R::ZERO
     }
 
-    /// Returns `true` if searches with these settings solve the normal equations that are sparse
-    /// like the tree.
+    /// Returns `true` if searches with these settings solve the sparse normal equations of this
+    /// file.
     pub(super) fn uses_tree(&self, settings: Settings<'_, R>) -> bool {
         let is_weighed = self.posture.is_none() || settings.posture_weight > R::ZERO;
         self.facts.tree > 0 && is_weighed

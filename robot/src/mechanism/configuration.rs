@@ -1,6 +1,7 @@
-//! The fast code for one configuration of `f32` or `f64`. It follows the plan that
-//! [`step`](super::step) describes, and computes with base frames in place of the general products
-//! of `single.rs`.
+//! The fast code for one configuration of `f32` or `f64`. It computes with the *base frames* of
+//! links, which have the origins of the link frames and the axes of the base while all values are
+//! zero (see [`step`](super::step)). So it needs fewer products than the general formulas of
+//! `single.rs`.
 //!
 //! ```text
 //! for each step:
@@ -37,8 +38,8 @@ fn path<'s, R: Copy>(
     let end = mechanism.steps.get(link).map_or(NONE, |step| step.position) as usize;
     // If `link` stands for the base, `end` is out of bounds, and the path is empty.
     let steps = mechanism.steps.get(..=end).unwrap_or_default().iter().enumerate();
-    // A step is directly followed by all `size` − 1 steps that it carries, so it is on the path
-    // if these reach `end`.
+    // A step is directly followed by the `size` − 1 steps of the links that its link carries, so
+    // it is on the path if `end` is the index of the step or of one of these.
     steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
 }
 
@@ -81,8 +82,8 @@ impl<R: Real + Number> LinkPoses<'_, R> {
         let base = BaseFrame::base();
         let (mut last, mut at) = (NONE, base);
         for step in self.mechanism.steps {
-            // The parent is not the last link only where the tree branches: the steps of an earlier
-            // child's subtree lie between it and this step.
+            // The parent differs from the previous link only where the tree branches. There the
+            // steps of an earlier child's subtree lie between the parent and this step.
             if step.parent != last {
                 let link = step.parent as usize;
                 at = match (self.poses.get(link), self.mechanism.step(link)) {
@@ -161,8 +162,8 @@ impl<R: Real + Number> LinkPoints<'_, R> {
         let (mut last, mut at) = (NONE, BaseFrame::base());
         for step in self.mechanism.steps {
             if step.parent != last {
-                // No poses are stored here, so the frame of the parent is computed again from the
-                // base. Few robots branch far from the base, so this is cheap.
+                // This function stores no poses, so the frame of the parent is computed again from
+                // the base. Few robots branch far from the base, so this is cheap.
                 at = BaseFrame::base();
                 for step in path(self.mechanism, step.parent as usize) {
                     at = at.joint_frame(step).planned_link_frame(step, &mut angles);
@@ -236,9 +237,11 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
         Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
     }
 
-    /// The axis of a planar joint is computed from the joint's frame and its two distances. So it
-    /// is finite even if the angle is out of range and the pose of the link is NaN. The function is
-    /// not inlined, as few robots have such joints: a Jacobian takes 7 % fewer instructions.
+    /// Returns the twist of a rotation about `axis` through the origin of the link. For a planar
+    /// joint this origin is computed from the joint's frame and its two distances. So it is finite
+    /// even if the angle is out of range and the pose of the link is NaN. The function is not
+    /// inlined, because few robots have planar or floating joints: so a Jacobian takes 7 % fewer
+    /// instructions.
     #[inline(never)]
     fn link_hinge(&self, step: &Step<R>, axis: [R; 3]) -> Twist<R> {
         let JointKind::Planar { .. } = step.kind else {
@@ -252,7 +255,7 @@ impl<R: Real> JointScrews<R> for BaseFrames<'_, R> {
     }
 }
 
-/// Returns the twist of turning about an axis through a point.
+/// Returns the twist with the angular velocity `axis`, about an axis through `point`.
 #[inline(always)]
 fn hinge<R: Real>(axis: [R; 3], point: [R; 3]) -> Twist<R> {
     Twist { angular: axis, linear: vector::cross(point, axis) }
@@ -271,7 +274,8 @@ pub(crate) fn load<R: Float>(numbers: [R; 4]) -> Four<R> {
     Lanes::load(LEVEL, &numbers)
 }
 
-/// Reorders the components of q as the product q e_K does, without its signs.
+/// Reorders the components of the quaternion q as the product with the unit vector e_K of axis K
+/// does, but does not change signs.
 #[inline(always)]
 fn ordered<const K: usize, R: Float>(x: Four<R>) -> Four<R> {
     let (x, [a, b, c, d]) = (x.to_array(), ORDER[K]);
@@ -292,8 +296,8 @@ fn rows<R: Float>([x, y, z]: [R; 3]) -> [Four<R>; 3] {
     [row::<0, R>(x), row::<1, R>(y), row::<2, R>(z)]
 }
 
-/// Returns the product q (v + w). `x` holds q, the three registers are the [`rows`] of v, and `w`
-/// is the scalar part.
+/// Returns the product of the quaternion q and the quaternion with vector part v and scalar part w.
+/// `x` holds q, the three registers are the [`rows`] of v, and all lanes of `w` hold w.
 #[inline(always)]
 fn product<R: Float>(x: Four<R>, [i, j, k]: [Four<R>; 3], w: Four<R>) -> Four<R> {
     (x * w + ordered::<0, R>(x) * i) + (ordered::<1, R>(x) * j + ordered::<2, R>(x) * k)
@@ -409,7 +413,7 @@ impl<R: Real + Number> BaseFrame<R> {
                 at.rotated(Alignment::Any, [x * sin, y * sin, z * sin], cos)
             }
             // The frame is passed by value. If its address were taken, the compiler would keep the
-            // frame in memory for all kinds of joints.
+            // frame on the stack and not in registers, for all kinds of joints.
             Moves::General => Self::new(general_joint(at.to_array(), step, angles.values)),
         }
     }
@@ -491,8 +495,8 @@ pub(crate) struct HalfAngles<'v, R> {
 }
 
 impl<'v, R: Real + Number> HalfAngles<'v, R> {
-    /// The count of angles that are computed at once: eight, or four on targets with one lane,
-    /// where each angle that is not needed costs time.
+    /// The number of angles whose cosines and sines are computed at once: eight, or four on targets
+    /// with one lane, where each angle that is not needed costs time.
     const BATCH: usize = if Native::<R>::LANES == 1 { 4 } else { 8 };
 
     #[inline(always)]
@@ -501,8 +505,8 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
     }
 
     /// Fills the cache of cosines and sines from the first value of a step on, before the loop
-    /// needs it. The cache is filled in place, because copying it right after it was written would
-    /// wait for the stores.
+    /// needs it. The cache is filled in place, because a copy right after the writes would wait for
+    /// them.
     #[inline(always)]
     pub(crate) fn begin(&mut self, step: Option<&Step<R>>) {
         let index = step.map_or(0, |step| step.value as usize);
@@ -545,8 +549,8 @@ impl<'v, R: Real + Number> HalfAngles<'v, R> {
         }
         self.first = index.min(self.values.len().saturating_sub(4));
         let rest = self.values.get(self.first..).unwrap_or_default();
-        // If fewer than eight values are left, the second half holds the last four, some of which
-        // the first half holds too: lanes load no fewer than four.
+        // A load always takes four values. So if fewer than eight values are left, the second half
+        // of the cache holds the last four values, and some of them are in the first half too.
         let second = rest.len().wrapping_sub(4).min(4);
         let high = rest.get(second..).and_then(<[R]>::first_chunk::<4>);
         let some = match (rest.first_chunk::<4>(), high) {

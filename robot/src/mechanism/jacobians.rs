@@ -70,8 +70,8 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
     /// `values` is laid out as for [`Job::poses`]. `poses` is `[configuration][link]`, in the order
     /// of the selected links, and `columns` is `[configuration][link][rate]`; columns of joints
     /// that do not carry the link are zero. A column is `[R; 6]` or a [`Twist`], in the order
-    /// `[ωx, ωy, ωz, vx, vy, vz]`, or [`LinearFirst`](dq8::storage::LinearFirst), which has v
-    /// before ω; or columns are in blocks. [`World`](crate::World) is the cheapest frame.
+    /// `[ωx, ωy, ωz, vx, vy, vz]`, or a [`LinearFirst`](dq8::storage::LinearFirst), which has v
+    /// before ω. Columns may also be in blocks. [`World`](crate::World) is the cheapest frame.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations, or there is no such link; nothing is
@@ -126,17 +126,17 @@ struct Jacobians<'s, E: Element<8>, C> {
     steps: &'s [Step<Number<E, 8>>],
     links: &'s [usize],
     rates: usize,
-    /// `true` if some columns are the sum over a joint and the joints that mimic it.
+    /// `true` if some columns are sums of the columns of a joint and of the joints that mimic it.
     sums: bool,
     /// The frame of the columns. It is a value and not a type parameter, so that the kernel is
-    /// compiled once for all frames. The branch on it costs little: it is taken once for each
-    /// column that is loaded and stored.
+    /// compiled once for all frames. The branch on the frame costs little next to the load and the
+    /// store of a column.
     frame: Frame,
 }
 
 impl<E: Element<8>, C> Jacobians<'_, E, C> {
-    /// Returns the tile of the column for a rate, of the link at place `index` of the selected
-    /// links.
+    /// Returns the place in the output (a [`Tile`]) of the column for a rate, in the Jacobian of
+    /// the selected link at `index`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn place<V: Level>(&self, group: Group, index: usize, rate: usize) -> Tile {
         group.tile::<E::Layout, V>(index * self.rates + rate, self.links.len() * self.rates)
@@ -149,9 +149,9 @@ impl<E: Element<8>, C> Jacobians<'_, E, C> {
 }
 
 /// Columns are computed in the frame [`World`], in which a joint's column is the same for all links
-/// that it carries, and stored for the first of these links. At the end of a group, the columns of
-/// the other links are made from these columns, and all columns are converted to the requested
-/// frame.
+/// that it carries, and stored for the first of these links. When a group of configurations ends,
+/// the columns of the other links are made from these columns, and all columns are converted to the
+/// requested frame.
 impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
     E: Element<8>,
@@ -203,7 +203,7 @@ where
             let rate = step.rate as usize + rate;
             if !self.sums {
                 // The column is stored for one link only. With a loop over all links that the joint
-                // carries, the compiler would keep the registers of the column in memory.
+                // carries, the compiler would spill the registers of the column to the stack.
                 let first = first_carried(self.steps, position, self.links).unwrap_or(0);
                 C::store(column.to_array(), self.columns, self.place::<V>(group, first, rate));
                 let (at, count) = (first * self.rates + rate, self.links.len() * self.rates);
@@ -279,12 +279,13 @@ where
 
 impl<R: Real> Mechanism<'_, R> {
     /// Returns the manipulability of a link, w = √det(J Jᵀ) (Yoshikawa, *Manipulability of
-    /// Robotic Mechanisms*, 1985, eq. 9). Up to a constant factor, w is the volume of the twists
-    /// that the link has for all rates of length one. J is the whole Jacobian of six rows, so the
-    /// unit is radians and lengths cubed, and w is the same in every [frame](super::JacobianFrame).
-    /// At a singularity, where the link cannot move in every direction, w is zero up to rounding;
-    /// it is always zero if there are fewer than six rates. It is NaN if the pose is NaN. `columns`
-    /// is scratch memory with one element per rate, whose contents do not matter.
+    /// Robotic Mechanisms*, 1985, eq. 9). Up to a constant factor, w is the volume of the set of
+    /// twists that the link can have if the vector of rates has at most length one. J is the whole
+    /// Jacobian of six rows, so the unit is radians³ times lengths³, and w is the same in every
+    /// [frame](super::JacobianFrame). At a singularity, where the link cannot move in every
+    /// direction, w is zero up to rounding; it is always zero if there are fewer than six rates. It
+    /// is NaN if the pose is NaN. `columns` is scratch memory with one element per rate, whose
+    /// contents do not matter.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};

@@ -20,7 +20,7 @@ use {
     dq8::{Real, geometry::Screw, internal::brief, scalar::DualQuat},
 };
 
-/// A run over many configurations of a mechanism, one per lane, with options that all have a
+/// A computation for many configurations of a mechanism, one per lane, with options that all have a
 /// default.
 ///
 /// `R` is the element type. `S` is the set of links: [`AllLinks`], or the links that were given to
@@ -47,7 +47,7 @@ pub struct Job<'a, R, S = AllLinks> {
     pub(crate) choice: Choice,
 }
 
-/// The set of links of a [`Job`] over all links of the mechanism.
+/// The set of all links of the mechanism, for which a [`Job`] computes unless links are selected.
 #[derive(Clone, Copy, Debug)]
 pub struct AllLinks;
 
@@ -127,9 +127,9 @@ pub(crate) struct Run<'r, R, T> {
 
 impl<R: Scalar, T> Run<'_, R, T> {
     /// Runs the loop over all configurations, on as many threads as the job allows. The outputs are
-    /// cut into parts. The function `task` takes a part and the index of its first configuration
-    /// (or block), and returns the count of configurations (or blocks) in the part, and the task
-    /// that writes them.
+    /// divided into parts. The function `task` takes the index of a part's first configuration (or
+    /// block) and the part. It returns the count of configurations (or blocks) in the part, and the
+    /// task that writes them.
     pub(crate) fn walk<Y, O, K>(self, outputs: O, task: impl Fn(usize, O) -> (usize, K) + Sync)
     where
         Y: Layout<Real = R>,
@@ -211,8 +211,8 @@ impl<R: Scalar, S: Links> Job<'_, R, S> {
     }
 }
 
-/// Copies the pose of each link that occurs more than once in `links` from its first place, which
-/// the loop has written, to its other places.
+/// For each link that occurs more than once in `links`, copies its pose from the first place in the
+/// output, which the loop has written, to the other places.
 pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     for (again, &link) in links.iter().enumerate() {
         let Some(first) = place_of(links, link) else { continue };
@@ -228,7 +228,7 @@ pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
     }
 }
 
-/// Returns the first place of a link in `links`.
+/// Returns the index at which a link first occurs in `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
     links.iter().position(
@@ -267,23 +267,23 @@ impl<E: Element<8>, S: Links> Task<E::Layout> for Poses<'_, E, S> {
             group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
         } else if let Some(index) = place_of(self.links, link) {
             // A link that is selected more than once is written to its first place only; [`repeat`]
-            // copies its pose later. With a loop over all places here, the compiler would keep the
-            // registers of the pose in memory, which takes half as long again.
+            // copies its pose later. With a loop over all places here, the compiler would spill the
+            // registers of the pose to the stack, which would take half as much time again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
             E::store(frames.link.to_motion(), self.poses, tile);
         }
     }
 }
 
-/// Returns `true` if the link of the step at `position`, or a link that it carries, is among
+/// Returns `true` if the link of the step at `position`, or a link that this link carries, is among
 /// `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
     first_carried(steps, position, links).is_some()
 }
 
-/// Returns the first place in `links` that holds the link of the step at `position`, or a link that
-/// it carries.
+/// Returns the first index in `links` of the link of the step at `position`, or of a link that this
+/// link carries.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn first_carried<R>(
     steps: &[Step<R>],
@@ -302,7 +302,7 @@ pub(crate) fn first_carried<R>(
 /// The index of a link, and a point in the frame of that link.
 pub(crate) type Point<R> = (usize, [R; 3]);
 
-/// Points on links, from which the loop takes the points of one link after the other.
+/// Points on links. The loop over links takes the points of each link from here.
 #[derive(Clone, Copy)]
 pub(crate) struct PointsByLink<'p, R> {
     pub(crate) points: &'p [Point<R>],
@@ -345,9 +345,9 @@ impl<R: Scalar> Job<'_, R> {
     /// one pass and without poses in memory. [`Mechanism::link_points`] computes them for one
     /// configuration.
     ///
-    /// Each of `points` is the index of a link and a point in its frame. `values` is laid out as
-    /// for [`poses`](Self::poses). `places` is `[configuration][point]` in the order of `points`,
-    /// with elements `[R; 3]` or blocks.
+    /// Each element of `points` is the index of a link and a point in its frame. `values` is laid
+    /// out as for [`poses`](Self::poses). `places` is `[configuration][point]` in the order of
+    /// `points`, with elements `[R; 3]` or blocks.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -390,7 +390,7 @@ struct Points<'s, E: Element<3>> {
 
 /// Up to four computed places that are still to be written. The three components of one point fill
 /// no register, but the twelve of four points fill three. Writing four points together takes a
-/// quarter of the stores, which are most of the time in plain slices.
+/// quarter of the stores. Stores take most of the time if the output is a plain slice.
 struct PointQuad<L> {
     first: usize,
     count: usize,
@@ -584,7 +584,7 @@ impl<R: Real> OwnedMechanism<R> {
         self.view().link_poses(values, poses)
     }
 
-    /// Borrows the mechanism. The view has all other methods.
+    /// Returns a [`Mechanism`] that borrows the memory of this one. It has all other methods.
     #[must_use]
     pub fn view(&self) -> Mechanism<'_, R> {
         Mechanism { steps: &self.steps, values: self.values, rates: self.rates }

@@ -4,28 +4,28 @@ use dq8::Real;
 use dq8::internal::errors;
 use dq8::scalar::DualQuat;
 
-/// The joint of a link: its place on the parent link, and the motion that it allows.
+/// The joint that carries a link: its place on the parent link, and the motion that it allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<R> {
     /// The index of the parent link, which must be lower than the index of this joint; `None` if
     /// the joint stands on the base.
     pub parent: Option<usize>,
     /// The pose of the joint in the frame of the parent. While the value of the joint is zero, the
-    /// link has this pose. The dual quaternion must be unit to 10⁻³, and is then normalized.
+    /// link has this pose. The dual quaternion may differ from unit by at most 10⁻³, and is
+    /// normalized.
     pub placement: DualQuat<R>,
     /// The motion that the joint allows, with its axis or normal.
     pub kind: JointKind<R>,
-    /// The least and the largest value, which only a joint with one value may have. Inverse
-    /// kinematics ([`Reach`](crate::Reach)) keeps to these limits; poses are computed for any
-    /// values.
+    /// The lower and the upper limit of the joint's value. Only a joint with one value may have
+    /// limits. Inverse kinematics ([`Reach`](crate::Reach)) keeps to these limits; poses are
+    /// computed for any values.
     pub limits: Option<[R; 2]>,
-    /// The rule by which this joint follows the value of another joint; `None` if this joint has
-    /// values of its own.
+    /// The rule by which this joint follows the value of another joint; `None` if it follows none.
     pub mimic: Option<Mimic<R>>,
 }
 
-/// The motion that a joint allows, in the joint's own frame. Axes and normals must have length 1 to
-/// 10⁻³, and are then normalized.
+/// The motion that a joint allows, in the joint's own frame. The length of axes and normals may
+/// differ from 1 by at most 10⁻³, and is normalized to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JointKind<R> {
@@ -102,8 +102,8 @@ impl<R> Joint<R> {
         Self::new(parent, placement, JointKind::Prismatic { axis })
     }
 
-    /// Returns a thread about `axis`, which must have length 1. The link moves along the axis by
-    /// `pitch` for each radian.
+    /// Returns a screw joint about `axis`, which must have length 1. The link moves along the axis
+    /// by `pitch` for each radian.
     #[must_use]
     pub fn screw(parent: Option<usize>, placement: DualQuat<R>, axis: [R; 3], pitch: R) -> Self {
         Self::new(parent, placement, JointKind::Screw { axis, pitch })
@@ -137,7 +137,7 @@ impl<R> Joint<R> {
 }
 
 impl<R: Real> Joint<R> {
-    /// Converts the joint to another element type, by way of `f64`.
+    /// Returns this joint with another element type; values are converted to `f64` in between.
     #[must_use]
     pub fn cast<S: Real>(&self) -> Joint<S> {
         let mimic = self.mimic.map(|mimic| Mimic {
@@ -223,8 +223,8 @@ errors! {
         /// An axis or a normal does not have length 1.
         Axis { joint: usize = "The joint.", length: f64 = "The length." }
             => "the axis of joint {joint} has length {length}, not 1";
-        /// A screw does not describe a joint. The screw of a joint has angle 1 and a finite slide,
-        /// or angle 0 and slide 1.
+        /// A [`Screw`](dq8::geometry::Screw) does not describe a joint. The screw of a joint has
+        /// angle 1 and a finite slide, or angle 0 and slide 1.
         Screw { joint: usize = "The joint.", angle: f64 = "The angle of the screw.", slide: f64 = "Its slide." }
             => "the screw of joint {joint} turns by {angle} and slides by {slide} for a value of 1: a hinge or a thread \
                 must turn by 1, and a slide must turn by 0 and slide by 1";

@@ -1,6 +1,6 @@
 //! Trees of joints, and the kernels that compute poses, points, Jacobians and velocities of their
-//! links. `walk.rs` has the loop over many configurations on lanes, `configuration.rs` the fast
-//! code for one configuration of floats, and `single.rs` the formulas of textbooks.
+//! links. `walk.rs` has the loop over many configurations, one per lane. `configuration.rs` has the
+//! fast code for one configuration of `f32` or `f64`. `single.rs` has the formulas of textbooks.
 
 mod configuration;
 mod jacobians;

@@ -1,6 +1,6 @@
-//! The formulas of textbooks, for one configuration at a time and any `Real`. Tests compare the
-//! kernels on lanes with this code. For `f32` and `f64` these methods call the faster code of
-//! `configuration.rs`, which tests compare with this code too.
+//! The formulas of textbooks, for one configuration at a time and any `Real`. For `f32` and `f64`
+//! these methods call the faster code of `configuration.rs`. Tests compare that code, and the
+//! kernels that compute one configuration per lane, with the formulas here.
 
 use super::configuration::{LinkJacobian, LinkPoints, LinkPose, LinkPoses};
 use super::jacobians::{Frame, JacobianFrame};
@@ -60,9 +60,9 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(pose)
     }
 
-    /// Computes the places of points on links, in the frame of the base. Each of `points` is the
-    /// index of a link and a place in its frame. The points may be in any order, but the method is
-    /// faster if they are sorted by link.
+    /// Computes the places of points on links, in the frame of the base. Each element of `points`
+    /// is the index of a link and the coordinates of a point in its frame. The points may be in any
+    /// order, but the method is faster if they are sorted by link.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -149,8 +149,8 @@ impl<R: Real> Mechanism<'_, R> {
             return Ok(pose);
         }
         columns.fill(Twist::from_array([R::ZERO; 6]));
-        // `tail` is the pose of the link in the frame of the joint's own link, while the loop goes
-        // from the link toward the base.
+        // The loop goes from the link toward the base. `tail` is the pose of `link` in the frame of
+        // the link that the present joint carries.
         let mut tail = DualQuat::IDENTITY;
         let mut joint = link;
         while let Some(step) = self.step(joint) {
@@ -233,8 +233,8 @@ impl<R: Real> Mechanism<'_, R> {
             let own = step.own_twists(values, second_rates).fold(zero, |sum, own| sum + own);
             acceleration = acceleration + pose.adjoint(own);
             // `carrying` is the twist of the frame in which the joint's next screw is constant.
-            // This is the frame of the parent; before the turn of a planar joint, the twist of its
-            // two slides is added.
+            // This is the frame of the parent. For the turn of a planar joint, the twist of the
+            // joint's two slides is added to it.
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
             let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
             for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
@@ -280,7 +280,8 @@ impl<R: Real> Step<R> {
         vector::add(vector::scale(first, x), vector::scale(second, y))
     }
 
-    /// Returns the pose of the link in the frame of its joint.
+    /// Returns the pose of the link in the frame of its joint, computed from the values of a
+    /// configuration.
     pub(crate) fn motion(&self, mut values: &[R]) -> DualQuat<R> {
         let rest = Motion { rotation: None, translation: None };
         match rest.link_frame(self, &mut values) {

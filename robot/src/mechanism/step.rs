@@ -36,7 +36,7 @@ use dq8::scalar::{DualQuat, Quat, vector};
 /// people type with four decimals is within it.
 pub(crate) const UNIT: f32 = 1e-3;
 
-/// The index that stands for a link, value or rate that does not exist.
+/// The index that stands for "none": for a link, value or rate that does not exist.
 pub(crate) const NONE: u32 = u32::MAX;
 
 /// A joint in the form that kernels use. A [`Mechanism`](super::Mechanism) borrows one step for
@@ -45,7 +45,7 @@ pub(crate) const NONE: u32 = u32::MAX;
 pub struct Step<R> {
     /// The rotation of the joint's placement on its parent, a quaternion.
     pub(crate) rotation: [R; 4],
-    /// Half of the translation of the placement, as the kernels on lanes use it.
+    /// Half of the translation of the placement, because kernels keep the halves of translations.
     pub(crate) half_offset: [R; 3],
     /// The coordinate axis about which the placement rotates, if there is one.
     pub(crate) rotation_alignment: Alignment,
@@ -61,13 +61,17 @@ pub struct Step<R> {
     pub(crate) axis_alignment: Alignment,
     /// −1 if the axis of the joint lies on a coordinate axis and points against it, else 1.
     pub(crate) sign: R,
-    /// The factor in the joint's value: `multiplier` · (the value at index `value`) + `offset`.
+    /// The factor in the rule for the joint's value: `multiplier` · (the value at index `value`) +
+    /// `offset`. It is 1 unless the joint mimics another joint.
     pub(crate) multiplier: R,
-    /// The summand in the joint's value.
+    /// The summand in the rule for the joint's value: `multiplier` · (the value at index
+    /// `value`) + `offset`. It is 0 unless the joint mimics another joint.
     pub(crate) offset: R,
-    /// ½ · `sign` · `multiplier`, for half of the joint's value about the coordinate axis.
+    /// ½ · `sign` · `multiplier`. Half of the joint's value along the coordinate axis is this
+    /// factor times the value at index `value`, plus `half_bias`.
     pub(crate) half_multiplier: R,
-    /// ½ · `sign` · `offset`, for half of the joint's value about the coordinate axis.
+    /// ½ · `sign` · `offset`, the summand in half of the joint's value along the coordinate
+    /// axis.
     pub(crate) half_bias: R,
     pub(crate) plan: JointPlan<R>,
     pub(crate) limits: Option<[R; 2]>,
@@ -80,20 +84,22 @@ pub struct Step<R> {
     pub(crate) link: u32,
     /// The index of the joint's parent in the caller's order.
     pub(crate) parent: u32,
-    /// In step i, the index of the step that belongs to link i. While steps are put in order, the
-    /// index to which this step will be moved.
+    /// In the finished mechanism, the step at index i holds here the index of the step of link i.
+    /// While the steps are put in order, each step holds the index to which it will be moved.
     pub(crate) position: u32,
     /// The count of steps, from this step on, that belong to this link and to the links that it
     /// carries.
     pub(crate) size: u32,
-    /// The child with the largest subtree. It is used only while steps are put in order.
-    pub(crate) largest: u32,
-    /// The next free index for the subtree of another child. It is used only while steps are put in
+    /// The index of the child with the largest subtree. It is used only while steps are put in
     /// order.
+    pub(crate) largest: u32,
+    /// The index at which the subtree of the next child will begin. It is used only while steps are
+    /// put in order.
     pub(crate) free: u32,
-    /// The slot on the stack of the kernels that holds the pose of this link.
+    /// The index of the slot that holds the pose of this link. Kernels keep poses in a fixed number
+    /// of slots.
     pub(crate) slot: u8,
-    /// The slot that holds the pose of the link's parent.
+    /// The index of the slot that holds the pose of the link's parent.
     pub(crate) parent_slot: u8,
 }
 
@@ -220,17 +226,17 @@ impl<R: Real> Step<R> {
 
 /// A frame that a joint moves, from the joint's own frame to the frame of its link. The motion of
 /// each kind of joint is written once, in [`link_frame`](Self::link_frame), for three implementers:
-/// many configurations on lanes, one configuration of floats, and one configuration of any `Real`.
-/// `V` holds the values of the joints.
+/// one configuration per lane, one configuration of `f32` or `f64`, and one configuration of any
+/// `Real`. `V` holds the values of the joints.
 ///
-/// The implementation on lanes uses halves of angles and distances, because its products need only
-/// the halves. The other two implementations use whole angles and distances.
+/// The implementation for one configuration per lane uses halves of angles and distances, because
+/// its products need only the halves. The other two implementations use whole angles and distances.
 pub(crate) trait JointFrame<R: Real, V>: Copy {
     /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
     /// Returns a constant, with the same value in every lane.
     fn number(self, number: R) -> Self::Number;
-    /// Returns the first `C` values of a joint, as they are in memory.
+    /// Returns the first `C` values of a joint, as the caller gave them.
     fn numbers<const C: usize>(self, step: &Step<R>, values: &mut V) -> [Self::Number; C];
     /// Returns value `index` of a joint, an angle about its axis or a distance along it, with the
     /// rule of a joint that mimics another already applied.
@@ -265,8 +271,8 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
             }
             JointKind::Prismatic { .. } => self.slide(step, self.value(step, 0, values)),
             JointKind::Floating => self.float(step, self.numbers(step, values)),
-            // One arm serves three kinds of joints, so that the code of cosine and sine, which is
-            // most of the machine code, is compiled once.
+            // One arm of this `match` serves three kinds of joints, so that the code of cosine and
+            // sine, which is most of the machine code, is compiled once.
             JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
                 let index = if let JointKind::Planar { .. } = step.kind { 2 } else { 0 };
                 let angle = self.value(step, index, values);
@@ -285,9 +291,9 @@ pub(crate) trait JointFrame<R: Real, V>: Copy {
 }
 
 /// The twists that a joint gives to its link if one of its rates is 1. They are written once for
-/// each kind of joint, in [`screw`](Self::screw). The implementers on lanes and for one
-/// configuration of floats give spatial twists, in the frame of the base. The implementer for any
-/// `Real` gives body twists, in the frame of the link.
+/// each kind of joint, in [`screw`](Self::screw). The implementers for one configuration per lane,
+/// and for one configuration of `f32` or `f64`, give spatial twists, in the frame of the base. The
+/// implementer for any `Real` gives body twists, in the frame of the link.
 pub(crate) trait JointScrews<R: Real> {
     /// A scalar, or a register with one scalar per lane.
     type Number: Copy + Mul<Output = Self::Number>;
@@ -297,17 +303,20 @@ pub(crate) trait JointScrews<R: Real> {
     fn axis(&self, step: &Step<R>) -> [Self::Number; 3];
     /// Returns the direction in which a planar joint slides for x (index 0) or y (index 1).
     fn plane_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
-    /// Returns an axis of the link's frame: x for index 0 or 3, y for 1 or 4, z for 2 or 5.
+    /// Returns the axis of the link's frame for rate `index` of a floating joint: x for index 0 or
+    /// 3, y for 1 or 4, z for 2 or 5.
     fn link_axis(&self, step: &Step<R>, index: usize) -> [Self::Number; 3];
-    /// Returns the twist of turning about an axis through the origin of the joint.
+    /// Returns the twist of a rotation about `axis`, through the origin of the joint, at a rate
+    /// of 1.
     fn hinge(&self, axis: [Self::Number; 3]) -> Twist<Self::Number>;
-    /// Returns the twist of turning about an axis through the origin of the joint and sliding along
-    /// the axis by `pitch` for each radian.
+    /// Returns the twist of a screw motion about `axis`, through the origin of the joint, at a rate
+    /// of 1. The motion slides along the axis by `pitch` for each radian.
     fn thread(&self, axis: [Self::Number; 3], pitch: R) -> Twist<Self::Number>;
-    /// Returns the twist of turning about an axis through the origin of the link.
+    /// Returns the twist of a rotation about `axis`, through the origin of the link, at a rate
+    /// of 1.
     fn link_hinge(&self, step: &Step<R>, axis: [Self::Number; 3]) -> Twist<Self::Number>;
 
-    /// Returns the twist of sliding along an axis.
+    /// Returns the twist of a translation along `axis`, at a rate of 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn slide(&self, axis: [Self::Number; 3]) -> Twist<Self::Number> {
         Twist { angular: [self.number(R::ZERO); 3], linear: axis }
@@ -384,8 +393,8 @@ pub(crate) fn finite<R: Real>(
     Err(MechanismError::NotFinite { joint: index, what, value: value.into() })
 }
 
-/// The coordinate axis that a vector lies on. Most axes and offsets of robots lie on one. Kernels
-/// then leave out most of a product, which would be multiplications by zero.
+/// The coordinate axis that a vector lies on. Most axes and offsets of robots lie on one. For
+/// these, kernels leave out most of a product, which would consist of multiplications by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alignment {
     /// The vector is zero, so the rotation or translation is the identity.
@@ -451,7 +460,8 @@ impl<R: Real> Factor<R> {
     }
 }
 
-/// The motion of a joint, as seen between base frames.
+/// The kind of motion of a joint between base frames, which decides how `configuration.rs` computes
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Moves {
     Fixed,
@@ -465,7 +475,7 @@ pub(crate) enum Moves {
     General,
 }
 
-/// The constants of a joint for computing with base frames.
+/// The constants of a joint for computations with base frames, which the head of this file defines.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JointPlan<R> {
     pub(crate) moves: Moves,
@@ -486,8 +496,8 @@ impl<R: Real> JointPlan<R> {
     };
 }
 
-/// Writes the plans of all steps. The steps must still be in the order of the joints, so that a
-/// parent is at its index and planned before its children.
+/// Writes the plans of all steps. The steps must still be in the order of the joints. Then each
+/// parent lies at its own index, and its plan is written before the plans of its children.
 // The function is not inlined, so that machine code holds it once and not for each constructor.
 #[inline(never)]
 pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {

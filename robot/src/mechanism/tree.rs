@@ -71,8 +71,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
 }
 
 impl<R: Real> Mechanism<'_, R> {
-    /// Writes the least and the largest of each value of a configuration, infinite where there is
-    /// no limit. These are the limits of the joint that has the value, narrowed by the limits of
+    /// Writes the lower and the upper limit of each value of a configuration, infinite where there
+    /// is no limit. These are the limits of the joint that has the value, narrowed by the limits of
     /// each joint that mimics it. Limits of a mimicking joint that would leave one value or none
     /// are ignored.
     ///
@@ -209,7 +209,8 @@ impl<R: Copy> Mechanism<'_, R> {
         self.step(joint)?.limits
     }
 
-    /// Returns the step of a link, which lies in `steps` at its own `position`.
+    /// Returns the step of a link. The `position` of the element at index `link` is the index of
+    /// this step.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn step(&self, link: usize) -> Option<&Step<R>> {
         let position = self.steps.get(link)?.position;
@@ -228,8 +229,8 @@ pub(crate) fn step_memory<R>(
 }
 
 /// Writes the step of the joint with this `index`, but does not look up the joint that it mimics.
-/// Its first value and first rate are the counts so far, which then grow. Steps are large, so the
-/// step is written in place, without a copy on the stack.
+/// The indices of the joint's first value and first rate are the counts of values and rates so far,
+/// which then grow. Steps are large, so the step is written in place, without a copy on the stack.
 pub(crate) fn write_step<R: Real>(
     joint: &Joint<R>,
     index: usize,
@@ -286,8 +287,8 @@ fn check<R: Real>(
     Ok(counts)
 }
 
-/// Plans the steps for single configurations, puts them in depth-first order, and returns the
-/// mechanism.
+/// Writes the plans that the code for one configuration uses into the steps, puts the steps in
+/// depth-first order, and returns the mechanism.
 pub(crate) fn finish<R: Real>(
     steps: &mut [Step<R>],
     (values, rates): (usize, usize),
@@ -299,9 +300,10 @@ pub(crate) fn finish<R: Real>(
 
 /// Puts the steps in depth-first order, the largest branch last.
 ///
-/// While one branch of a link is computed, the pose of the link is kept for its other children.
-/// Each branch is no larger than the last branch, so at most log₂(n) + 1 poses are kept at a time
-/// (the Strahler number of the tree), and memory of a fixed size is enough.
+/// While one branch of a link is computed, the pose of the link is kept for its other children. For
+/// its largest branch it need not be kept, because this branch is computed after the others. So at
+/// most log₂(n) + 1 poses are kept at a time (the Strahler number of the tree), and memory of a
+/// fixed size is enough.
 // Steps are large, so no step is copied to the stack. The function is not inlined: otherwise its
 // stack frame and the frame of `plan` would be needed at the same time.
 #[inline(never)]
@@ -318,8 +320,8 @@ fn order<R>(steps: &mut [Step<R>]) {
             }
         }
     }
-    // The largest branch goes to the end of its parent's range, and the other branches go to the
-    // front.
+    // The steps of a subtree fill a range. In the range of each link, the largest branch goes to
+    // the end, and the other branches go before it.
     let mut free = 0;
     for index in 0..count {
         let Some(&Step { size, parent, .. }) = steps.get(index) else { return };
@@ -374,9 +376,9 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// input with four decimals is precise enough. A component of the moment along the axis counts
     /// as rounding, and is left out.
     ///
-    /// While all values are zero, the frames of the links are parallel to the base. The frame of a
-    /// hinge is at the point of its axis that is nearest to the frame before it, so
-    /// [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the distances between
+    /// While all values are zero, the frames of the links are parallel to the base. The origin of a
+    /// hinge's frame is the point of its axis that is nearest to the origin of the previous frame,
+    /// so [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of the distances between
     /// successive axes.
     ///
     /// ```
@@ -434,8 +436,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
 }
 
 /// Returns the place of the first joint, which is on the axis of the first hinge or thread. The
-/// place of a slide does not matter, so slides before that hinge are placed there too. This way the
-/// distance from a slide to the hinge does not add to the reach of the arm.
+/// place of a slide does not matter, so slides before that hinge are placed there too. So no
+/// distance from a slide to the hinge adds to the bound on the reach of the arm.
 fn first_frame<R: Real>(
     screws: &[(Screw<R>, [R; 2])],
     tool: DualQuat<R>,
@@ -504,10 +506,11 @@ pub struct Dh<R> {
 /// The order in which a row's motions about and along x and z are multiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DhConvention {
-    /// z, then x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit & Hartenberg 1955; Paul; Spong).
+    /// First the motions about and along z, then those of x: A = Rz(θ) Tz(d) Tx(a) Rx(α) (Denavit
+    /// & Hartenberg 1955; Paul; Spong).
     Standard,
-    /// x, then z: A = Rx(α) Tx(a) Rz(θ) Tz(d), where a and α belong to the preceding link
-    /// (Craig, *Introduction to Robotics*).
+    /// First the motions about and along x, then those of z: A = Rx(α) Tx(a) Rz(θ) Tz(d), where a
+    /// and α belong to the preceding link (Craig, *Introduction to Robotics*).
     Modified,
 }
 
@@ -543,7 +546,7 @@ impl<R: Real> Dh<R> {
 
 impl<'a, R: Real> Mechanism<'a, R> {
     /// Makes a serial arm from N rows, A₁ … A_N tool. Each row is a joint that turns about its
-    /// z or slides along it. Link N is the tool, fixed to the last joint; if `tool` is the
+    /// z axis or slides along it. Link N is the tool, fixed to the last joint; if `tool` is the
     /// identity, link N is the last frame of the table. `steps` must hold at least N + 1 steps.
     ///
     /// ```

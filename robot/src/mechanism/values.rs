@@ -1,4 +1,5 @@
-//! The values of joints: their layouts in memory, and the loads that bring them to lanes.
+//! The values of joints: their layouts in slices, and the code that loads them into registers with
+//! one configuration per lane.
 
 use core::fmt::Debug;
 use core::ops::Range;
@@ -190,8 +191,8 @@ impl<Y: Layout> JointValues<Y> for &[Y::Real] {
 #[doc(hidden)]
 pub struct Part<'s, T> {
     slice: &'s [T],
-    /// The index of the first configuration of the range in each column, because columns are not
-    /// cut. It is zero for the other layouts.
+    /// The index of the first configuration of the range in each column, because a column is never
+    /// divided. It is zero for the other layouts, whose slices are divided.
     first: usize,
 }
 
@@ -212,8 +213,8 @@ pub(crate) trait LaneValues<L: Lanes> {
 const NOWHERE: usize = usize::MAX / 2;
 
 /// The values of a group of configurations. Four consecutive values are loaded at a time, and kept
-/// until a value outside of these four is needed. The transpose of plain values yields four at a
-/// time, and the CPU computes four independent cosines in parallel.
+/// until a value outside of these four is needed. The transpose of plain values yields four values
+/// at a time, and the CPU overlaps the computation of four independent cosines.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CachedValues<'s, Y: Layout, T, V: Level> {
     part: Part<'s, T>,
@@ -280,8 +281,8 @@ impl<Y: Layout, T: JointValues<Y>, V: Level> LaneValues<Y::Register<V>>
     }
 }
 
-/// Returns the cosine and the sine of `half`, or NaN if it is beyond the range of the sine on
-/// lanes.
+/// Returns the cosine and the sine of `half`, or NaN if `half` is beyond the range in which lanes
+/// compute them.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn checked_cos_sin<L: Lanes>(half: L) -> [L; 2] {
     let near = half.abs().le(half.constant(farthest::<L>()));
@@ -310,8 +311,8 @@ pub struct Group {
 }
 
 impl Group {
-    /// Returns the tile of item `index` for the configurations of this group, where each
-    /// configuration has `count` items, such as poses of links.
+    /// Returns the place in a slice (a [`Tile`]) of item `index` of each configuration in this
+    /// group, where a configuration has `count` items, such as poses of links.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
         // In plain slices the same item of the next configuration lies `count` records further on.
@@ -320,10 +321,10 @@ impl Group {
         if Y::transposes::<V>() { tile.strided(count) } else { tile }
     }
 
-    /// Prefetches the memory to which the next group will write `these` of its `count` items. The
-    /// CPU's own prefetcher does not follow these writes, because a step writes to as many places
-    /// as there are lanes. The prefetch saves a third of the time if the output does not fit the
-    /// caches.
+    /// Prefetches the memory to which the next group will write the items `these`, a range of
+    /// indices among the `count` items of each configuration. The CPU's own prefetcher does not
+    /// follow these writes, because there are as many streams of them as lanes. The prefetch saves
+    /// a third of the time if the output does not fit the caches.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn prefetch_next<Y: Layout, V: Level, E>(
         self,

@@ -61,7 +61,7 @@ impl<R: Scalar> Job<'_, R> {
     }
 
     /// Computes the poses, the spatial twists, and the spatial accelerations, which are the time
-    /// derivatives of the twists, of all links for many configurations.
+    /// derivatives of the twists. It does so for all links of many configurations.
     /// [`Mechanism::link_accelerations`] computes them for one configuration; its page has the
     /// formula, and the acceleration of a point of a link.
     ///
@@ -191,8 +191,8 @@ where
         let Visit { level, group, step, ref frames } = *visit;
         let mut all = *parent;
         // `carrying` is the twist of the frame in which the joint's next screw is constant. A
-        // planar joint turns after its slides, so the twist of the slides is added before its turn.
-        // The six screws of a floating joint share one frame.
+        // planar joint turns after its slides, so the twist of the slides is added before the screw
+        // of its turn. The six screws of a floating joint are all constant in one frame.
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;

@@ -1,4 +1,5 @@
-//! The loop that all kernels over mechanisms share, on lanes.
+//! The loop over the links of a mechanism, which all kernels share, with one configuration in each
+//! lane.
 //!
 //! # The algorithm
 //!
@@ -24,8 +25,8 @@
 //!   and all poses stay in the L1 cache.
 //! - *The steps of a subtree are contiguous*, so a subtree without any requested link is skipped in
 //!   one jump.
-//! - *Translations are kept as halves.* The dual part of a motion is made of ½t, so every product
-//!   needs one factor less.
+//! - *Translations are kept as halves.* The dual part of a motion is ½t r, so keeping ½t saves
+//!   the multiplication by ½.
 //! - *Rotations about a coordinate axis* take half the operations of rotations about other axes,
 //!   and a placement without a rotation takes none ([`HalfPose`]).
 
@@ -79,8 +80,7 @@ pub(crate) trait Task<Y: Layout> {
     fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
 }
 
-/// A visit of the loop to one link, for one group of configurations: everything that a task may
-/// use.
+/// The inputs of a task at one link, for one group of configurations.
 pub(crate) struct Visit<'s, Y: Layout, V: Level> {
     pub(crate) level: V,
     pub(crate) group: Group,
@@ -108,9 +108,9 @@ pub(crate) struct Walk<'r, Y: Layout, T, K> {
 impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     type Output = ();
     // Poses in plain slices are transposed with shuffles, which cost more with more lanes. In f64 a
-    // link takes so long to compute that eight lanes still save a third of the time: 36 ns instead
-    // of 53 for the seven links of an arm. In f32 sixteen lanes save as much on CPUs with quick
-    // shuffles, and nothing on other CPUs.
+    // link takes so long to compute that eight lanes in place of four still save a third of the
+    // time: 36 ns instead of 53 for the seven links of an arm. In f32 sixteen lanes in place of
+    // eight save as much on CPUs with quick shuffles, and nothing on other CPUs.
     const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE || K::WIDE;
     const SHUFFLES: bool = !Y::WIDE && <Y::Real as Float>::SINGLE;
 
@@ -215,8 +215,8 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         Self { rotation, half }
     }
 
-    /// Returns half the translation of this frame after it is moved by a constant vector of the
-    /// frame. `half` is half of that vector.
+    /// Returns half the translation of this frame after it is moved by a constant vector, in its
+    /// own axes. `half` is half of that vector.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn shifted(self, along: Alignment, half: [L::Real; 3]) -> [L; 3] {
         let level = self.half[0].level();
@@ -275,7 +275,8 @@ impl<L: Lanes<Real: Scalar>> HalfPose<L> {
         }
     }
 
-    /// Returns the twist of turning about an axis through the origin of this frame.
+    /// Returns the twist with the angular velocity `axis`, about an axis through the origin of this
+    /// frame.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn hinge(self, axis: [L; 3]) -> Twist<L> {
         let moment = vector::cross(self.half, axis);
@@ -378,7 +379,8 @@ impl<L: Lanes<Real: Scalar>, N: LaneValues<L>> JointFrame<L::Real, N> for HalfPo
     }
 }
 
-/// Returns the product r (cos + sin e_K), with 8 multiplications instead of 16.
+/// Returns the product r (cos + sin e_K), where e_K is the unit vector of axis K, with 8
+/// multiplications instead of 16.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
     let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);
@@ -434,8 +436,8 @@ impl<L: Lanes<Real: Scalar>> JointScrews<L::Real> for LinkFrames<L> {
 }
 
 impl<L: Lanes> LinkFrames<L> {
-    /// Returns the rate, or NaN if the pose of the link is NaN. The screw of the joint may be
-    /// finite even then, but the velocity of the link must be NaN too.
+    /// Returns `rate`, or NaN in lanes in which the pose of the link is NaN. There the screw of the
+    /// joint may still be finite, but the velocity of the link must be NaN too.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn nan_if_nowhere(&self, rate: L) -> L {
         let [.., w] = self.link.rotation;

@@ -1,6 +1,7 @@
 //! An element of a URDF file. Its attributes and child elements are read by name. Any other part
 //! gives an error if it describes where links are, or if its name looks like a misspelling of a
-//! name that is read. Otherwise it gives a warning.
+//! name that is read. Otherwise it is ignored, with a warning unless the format of URDF has such a
+//! part.
 
 use super::error::{UrdfError, UrdfWarning};
 use roxmltree::Node;
@@ -43,8 +44,8 @@ impl<'f> Element<'f> {
         prefix
     }
 
-    /// Returns the name of the element for errors, such as `<joint name="hip">`. An element without
-    /// the attribute `name` is followed by the element around it.
+    /// Returns the name of the element for errors, such as `<joint name="hip">`. If the element has
+    /// no attribute `name`, the name of the element that contains it follows.
     pub(crate) fn title(self) -> String {
         let (prefix, name) = (self.prefix(), self.name());
         let colon = if prefix.is_empty() { "" } else { ":" };
@@ -129,8 +130,8 @@ impl<'f> Element<'f> {
         }
         let namespace = self.node.tag_name().namespace().filter(|_| !own);
         if namespace.is_some_and(|namespace| namespace.contains("xacro")) {
-            // Even an expanded file has some elements of xacro left, so they are a warning. A file
-            // that was not expanded gives another error, because it lacks links or has expressions
+            // Even an expanded file has some elements of xacro left, so they only give a warning. A
+            // file that was not expanded fails elsewhere, because it lacks links or has expressions
             // in place of numbers.
             warnings.push(
                 self.warning("an element of xacro is not read; expand the file with xacro first"),
@@ -206,19 +207,20 @@ fn instead(name: &str, meant: &str) -> String {
     if name == meant { String::new() } else { format!("; did you mean {meant:?}?") }
 }
 
-/// A kind of element, with the names of its parts. A part that is not read is an error if its name
-/// is one of these names, or close to one of them ([`meant`]). Other parts do not describe where
-/// links are.
+/// A kind of element, with the names of its parts. An attribute or child element that is neither
+/// read nor `known` is an error if its name is one of these names, or close to one of them
+/// ([`meant`]). Parts with other names do not describe where links are.
 pub(crate) struct Place {
     /// The attributes that are read. In this field and the next three, names are separated by
     /// spaces.
     pub(crate) attributes: &'static str,
     /// The child elements that are read.
     pub(crate) elements: &'static str,
-    /// Attributes and elements that would say where links are, but are not read, so they are an
-    /// error.
+    /// Attributes and elements that would say where links are, but that the reader cannot use. They
+    /// are an error.
     pub(crate) unread: &'static str,
-    /// Parts of the format that do not say where links are. They are ignored without a warning.
+    /// Attributes and elements of the format that do not say where links are. They are ignored
+    /// without a warning.
     pub(crate) known: &'static str,
     /// `true` if there should be at most one child element of each name. If there are more, only
     /// the first is read.

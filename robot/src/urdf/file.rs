@@ -25,7 +25,8 @@ pub(crate) struct File {
 #[derive(Debug)]
 pub(crate) struct JointElement {
     pub(crate) name: Name,
-    /// The kind of the joint, whose axis has length 1, and is x if the file does not give it.
+    /// The kind of the joint. Its axis has length 1; it is the x axis if the file does not give an
+    /// axis.
     pub(crate) kind: JointKind<f64>,
     pub(crate) parent: Name,
     pub(crate) child: Name,
@@ -134,7 +135,7 @@ impl JointElement {
         let mut mimic = None;
         if let Some(element) = joint.child("mimic") {
             // People who lock a joint by changing its type to fixed leave its other elements as
-            // they are, so a `<mimic>` here is a warning and no error.
+            // they are, so a `<mimic>` here gives a warning and no error.
             if kind == JointKind::Fixed {
                 warnings
                     .push(element.warning("a fixed joint mimics nothing, so <mimic> is not read"));
@@ -145,8 +146,8 @@ impl JointElement {
         Ok(Self { name, kind, parent, child, xyz, rpy, limits, drive, mimic })
     }
 
-    /// Returns the joint for a mechanism, on the link with index `parent`, without its rule if it
-    /// mimics another joint.
+    /// Returns this joint as a joint of a mechanism, on the link with index `parent`. The rule of a
+    /// joint that mimics another is not set here.
     pub(crate) fn joint(&self, parent: usize) -> Joint<f64> {
         let [roll, pitch, yaw] = self.rpy;
         let turn = Quat::from_rpy(roll, pitch, yaw);

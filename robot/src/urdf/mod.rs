@@ -67,11 +67,11 @@
 //! `<limit>`.
 //!
 //! Three faults are treated as other readers treat them, each with a warning. If a joint has two
-//! elements of a name that it should have once, the first is read. Limits in the wrong order are
-//! exchanged. Left-overs of xacro and loops of joints are ignored.
+//! elements where it should have one, such as two `<axis>`, the first is read. Limits in the wrong
+//! order are exchanged. Elements that xacro left over, and `<loop_joint>`, are ignored.
 //!
 //! A name that may be a misspelling of a part that is read is an error, because an ignored limit
-//! would be no limit. Such a name differs from one that may stand at its place in case, in the
+//! would be no limit. Such a name differs from a name that is allowed at its place in case, in the
 //! order of its letters, or in one letter (lost, added, changed, or exchanged with its neighbour;
 //! two in names of more than five letters). Parts that clearly say where something is are errors
 //! too: `x`, `y`, `z`, `roll`, `pitch`, `yaw` and quaternions in `<origin>`, `min` and `max` in
@@ -80,7 +80,7 @@
 //! # Text
 //! A file is read in the encoding that it declares ([`Robot::from_bytes`]): UTF-8 or UTF-16, and
 //! with the feature `urdf-encodings` any encoding that browsers know, such as Latin-1. The XML
-//! declaration may come late or twice, comments may contain any dashes, prefixes need no
+//! declaration may come late or twice, comments may contain `--`, namespace prefixes need no
 //! declaration, and a document type is skipped. Four things are errors: entities other than those
 //! of XML itself, elements nested more than 500 deep, more than 1,000 attributes of an element, and
 //! more than 1,000 different prefixes.

@@ -143,7 +143,7 @@ impl Robot {
         OwnedMechanism::new(&joints)
     }
 
-    /// Returns the joints of which the mechanism is made; joint j carries link j.
+    /// Returns the joints from which the mechanism was made; joint j carries link j.
     #[must_use]
     pub fn joints(&self) -> &[Joint<f64>] {
         &self.joints
@@ -208,8 +208,9 @@ impl Robot {
         self.drives_of(JointKind::rates).map(|drive| drive.velocity).collect()
     }
 
-    /// Returns the drive of each joint, repeated `numbers(kind)` times, which is the count of the
-    /// joint's values or of its rates. A joint that mimics another has none of its own.
+    /// Returns the drive of each joint, once for each of its values or each of its rates: `numbers`
+    /// is [`JointKind::values`] or [`JointKind::rates`]. A joint that mimics another is left out,
+    /// because it has no values and rates of its own.
     fn drives_of(&self, numbers: fn(&JointKind<f64>) -> usize) -> impl Iterator<Item = Drive> {
         let own = self.joints.iter().zip(&self.drives).filter(|(joint, _)| joint.mimic.is_none());
         own.flat_map(move |(joint, &drive)| repeat_n(drive, numbers(&joint.kind)))
@@ -243,7 +244,7 @@ impl Robot {
         self.joint_names.iter().position(|joint| joint.as_deref() == Some(name))
     }
 
-    /// Returns the index in a configuration of the value of this [name](Self::value_names).
+    /// Returns the index that the value with this [name](Self::value_names) has in a configuration.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<usize> {
         self.value_names.iter().position(|value| value == name)
@@ -258,8 +259,8 @@ impl Robot {
     }
 
     /// Returns the limits of each value of a configuration, narrowed by the joints that mimic its
-    /// joint, as [`Mechanism::value_limits`] does. They are `None` for values without limits, such
-    /// as those of continuous, planar and floating joints.
+    /// joint, as [`Mechanism::value_limits`] does. An element is `None` if the value has no limits,
+    /// as in continuous, planar and floating joints.
     #[must_use]
     pub fn value_limits(&self) -> Vec<Option<[f64; 2]>> {
         let view = self.mechanism.view();
@@ -332,7 +333,7 @@ pub(super) fn value_names(joints: &[Joint<f64>], names: &[Option<String>]) -> Ve
 }
 
 errors! {
-    /// An error of a change to a robot, such as an added tool.
+    /// The reason why a change to a robot, such as the addition of a tool, is refused.
     #[derive(Clone, Debug, PartialEq)]
     ChangeError {
         /// A link or joint of the robot already has the name that was given to the new link or
@@ -366,12 +367,12 @@ impl Robot {
         self.on("root_joint", Joint::floating(None, DualQuat::IDENTITY))
     }
 
-    /// Returns the robot on a joint of this name, such as a rail, a turntable, or a floor on which
-    /// the robot drives. The joint carries the root, and stands on the base.
+    /// Returns the robot mounted on a joint that is called `name`, such as a rail, a turntable, or
+    /// a floor on which the robot drives. The joint stands on the base and carries the root link.
     ///
     /// # Errors
-    /// If the robot already has a joint of this name, or the joint is not valid in a mechanism,
-    /// where its index is 0.
+    /// If the robot already has a joint of this name, or the joint is not valid in a mechanism. The
+    /// error names it as joint 0.
     pub fn on(mut self, name: &str, joint: Joint<f64>) -> Result<Self, ChangeError> {
         if self.joint(name).is_some() {
             return Err(ChangeError::Taken { name: name.into() });

@@ -12,7 +12,7 @@ pub(crate) struct Node<'u> {
     pub(crate) joint: Option<usize>,
 }
 
-/// Returns the links of a file in its order, except that a parent comes before its children.
+/// Returns the links in the order of the file, except that a parent comes before its children.
 pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     let mut numbers: HashMap<&str, usize> = HashMap::new();
     for (number, link) in robot.links.iter().enumerate() {
@@ -48,8 +48,8 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     let mut nodes = Vec::with_capacity(robot.links.len());
     let mut done = vec![false; robot.links.len()];
     for link in 0..robot.links.len() {
-        // The loop goes from a link up to an ancestor that is done already; then the links on this
-        // path are appended in the order from that ancestor down.
+        // The inner loop goes from a link up to the root, or to an ancestor that is in `nodes`
+        // already. Then the links on this path are appended, ancestors first.
         let (mut way, mut next) = (Vec::new(), Some(link));
         while let Some(link) = next.filter(|&link| !done[link]) {
             if way.len() > robot.links.len() {
@@ -74,7 +74,8 @@ pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
     Err(UrdfError::Roots { line, links: roots.into_iter().map(|root| root.text.clone()).collect() })
 }
 
-/// The joint whose value another joint follows, by its index in the file, and the rule.
+/// The index, in the file, of the joint whose value another joint follows, and the rule of the
+/// follower.
 #[derive(Clone, Copy)]
 pub(crate) struct Leader {
     pub(crate) joint: usize,
@@ -105,16 +106,17 @@ impl Leader {
     }
 }
 
-/// Returns, for each joint that mimics another joint, the joint with a value of its own that it
-/// follows in the end. In some files the mimicked joint mimics a third joint.
+/// Returns, for each joint that mimics another joint, the joint with a value of its own whose value
+/// it follows. That is not always the joint that the file names, because in some files the named
+/// joint mimics a third joint.
 pub(crate) fn leaders(
     joints: &[JointElement],
     by_name: &HashMap<&str, usize>,
 ) -> Result<Vec<Option<Leader>>, UrdfError> {
     let mut leaders: Vec<Option<Leader>> = vec![None; joints.len()];
     for first in 0..joints.len() {
-        // The loop follows the rules to a joint with a value of its own, or with a known leader.
-        // Then the rules are combined on the way back.
+        // The inner loop follows the rules to a joint with a value of its own, or to a joint whose
+        // leader is already known. Then the rules are combined on the way back.
         let (mut way, mut next) = (Vec::new(), first);
         while let Some(mimic) = joints[next].mimic.as_ref().filter(|_| leaders[next].is_none()) {
             let (from, other) = (&joints[next], &mimic.joint);

@@ -1,4 +1,5 @@
-//! The text of a URDF file: its bytes are decoded, and the text is converted to strict XML.
+//! The text of a URDF file. The functions here decode its bytes, and convert the text to strict
+//! XML.
 
 use super::error::{UrdfError, UrdfWarning};
 use std::borrow::Cow;
@@ -54,8 +55,8 @@ fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
 /// is hardly ever valid UTF-8 by chance.
 #[cfg(not(feature = "urdf-encodings"))]
 fn decoded<'b>(bytes: &'b [u8], declared: &[u8]) -> Option<Decoded<'b>> {
-    // A byte order mark takes precedence over the declaration, as it does with the feature
-    // `urdf-encodings`.
+    // A byte order mark takes precedence over the declaration, as it also does when the feature
+    // `urdf-encodings` is on.
     let declared = declared.trim_ascii();
     let unicode = ["utf-8", "utf8", "utf-16", "utf-16le", "utf-16be"].map(str::as_bytes);
     match bytes {
