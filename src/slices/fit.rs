@@ -25,7 +25,7 @@ impl Backend {
     /// use dq8::Backend;
     /// use dq8::fit::{Fit, Maps, PairSets, Quality};
     /// // A triangle that is shifted, and two points, which do not determine a rotation.
-    /// let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0; 3], [1.0; 3_usize]];
+    /// let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0; 3], [1.0; 3]];
     /// let moved = points.map(|[x, y, z]| [x + 1.0, y, z]);
     /// let sets = PairSets::<f64>::new(&points, &moved, &[3, 2])?;
     /// let (mut fits, mut qualities) = ([Fit::NONE; 2], [Quality::NONE; 2]);
