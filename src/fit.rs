@@ -20,6 +20,7 @@ use crate::macros::errors;
 use crate::number::Real;
 use crate::representation::polar::Spectrum;
 use crate::scalar::{DualQuat, Quat, vector};
+use core::ops::Range;
 
 /// Pairs of a point x and the moved point y, each with a weight w ≥ 0. All coordinates are in one
 /// unit of length.
@@ -29,14 +30,21 @@ use crate::scalar::{DualQuat, Quat, vector};
 #[derive(Clone, Copy, Debug)]
 pub struct PointPairs<'a, R> {
     pairs: Weighted<'a, R>,
+    sums: Sums<R>,
+}
+
+/// The sums over pairs that a fit needs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sums<R> {
     /// The weighted means of the points x and of the moved points y.
-    centers: [[R; 3]; 2],
+    pub(crate) centers: [[R; 3]; 2],
     /// Σ w y xᵀ, with x and y relative to their means.
-    products: [[R; 3]; 3],
+    pub(crate) products: [[R; 3]; 3],
     /// Σ w|x|², with x relative to its mean.
-    squares: R,
-    /// A bound of the rounding error of a sum of elements of `products`.
-    rounding: R,
+    pub(crate) squares: R,
+    /// A bound of the rounding error of a sum of elements of `products`. It is NaN or infinite if
+    /// nothing can be fitted.
+    pub(crate) rounding: R,
 }
 
 /// The map p ↦ s·r (p − c) r* + d with the least squares. The scale s is 1, except for maps
@@ -86,6 +94,21 @@ pub struct Quality<R> {
     /// turn that they resist most, over the stiffness against the turn that they resist least. It
     /// is infinite where many rotations fit equally well.
     pub condition: R,
+}
+
+impl<R: Real> Fit<R> {
+    /// The answer where there is no best map: NaN in every component.
+    pub const NONE: Self = Self {
+        motion: DualQuat::from_array([R::NAN; 8]),
+        scale: R::NAN,
+        from: [R::NAN; 3],
+        to: [R::NAN; 3],
+    };
+}
+
+impl<R: Real> Quality<R> {
+    /// The quality of pairs that no map can be fitted to: NaN, with the rank 0.
+    pub const NONE: Self = Self { rms: R::NAN, rank: 0, condition: R::NAN };
 }
 
 impl<'a, R: Real> PointPairs<'a, R> {
@@ -172,7 +195,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
         if !rounding.is_finite() {
             return Err(FitError::Overflow);
         }
-        Ok(Self { pairs, centers, products, squares: squares[0], rounding })
+        let sums = Sums { centers, products, squares: squares[0], rounding };
+        Ok(Self { pairs, sums })
     }
 
     /// Finds the motion f with the least Σ w|y − f(x)|² (Horn 1987; Umeyama 1991). The best
@@ -225,17 +249,13 @@ impl<'a, R: Real> PointPairs<'a, R> {
     /// If the axis has no direction; if one of the sets, seen along the axis, is in a point within
     /// rounding; or if the map overflows.
     pub fn about(&self, axis: [R; 3]) -> Result<Fit<R>, FitError> {
-        let length = vector::norm(axis);
-        if !length.is_finite() || length == R::ZERO {
-            return Err(FitError::Axis { length: length.into() });
-        }
-        let axis = vector::direction(axis, length);
+        let axis = direction(axis)?;
         // For the turn by ψ, the sum of the products of elements is (uMu + vMv) cos ψ + (vMu −
         // uMv) sin ψ, plus a constant, where M is `products`. The coordinates u and v are
         // orthogonal to the axis, so large components along the axis cost no digits.
         let u = vector::any_across(axis);
         let v = vector::cross(axis, u);
-        let [to_u, to_v] = [u, v].map(|of| self.products.map(|row| vector::dot(row, of)));
+        let [to_u, to_v] = [u, v].map(|of| self.sums.products.map(|row| vector::dot(row, of)));
         let cosine = vector::dot(u, to_u) + vector::dot(v, to_v);
         let sine = vector::dot(v, to_u) - vector::dot(u, to_v);
         let gap = vector::norm([cosine, sine]);
@@ -261,22 +281,23 @@ impl<'a, R: Real> PointPairs<'a, R> {
         let values = self.singular_values(spectrum);
         let [first, second, third] = values;
         let gap = second + third;
-        let condition = if gap > self.rounding { (first + second) / gap } else { R::ONE / R::ZERO };
+        let condition =
+            if gap > self.sums.rounding { (first + second) / gap } else { R::ONE / R::ZERO };
         Quality { rms: (sum / total).sqrt(), rank: self.rank(values), condition }
     }
 
     /// Returns `None` if the products are zero or not finite.
     fn spectrum(&self) -> Option<Spectrum<R>> {
-        Spectrum::of(self.products).ok()
+        Spectrum::of(self.sums.products).ok()
     }
 
     fn singular_values(&self, spectrum: Option<&Spectrum<R>>) -> [R; 3] {
-        let largest = || [vector::largest(self.products.map(vector::largest)); 3];
+        let largest = || [vector::largest(self.sums.products.map(vector::largest)); 3];
         spectrum.map_or_else(largest, Spectrum::singular_values)
     }
 
     fn rank(&self, values: [R; 3]) -> usize {
-        values.into_iter().filter(|value| value.abs() > self.rounding).count()
+        values.into_iter().filter(|value| value.abs() > self.sums.rounding).count()
     }
 
     fn best_of_all(
@@ -289,7 +310,7 @@ impl<'a, R: Real> PointPairs<'a, R> {
         // as large as possible.
         let best = spectrum.and_then(|spectrum| spectrum.best_rotation().ok());
         let (rotation, [sum, gap]) = best.ok_or_else(|| self.ambiguous(spectrum))?;
-        let scale = if scaled { sum / self.squares } else { R::ONE };
+        let scale = if scaled { sum / self.sums.squares } else { R::ONE };
         self.fit(rotation, gap, scale, || self.ambiguous(spectrum))
     }
 
@@ -303,11 +324,11 @@ impl<'a, R: Real> PointPairs<'a, R> {
         ambiguous: impl FnOnce() -> FitError,
     ) -> Result<Fit<R>, FitError> {
         // The comparison is false if the gap is NaN.
-        let clear = gap > self.rounding;
+        let clear = gap > self.sums.rounding;
         if !clear {
             return Err(ambiguous());
         }
-        let [from, to] = self.centers;
+        let [from, to] = self.sums.centers;
         let shift = rotation.rotate(vector::scale(from, scale));
         let motion = DualQuat::from_rotation_translation(rotation, vector::sub(to, shift));
         if !(motion.is_finite() && scale.is_finite()) {
@@ -320,6 +341,173 @@ impl<'a, R: Real> PointPairs<'a, R> {
         let rank = self.rank(self.singular_values(spectrum));
         FitError::Ambiguous { pairs: self.pairs.iter().count(), rank }
     }
+}
+
+/// The maps among which [`Backend::fit_each`](crate::Backend::fit_each) finds the best.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Maps<R> {
+    /// Motions, as for [`PointPairs::rigid`].
+    Rigid,
+    /// Motions with a scale, as for [`PointPairs::similarity`].
+    Similarity,
+    /// Motions that turn about this direction, as for [`PointPairs::about`].
+    About([R; 3]),
+}
+
+impl<R: Real> Maps<R> {
+    /// # Errors
+    /// If the axis has no direction.
+    pub(crate) fn check(self) -> Result<(), FitError> {
+        let Self::About(axis) = self else { return Ok(()) };
+        direction(axis).map(|_| ())
+    }
+}
+
+/// Many sets of pairs of points, each of them for a map of its own. The pairs of a set follow the
+/// pairs of the set before it in the same slices.
+///
+/// [`Backend::fit_each`](crate::Backend::fit_each) fits them on lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct PairSets<'a, R> {
+    pub(crate) points: &'a [[R; 3]],
+    pub(crate) moved: &'a [[R; 3]],
+    pub(crate) weights: Option<&'a [R]>,
+    pub(crate) counts: &'a [usize],
+}
+
+impl<'a, R: Real> PairSets<'a, R> {
+    /// Makes sets whose pairs have the same weight. Set `i` has `counts[i]` pairs, which may be
+    /// none.
+    ///
+    /// # Errors
+    /// If `points` does not have as many points as the counts say together, or `moved` has another
+    /// length than `points`.
+    pub fn new(
+        points: &'a [[R; 3]],
+        moved: &'a [[R; 3]],
+        counts: &'a [usize],
+    ) -> Result<Self, FitError> {
+        let all = counts.iter().fold(0_usize, |all, &count| all.saturating_add(count));
+        same_length("points", points.len(), all)?;
+        same_length("moved", moved.len(), all)?;
+        Ok(Self { points, moved, weights: None, counts })
+    }
+
+    /// Makes sets with weights, of which only the ratios within a set matter.
+    ///
+    /// # Errors
+    /// The errors of [`new`](Self::new), and an error if `weights` has another length than
+    /// `points`.
+    pub fn weighted(
+        points: &'a [[R; 3]],
+        moved: &'a [[R; 3]],
+        weights: &'a [R],
+        counts: &'a [usize],
+    ) -> Result<Self, FitError> {
+        same_length("weights", weights.len(), points.len())?;
+        Ok(Self { weights: Some(weights), ..Self::new(points, moved, counts)? })
+    }
+
+    /// Returns the number of sets.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.counts.len()
+    }
+
+    /// Returns `true` if there is no set.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.counts.is_empty()
+    }
+
+    /// Returns the best map of the set whose pairs have these indices, and its quality, from the
+    /// numbers that lanes have computed of the set.
+    pub(crate) fn best(
+        &self,
+        pairs: Range<usize>,
+        of: &SetNumbers<R>,
+        maps: Maps<R>,
+    ) -> (Fit<R>, Quality<R>) {
+        let none = (Fit::NONE, Quality::NONE);
+        let (Some(points), Some(moved)) =
+            (self.points.get(pairs.clone()), self.moved.get(pairs.clone()))
+        else {
+            return none;
+        };
+        if !of.sums.rounding.is_finite() {
+            return none;
+        }
+        let weights = self.weights.and_then(|weights| weights.get(pairs));
+        let weighted = Weighted { points, moved, weights, heaviest: of.heaviest };
+        let pairs = PointPairs { pairs: weighted, sums: of.sums };
+        let known = of.largest.is_finite() && of.largest > R::ZERO;
+        let spectrum = known.then(|| Spectrum::new(of.largest, of.values, of.vectors));
+        let spectrum = spectrum.as_ref();
+        let fit = match maps {
+            Maps::Rigid => pairs.best_of_all(spectrum, false),
+            Maps::Similarity => pairs.best_of_all(spectrum, true),
+            Maps::About(axis) => pairs.about(axis),
+        };
+        match fit {
+            Ok(fit) => (fit, pairs.quality_of(spectrum, &fit)),
+            Err(FitError::Ambiguous { rank, .. }) => {
+                (Fit::NONE, Quality { rank, condition: R::ONE / R::ZERO, ..Quality::NONE })
+            }
+            Err(_) => none,
+        }
+    }
+}
+
+/// The numbers of a set that its fit needs, of one set or of a set in each lane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SetNumbers<T> {
+    pub(crate) sums: Sums<T>,
+    /// The largest weight.
+    pub(crate) heaviest: T,
+    /// The largest element of the products.
+    pub(crate) largest: T,
+    /// The eigenvalues of the matrix that is made of the products over their largest element.
+    pub(crate) values: [T; 4],
+    /// The eigenvectors, as columns.
+    pub(crate) vectors: [[T; 4]; 4],
+}
+
+impl<T> SetNumbers<T> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    #[rustfmt::skip]
+    pub(crate) fn to_array(self) -> [T; 39] {
+        let Self { sums, heaviest, largest, values: [k, l, m, n], vectors: [q, r, s, t] } = self;
+        let Sums { centers: [from, to], products: [x, y, z], squares, rounding } = sums;
+        let ([a, b, c], [d, e, f]) = (from, to);
+        let ([xx, xy, xz], [yx, yy, yz], [zx, zy, zz]) = (x, y, z);
+        let ([qx, qy, qz, qw], [rx, ry, rz, rw]) = (q, r);
+        let ([sx, sy, sz, sw], [tx, ty, tz, tw]) = (s, t);
+        [
+            a, b, c, d, e, f, xx, xy, xz, yx, yy, yz, zx, zy, zz, squares, rounding, heaviest,
+            largest, k, l, m, n, qx, qy, qz, qw, rx, ry, rz, rw, sx, sy, sz, sw, tx, ty, tz, tw,
+        ]
+    }
+
+    #[rustfmt::skip]
+    pub(crate) fn from_array(numbers: [T; 39]) -> Self {
+        let [
+            a, b, c, d, e, f, xx, xy, xz, yx, yy, yz, zx, zy, zz, squares, rounding, heaviest,
+            largest, k, l, m, n, qx, qy, qz, qw, rx, ry, rz, rw, sx, sy, sz, sw, tx, ty, tz, tw,
+        ] = numbers;
+        let products = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
+        let vectors = [[qx, qy, qz, qw], [rx, ry, rz, rw], [sx, sy, sz, sw], [tx, ty, tz, tw]];
+        let sums = Sums { centers: [[a, b, c], [d, e, f]], products, squares, rounding };
+        Self { sums, heaviest, largest, values: [k, l, m, n], vectors }
+    }
+}
+
+/// Returns the unit vector along an axis.
+fn direction<R: Real>(axis: [R; 3]) -> Result<[R; 3], FitError> {
+    let length = vector::norm(axis);
+    if !length.is_finite() || length == R::ZERO {
+        return Err(FitError::Axis { length: length.into() });
+    }
+    Ok(vector::direction(axis, length))
 }
 
 /// The pairs of points and their weights, as the caller gave them.
@@ -345,7 +533,11 @@ impl<R: Real> Weighted<'_, R> {
     }
 }
 
-fn same_length(what: &'static str, found: usize, expected: usize) -> Result<(), FitError> {
+pub(crate) fn same_length(
+    what: &'static str,
+    found: usize,
+    expected: usize,
+) -> Result<(), FitError> {
     if found == expected { Ok(()) } else { Err(FitError::Length { what, found, expected }) }
 }
 
@@ -362,15 +554,15 @@ errors! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     FitError {
-        /// A slice has another length than `points`.
+        /// A slice has the wrong length.
         Length {
-            /// The name of the slice, `moved` or `weights`.
+            /// The name of the slice.
             what: &'static str,
             /// The length of the slice.
             found: usize,
-            /// The number of points.
+            /// The length that it must have.
             expected: usize,
-        } => "{what} has the length {found}, for {expected} points";
+        } => "{what} has the length {found}, but needs the length {expected}";
         /// A coordinate is not finite.
         NotFinite {
             /// The name of the slice, `points` or `moved`.

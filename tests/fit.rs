@@ -1,10 +1,12 @@
 //! Maps of points to points with least squares, against singular value decompositions of nalgebra.
 
-use dq8::fit::{Fit, FitError, PointPairs};
-use dq8::{Dual, DualQuat, Quat, Real};
+use dq8::fit::{Fit, FitError, Maps, PairSets, PointPairs, Quality};
+use dq8::{Backend, Dual, DualQuat, Quat, Real, Scalar};
 use dq8_contract::random::Random;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
+use std::mem::discriminant;
+use std::ops::Range;
 
 type Points<R> = Vec<[R; 3]>;
 
@@ -362,5 +364,251 @@ fn a_fit_can_be_differentiated() {
     let fit = PointPairs::new(&points, &moved).unwrap().rigid().unwrap();
     for (found, wanted) in fit.motion.translation().into_iter().zip(way) {
         assert!((found.dual - wanted).abs() < 1e-12, "{found}");
+    }
+}
+
+/// Many sets in the same slices.
+struct Sets<R> {
+    points: Points<R>,
+    moved: Points<R>,
+    weights: Vec<R>,
+    counts: Vec<usize>,
+}
+
+impl<R: Scalar> Sets<R> {
+    /// Sets of every kind: most of them good, and all that a fit refuses.
+    fn new(count: usize) -> Self {
+        let mut random = Random(31);
+        let mut sets =
+            Self { points: vec![], moved: vec![], weights: vec![], counts: vec![0; count] };
+        for (index, count) in sets.counts.iter_mut().enumerate() {
+            let thin = [1.0, 0.3, 1e-6, 0.0][index % 4];
+            let noise = [0.0, 0.05, 0.5][index % 3];
+            let mut problem = Problem::new(&mut random, thin, 1.5, noise);
+            let place = random.below(problem.points.len());
+            match index % 23 {
+                1 => problem.points.iter_mut().for_each(|p| *p = [p[0], 2.0 * p[0], 0.0]),
+                2 => problem.moved.fill([1.0, 2.0, 3.0]),
+                3 => problem = problem.mirrored(),
+                4 => problem.points.truncate(2),
+                5 => problem.points.truncate(1),
+                6 => problem.points.clear(),
+                7 => problem.weights.fill(0.0),
+                8 => problem.weights[place] = -1.0,
+                9 => problem.weights[place] = f64::NAN,
+                10 => problem.points[place][1] = f64::NAN,
+                11 => problem.moved[place][2] = f64::INFINITY,
+                12 => problem.moved[place][0] = f64::NEG_INFINITY,
+                13 => problem.points[place] = if R::SINGLE { [1e25; 3] } else { [1e200; 3] },
+                14 => problem.weights[0] = 0.0,
+                15 => problem.weights.iter_mut().for_each(|w| *w *= 1e30),
+                16 => problem.points.iter_mut().flatten().for_each(|c| *c *= 1e-15),
+                17 => problem.moved.iter_mut().flatten().for_each(|c| *c += 1e3),
+                18 => problem.weights[place] = f64::INFINITY,
+                _ => {}
+            }
+            *count = problem.points.len();
+            sets.points.extend(round::<R>(&problem.points));
+            sets.moved.extend(round::<R>(&problem.moved[..*count]));
+            let weights = &problem.weights[..*count];
+            sets.weights.extend(weights.iter().map(|&w| <R as Real>::from_f64(w)));
+        }
+        sets
+    }
+
+    fn pairs(&self, count: usize, weighted: bool) -> PairSets<'_, R> {
+        let counts = &self.counts[..count];
+        let all = counts.iter().sum();
+        let (points, moved) = (&self.points[..all], &self.moved[..all]);
+        if weighted {
+            PairSets::weighted(points, moved, &self.weights[..all], counts).unwrap()
+        } else {
+            PairSets::new(points, moved, counts).unwrap()
+        }
+    }
+
+    /// The fit of some pairs alone, and its quality.
+    fn alone(
+        &self,
+        pairs: Range<usize>,
+        weighted: bool,
+        maps: Maps<R>,
+    ) -> Result<(Fit<R>, Quality<R>), FitError> {
+        let (points, moved) = (&self.points[pairs.clone()], &self.moved[pairs.clone()]);
+        let pairs = if weighted {
+            PointPairs::weighted(points, moved, &self.weights[pairs])?
+        } else {
+            PointPairs::new(points, moved)?
+        };
+        let fit = match maps {
+            Maps::Rigid => pairs.rigid(),
+            Maps::Similarity => pairs.similarity(),
+            Maps::About(axis) => pairs.about(axis),
+        }?;
+        Ok((fit, pairs.quality(&fit)))
+    }
+}
+
+/// All numbers of an answer as bits, with one pattern for NaN.
+fn bits<R: Real>(fit: &Fit<R>, quality: &Quality<R>) -> Vec<u64> {
+    let numbers =
+        fit.motion.to_array().into_iter().chain([fit.scale]).chain(fit.from).chain(fit.to);
+    let numbers = numbers.chain([quality.rms, quality.condition]).map(Into::<f64>::into);
+    let bits = numbers.map(|x| if x.is_nan() { u64::MAX } else { x.to_bits() });
+    bits.chain([quality.rank as u64]).collect()
+}
+
+/// The answer of one set among many.
+fn among_many<R: Real>(alone: Result<(Fit<R>, Quality<R>), FitError>) -> Vec<u64> {
+    let mut quality = Quality::NONE;
+    match alone {
+        Ok((fit, quality)) => return bits(&fit, &quality),
+        Err(FitError::Ambiguous { rank, .. }) => {
+            (quality.rank, quality.condition) = (rank, R::ONE / R::ZERO);
+        }
+        Err(_) => {}
+    }
+    bits(&Fit::NONE, &quality)
+}
+
+fn each<R: Scalar>(backend: Backend, sets: PairSets<'_, R>, maps: Maps<R>) -> Vec<Vec<u64>> {
+    let mut fits = vec![Fit::NONE; sets.len()];
+    let mut qualities = vec![Quality::NONE; sets.len()];
+    backend.fit_each(sets, maps, &mut fits, &mut qualities).unwrap();
+    fits.iter().zip(&qualities).map(|(fit, quality)| bits(fit, quality)).collect()
+}
+
+fn backends() -> impl Iterator<Item = Backend> {
+    #[cfg(feature = "reproducible")]
+    return Backend::available().flat_map(|backend| [backend, backend.unfused()]);
+    #[cfg(not(feature = "reproducible"))]
+    Backend::available()
+}
+
+fn each_of_many_sets_has_the_bits_of_that_set_alone<R: Scalar>() {
+    let sets = Sets::<R>::new(210);
+    let axis = [0.2, 0.5, -1.0].map(<R as Real>::from_f64);
+    let mut refused = Vec::new();
+    for weighted in [false, true] {
+        for maps in [Maps::Rigid, Maps::Similarity, Maps::About(axis)] {
+            let mut start = 0;
+            let wanted = sets.counts.iter().map(|count| {
+                let alone = sets.alone(start..start + count, weighted, maps);
+                start += count;
+                refused.extend(alone.err());
+                among_many(alone)
+            });
+            let wanted: Vec<_> = wanted.collect();
+            let good = wanted.iter().filter(|bits| bits[0] != u64::MAX).count();
+            assert!(good > 70, "{good}");
+            for backend in backends() {
+                for count in [0, 1, 3, 15, 16, 17, 33, 210] {
+                    let found = each(backend, sets.pairs(count, weighted), maps);
+                    assert_eq!(found.len(), count);
+                    for (index, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
+                        let count = sets.counts[index];
+                        assert_eq!(found, wanted, "{backend}, {maps:?}: set {index} of {count}");
+                    }
+                }
+            }
+        }
+    }
+    for error in [
+        FitError::NotFinite { what: "points", index: 0, value: 0.0 },
+        FitError::Weight { index: 0, value: 0.0 },
+        FitError::Empty,
+        FitError::Ambiguous { pairs: 0, rank: 0 },
+        FitError::Overflow,
+    ] {
+        let found = refused.iter().filter(|found| discriminant(*found) == discriminant(&error));
+        assert!(found.count() >= 6, "{error}");
+    }
+}
+
+#[test]
+fn each_of_many_sets_has_the_bits_of_that_set_alone_f32() {
+    each_of_many_sets_has_the_bits_of_that_set_alone::<f32>();
+}
+
+#[test]
+fn each_of_many_sets_has_the_bits_of_that_set_alone_f64() {
+    each_of_many_sets_has_the_bits_of_that_set_alone::<f64>();
+}
+
+#[test]
+fn a_bad_set_among_a_thousand_changes_no_other() {
+    let mut random = Random(32);
+    let mut sets = Sets::<f32> {
+        points: (0..5000).map(|_| random.vector().map(|c| c as f32)).collect(),
+        moved: (0..5000).map(|_| random.vector().map(|c| c as f32)).collect(),
+        weights: vec![1.0; 5000],
+        counts: vec![5; 1000],
+    };
+    let good = each(Backend::best(), sets.pairs(1000, true), Maps::Rigid);
+    let none = among_many::<f32>(Err(FitError::Empty));
+    for (place, bad) in [(0, f32::NAN), (7, f32::INFINITY), (500, f32::MAX), (999, f32::NAN)] {
+        for kind in 0..3 {
+            let number = match kind {
+                0 => &mut sets.points[5 * place + 3][1],
+                1 => &mut sets.moved[5 * place][2],
+                _ => &mut sets.weights[5 * place + 4],
+            };
+            let before = *number;
+            *number = if kind == 2 { -bad } else { bad };
+            let found = each(Backend::best(), sets.pairs(1000, true), Maps::Rigid);
+            match kind {
+                0 => sets.points[5 * place + 3][1] = before,
+                1 => sets.moved[5 * place][2] = before,
+                _ => sets.weights[5 * place + 4] = before,
+            }
+            for (index, (found, good)) in found.iter().zip(&good).enumerate() {
+                assert_eq!(found, if index == place { &none } else { good }, "{index}");
+            }
+        }
+    }
+}
+
+#[test]
+fn sets_of_other_lengths_are_refused_and_nothing_is_written() {
+    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0_f64]];
+    let length = |what, found, expected| FitError::Length { what, found, expected };
+    let new = |moved: &[[f64; 3]], counts: &[usize]| PairSets::new(&points, moved, counts).err();
+    assert_eq!(new(&points, &[2, 0, 1]), None);
+    assert_eq!(new(&points, &[2, 2]), Some(length("points", 3, 4)));
+    assert_eq!(new(&points, &[]), Some(length("points", 3, 0)));
+    assert_eq!(new(&points, &[usize::MAX, 4]), Some(length("points", 3, usize::MAX)));
+    assert_eq!(new(&points[..2], &[3]), Some(length("moved", 2, 3)));
+    let weighted = PairSets::weighted(&points, &points, &[1.0; 2], &[3]);
+    assert_eq!(weighted.err(), Some(length("weights", 2, 3)));
+
+    let pairs = PointPairs::new(&points, &points).unwrap();
+    let fit = pairs.rigid().unwrap();
+    let (mut fits, mut qualities) = ([fit; 3], [pairs.quality(&fit); 3]);
+    let before = (fits, qualities);
+    let sets = PairSets::new(&points, &points, &[3, 0]).unwrap();
+    assert!(sets.len() == 2 && !sets.is_empty());
+    let backend = Backend::best();
+    let error = backend.fit_each(sets, Maps::Rigid, &mut fits, &mut qualities[..2]);
+    assert_eq!(error, Err(length("fits", 3, 2)));
+    let error = backend.fit_each(sets, Maps::Rigid, &mut fits[..2], &mut qualities[..1]);
+    assert_eq!(error, Err(length("qualities", 1, 2)));
+    for axis in [[0.0; 3], [0.0, f64::INFINITY, 0.0], [f64::NAN; 3]] {
+        let maps = Maps::About(axis);
+        let error = backend.fit_each(sets, maps, &mut fits[..2], &mut qualities[..2]);
+        assert!(matches!(error, Err(FitError::Axis { .. })), "{error:?}");
+    }
+    assert_eq!((fits, qualities), before);
+    assert_eq!(length("fits", 3, 2).to_string(), "fits has the length 3, but needs the length 2");
+}
+
+#[cfg(feature = "rayon")]
+#[test]
+fn all_cores_fit_sets_as_one_does() {
+    for count in [1, 100, 3001] {
+        let sets = Sets::<f32>::new(count);
+        let pairs = sets.pairs(count, true);
+        let [one, all] = [1, usize::MAX]
+            .map(|threads| each(Backend::best().threads(threads), pairs, Maps::Similarity));
+        assert_eq!(one, all);
     }
 }

@@ -37,6 +37,7 @@ mod length;
 mod matrix;
 mod metric;
 mod norm;
+pub(crate) mod polar;
 mod quat;
 mod rigid;
 mod screw;

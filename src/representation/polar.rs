@@ -157,6 +157,12 @@ impl<R: Real> Spectrum<R> {
         Ok(Self { largest, values, vectors })
     }
 
+    /// Makes the spectrum from the largest element of A, and from eigenvalues and eigenvectors that
+    /// were computed elsewhere.
+    pub(crate) fn new(largest: R, values: [R; 4], vectors: [[R; 4]; 4]) -> Self {
+        Self { largest, values, vectors }
+    }
+
     /// Returns the rotation R, with w ≥ 0, for which the sum of the products of its elements and
     /// the elements of A is largest. It is the rotation nearest to A, also if A mirrors: the
     /// smallest axis of A is then reversed (Horn 1987; Umeyama 1991), whereas [`Polar`] reverses

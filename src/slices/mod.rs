@@ -19,6 +19,7 @@
 //! | [`from_matrices`](Backend::from_matrices) | motions of matrices that are known to be rigid |
 //! | [`try_from_matrices`](Backend::try_from_matrices) | motions of matrices, which are checked |
 //! | [`two_bone`](Backend::two_bone) | rotations of limbs of two bones whose ends reach targets |
+//! | [`fit_each`](Backend::fit_each) | the best maps of many sets of pairs of points |
 //!
 //! Each kernel takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
 //! [`storage`](crate::storage). Plain slices may have any length and any alignment. Their elements
@@ -36,6 +37,7 @@
 //! ```
 
 mod blend;
+mod fit;
 mod kernels;
 mod matrix;
 mod sweep;

@@ -5,6 +5,7 @@ use super::robots::{robots, solutions};
 use super::zeros;
 use crate::deal::Hash;
 use crate::random::Random;
+use dq8::fit::{Fit, Maps, PairSets, Quality};
 use dq8::hierarchy::{
     Clip, Layered, MatrixOrder, PackedClips, Plan, PlanScratch, Poses, Renormalize,
     RotationsTranslations, Sampled,
@@ -75,6 +76,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
     solutions(k, say, &mut random.clone());
     skins(k, say, &a, &points, &mut random);
     limbs(k, say, [&a, &b], &points, &logs);
+    fits(k, say, &points, &logs, &t);
     zeros::run(k, say);
 }
 
@@ -296,6 +298,35 @@ fn hierarchies(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b, c]: [&[M; N]; 
     let moved = shares.iter().filter_map(|&t| round.between(NlerpLerp, 1, -t, 7.0 * t));
     to.iter_mut().zip(moved).for_each(|(to, moved)| *to = moved);
     say("clips, between", hash(&to));
+}
+
+/// Sets of points, two of them without a best map.
+fn fits(
+    k: Backend,
+    say: &mut dyn FnMut(&str, u64),
+    points: &[[R; 3]; N],
+    numbers: &[[R; 6]; N],
+    weights: &[R; N],
+) {
+    const COUNTS: [usize; 11] = [4, 5, 9, 3, 0, 2, 11, 8, 7, 5, 7];
+    let moved = numbers.map(|[x, y, z, ..]| [x, y, z]);
+    let sets = PairSets::weighted(points, &moved, weights, &COUNTS).expect("lengths fit");
+    for (name, maps) in [
+        ("fit_each, rigid", Maps::Rigid),
+        ("fit_each, similarity", Maps::Similarity),
+        ("fit_each, about", Maps::About([0.6, 0.0, 0.8])),
+    ] {
+        let mut fits = [Fit::NONE; COUNTS.len()];
+        let mut qualities = [Quality::NONE; COUNTS.len()];
+        k.fit_each(sets, maps, &mut fits, &mut qualities).expect("lengths fit");
+        let mut hash = Hash(1);
+        for (fit, quality) in fits.iter().zip(&qualities) {
+            let known = fit.motion.to_array().into_iter().chain(fit.from).chain(fit.to);
+            let known = known.chain([fit.scale, quality.rms, quality.condition]);
+            known.chain([quality.rank as R]).for_each(|number| hash.number(number));
+        }
+        say(name, hash.0);
+    }
 }
 
 /// Limbs of two bones, alone and in a skeleton.

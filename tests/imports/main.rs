@@ -45,8 +45,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     (
         "slices",
         &[
-            "macros", "ik", "number", "geometry", "dq8_simd", "scalar", "batch", "law", "backend",
-            "storage",
+            "macros", "ik", "fit", "number", "geometry", "dq8_simd", "scalar", "batch", "law",
+            "backend", "storage",
         ],
     ),
     (
@@ -120,14 +120,8 @@ const REFERENCE: &[&str] = &["src/scalar", "src/representation"];
 const LANES: &str = "src/batch";
 
 /// Files of the reference without a twin: no kernel asks for many of these at a time.
-const REFERENCE_ONLY: &[&str] = &[
-    "affine.rs",
-    "euler_angles.rs",
-    "must_be_unit.rs",
-    "polar.rs",
-    "rotation_translation.rs",
-    "shorthand.rs",
-];
+const REFERENCE_ONLY: &[&str] =
+    &["affine.rs", "euler_angles.rs", "must_be_unit.rs", "rotation_translation.rs", "shorthand.rs"];
 
 /// Files of `batch` without a twin: the reference has these from the standard library (`even`,
 /// `trigonometry`, `exponential`) or as a plain function (`length`: `vector::norm`).
