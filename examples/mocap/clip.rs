@@ -95,6 +95,39 @@ impl Clip {
         Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
         Ok(models)
     }
+
+    /// Every joint's motion in the world at `first`, `first + step`, … seconds after the first
+    /// frame, up to the last frame, `[time][joint]`. Between two frames, the joints' motions
+    /// relative to their parents are interpolated, so bones keep their lengths.
+    pub fn models_every(
+        &self,
+        first: f64,
+        step: f64,
+    ) -> Result<Vec<DualQuat<f64>>, Box<dyn Error>> {
+        let locals = self.locals();
+        let frames: Vec<_> = locals.chunks_exact(self.joints.len()).collect();
+        let last = frames.len().saturating_sub(1);
+        // A time within a billionth of the last frame is that frame.
+        let times = ((self.time(last) - first) / step + 1e-9).floor().max(0.0) as usize + 1;
+        let mut models = Vec::with_capacity(times * self.joints.len());
+        for index in 0..times {
+            let at = ((first + index as f64 * step) / self.frame_time).min(last as f64);
+            let nearest = at.round();
+            // A rate that the clip's own divides by takes its frames as they are.
+            let at = if (at - nearest).abs() < 1e-6 { nearest } else { at };
+            let (frame, t) = (at.floor() as usize, at.fract());
+            let next = frames[(frame + 1).min(last)];
+            models.extend(
+                frames[frame].iter().zip(next).map(
+                    |(&a, &b)| {
+                        if t > 0.0 { a.nlerp(b, t) } else { a }
+                    },
+                ),
+            );
+        }
+        Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
+        Ok(models)
+    }
 }
 
 impl Joint {

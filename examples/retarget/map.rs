@@ -1,5 +1,6 @@
 //! Which link follows which joint.
 
+use dq8_robot::Joint;
 use dq8_robot::urdf::Robot;
 use mocap::clip::Clip;
 
@@ -36,8 +37,8 @@ macro_rules! limbs {
         role(("chest", 0, false), [0.0, 0.5], &["chest", "torso", "spine"], &[], &["spine3", "spine2", "chest", "spine1", "torso", "spine"]),
         role(("head", 1, false), [0.0, 0.5], &["head", "neck"], &[], &["head"]),
         $(
-            role((concat!($side, "_shoulder"), 1, false), [0.0, 0.5], &["upperarm", "shoulderyaw"], &["shoulderroll", "shoulderpitch", "shoulder"], &["arm", "uparm", "upperarm"]),
-            role((concat!($side, "_elbow"), $first, true), [0.0, 0.7], &["elbow", "elbowpitch", "forearm", "lowerarm"], &[], &["forearm", "lowarm", "lowerarm", "elbow"]),
+            role((concat!($side, "_shoulder"), 0, false), [0.0, 0.5], &["upperarm", "shoulderyaw"], &["shoulderroll", "shoulderpitch", "shoulder"], &["arm", "uparm", "upperarm"]),
+            role((concat!($side, "_elbow"), $first, true), [0.1, 0.7], &["elbow", "elbowpitch", "forearm", "lowerarm"], &[], &["forearm", "lowarm", "lowerarm", "elbow"]),
             role((concat!($side, "_hand"), $first + 1, true), [0.0, 1.0], &["hand", "wristyaw", "rubberhand", "wrist"], &[], &["hand", "wrist"]),
             role((concat!($side, "_hip"), 0, false), [0.0, 0.5], &["thigh", "hipyaw", "upperleg"], &["hiproll", "hippitch", "hip"], &["upleg", "thigh", "upperleg", "hip"]),
             role((concat!($side, "_knee"), $first + 3, true), [0.0, 0.7], &["shin", "knee", "calf", "lowerleg"], &[], &["leg", "shin", "lowleg", "lowerleg", "calf", "knee"]),
@@ -71,10 +72,30 @@ pub(crate) fn found(robot: &Robot, clip: &Clip) -> Result<Vec<Place>, String> {
         let find = |names: &[String], common: &[&str]| find(names, side(role), common);
         if let (Some(link), Some(joint)) = (find(&links, role.links), find(&joints, role.joints)) {
             let centre = find(&links, role.centres).unwrap_or(link);
+            let link =
+                if role.name.ends_with("foot") { last_of_the_ankle(robot, link) } else { link };
+            let centre = if role.centres.is_empty() { link } else { centre };
             places.push(Place { role: index, link, centre, joint });
         }
     }
     enough(places, robot, clip)
+}
+
+/// Returns the link that has the sole: the last one of a chain of hinges. Some ankles roll first
+/// and pitch then, and their names tell nothing about the order. Toes are not of the chain.
+fn last_of_the_ankle(robot: &Robot, mut link: usize) -> usize {
+    loop {
+        let carried = |(_, joint): &(usize, &Joint<f64>)| {
+            joint.parent == Some(link) && joint.kind.values() > 0
+        };
+        let mut hinges = robot.joints().iter().enumerate().filter(carried);
+        match (hinges.next(), hinges.next()) {
+            (Some((next, _)), None) if !plain(&robot.link_names()[next]).contains("toe") => {
+                link = next;
+            }
+            _ => return link,
+        }
+    }
 }
 
 /// From lines of `ROLE LINK[@CENTRE] JOINT`.

@@ -16,7 +16,8 @@ pub(crate) struct Quality {
     /// rad/s³.
     pub(crate) speed: f64,
     pub(crate) jerk: f64,
-    /// How many of a hundred values are at a limit, and the farthest that one is beyond.
+    /// How many of a hundred values of joints that carry a goal are at a limit, and the farthest
+    /// that any value is beyond its limits.
     pub(crate) at_limits: f64,
     pub(crate) beyond: f64,
 }
@@ -42,15 +43,19 @@ impl Quality {
         let limits = scene.robot.value_limits();
         let (mut touched, mut hinges, mut beyond) = (0.0, 0.0_f64, 0.0_f64);
         let (mut speeds, mut jerks) = (Vec::new(), Vec::new());
+        let carries = carries(scene);
         for (value, limits) in limits.iter().enumerate() {
             let Some([low, high]) = *limits else { continue };
             let course: Vec<f64> = motion.iter().skip(value).step_by(count).copied().collect();
             for angle in &course {
                 // What single floats round an end to is at it as well.
                 let end = 1e-6 * (1.0 + angle.abs());
-                touched += f64::from(u8::from(*angle <= low + end || *angle >= high - end));
+                let touches = *angle <= low + end || *angle >= high - end;
                 beyond = beyond.max(low - angle).max(angle - high);
-                hinges += 1.0;
+                if carries[value] {
+                    touched += f64::from(u8::from(touches));
+                    hinges += 1.0;
+                }
             }
             speeds.extend(course.windows(2).map(|w| (w[1] - w[0]).abs() / scene.step));
             let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
@@ -66,6 +71,47 @@ impl Quality {
             beyond,
         })
     }
+}
+
+impl Quality {
+    /// Sentences about figures that a good motion does not have.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        if self.mean > 50.0 {
+            warnings.push(format!(
+                "links are {:.0} mm from their targets in the mean: look at the list above for links and joints that do not \
+                 belong together, and at --map and --rest",
+                self.mean
+            ));
+        }
+        if self.at_limits > 10.0 {
+            warnings.push(format!(
+                "{:.0} % of the values are at a limit: the robot cannot do this motion, or its rest pose is not the clip's \
+                 (--rest)",
+                self.at_limits
+            ));
+        }
+        warnings
+    }
+}
+
+/// For each value, `true` if its joint carries a link that has a goal. Fingers do not, and rest.
+fn carries(scene: &Scene) -> Vec<bool> {
+    let joints = scene.robot.joints();
+    let mut carry = vec![false; joints.len()];
+    for goal in &scene.goals {
+        let mut link = Some(goal.link);
+        while let Some(joint) = link {
+            carry[joint] = true;
+            link = joints[joint].parent;
+        }
+    }
+    let mut values = Vec::new();
+    for (joint, &carries) in joints.iter().zip(&carry) {
+        let own = if joint.mimic.is_some() { 0 } else { joint.kind.values() };
+        values.extend(core::iter::repeat_n(carries, own));
+    }
+    values
 }
 
 fn mean(numbers: &[f64]) -> f64 {

@@ -1,11 +1,14 @@
 //! The clip and the robot in one world: where each part should be in each frame.
 
+use crate::ground;
 use crate::map::{Place, ROLES};
-use dq8::scalar::vector::{add, cross, dot, norm, over_norm, scale, sub};
+use crate::rest::{Rest, positions};
+use dq8::scalar::vector::{add, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
+use dq8_robot::JointKind;
 use dq8_robot::ik::{Goal, Options, OwnedReach, Tracking};
 use dq8_robot::urdf::Robot;
-use mocap::clip::{Channel, Clip, Joint};
+use mocap::clip::Clip;
 use std::error::Error;
 
 type Vector = [f64; 3];
@@ -23,6 +26,21 @@ pub(crate) struct Scene {
     pub(crate) start: Vec<f64>,
     /// Seconds from frame to frame.
     pub(crate) step: f64,
+    /// Sentences about what was found out of the files, and about what had to be assumed.
+    pub(crate) told: Vec<String>,
+}
+
+/// The wishes of the command line.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wishes<'s> {
+    /// Frames per second that are solved.
+    pub(crate) fps: f64,
+    /// The frame in which the person stands as the robot does at rest.
+    pub(crate) rest: Option<usize>,
+    /// The height of the robot's ankle above its sole in metres.
+    pub(crate) ankle: Option<f64>,
+    /// The text of the robot's file, whose collision shapes tell where soles are.
+    pub(crate) urdf: &'s str,
 }
 
 impl Scene {
@@ -30,38 +48,55 @@ impl Scene {
         robot: Robot,
         clip: Clip,
         places: Vec<Place>,
-        rate: f64,
+        wishes: Wishes<'_>,
     ) -> Result<Self, Box<dyn Error>> {
-        let stride = (1.0 / (rate * clip.frame_time)).round().max(1.0) as usize;
-        let still = Clip { values: rest(&clip), ..clip.clone() };
-        let unturned = positions(&still.models()?);
-        let axes = facing(&places, &unturned);
-        let rest: Vec<_> = unturned.iter().map(|&place| axes.rotate(place)).collect();
+        let step = 1.0 / wishes.fps;
+        let Rest { poses: rest, axes, told } = Rest::of(&clip, &places, wishes.rest)?;
+        let back: Vec<_> = rest.iter().map(|pose| pose.rotation().conjugate()).collect();
+        let rest: Vec<_> = positions(&rest).into_iter().map(|place| axes.rotate(place)).collect();
         let stance = Stance::new(&robot, &places, &rest)?;
 
-        let all = clip.models()?;
-        let (mut targets, mut skeleton) = (Vec::new(), Vec::new());
         // Many files begin with the skeleton at rest, and then jump into the motion.
-        let first = usize::from(jumps(&all, clip.joints.len()));
-        for poses in all.chunks_exact(clip.joints.len()).skip(first).step_by(stride) {
-            let turns: Vec<_> =
-                poses.iter().map(|pose| axes * pose.rotation() * axes.conjugate()).collect();
+        let first = if jumps(&clip)? { clip.frame_time } else { 0.0 };
+        let all = clip.models_every(first, step)?;
+        let (mut targets, mut skeleton) = (Vec::new(), Vec::new());
+        for poses in all.chunks_exact(clip.joints.len()) {
+            let turns: Vec<_> = poses
+                .iter()
+                .zip(&back)
+                .map(|(pose, &back)| axes * (pose.rotation() * back) * axes.conjugate())
+                .collect();
             let places_now: Vec<_> =
                 poses.iter().map(|pose| axes.rotate(pose.translation())).collect();
             targets.extend(stance.targets(&places, &rest, &places_now, &turns));
             skeleton.extend(places_now.iter().map(|&place| scale(place, stance.size)));
         }
+        let mut told: Vec<_> = told.into_iter().collect();
+        let ankle = wishes
+            .ankle
+            .or_else(|| ground::ankle_height(wishes.urdf, &robot, &places, &stance.poses));
+        if ankle.is_none() {
+            told.push(
+                "the file has no box, sphere or cylinder at the feet, so ankles are taken to be 0.05 m above \
+                 the soles; --ankle METRES says how high they are"
+                    .into(),
+            );
+        }
+        let floor = ground::floor(&places, &targets, step, ankle.unwrap_or(0.05));
+        let lower = DualQuat::from_translation([0.0, 0.0, -floor]);
+        targets.iter_mut().for_each(|target| *target = lower * *target);
+        skeleton.iter_mut().for_each(|place: &mut Vector| place[2] -= floor);
         let goals = places.iter().zip(&stance.points).map(|(place, &point)| {
             let [rotation, position] = ROLES[place.role].weights;
             Goal::pose(place.link).at(point).weighing(rotation, position)
         });
         let goals = goals.collect();
         let mut start = stance.values;
-        let first = targets[0];
-        start[..4].copy_from_slice(&first.rotation().to_array());
-        start[4..7].copy_from_slice(&first.translation());
-        let step = stride as f64 * clip.frame_time;
-        Ok(Self { robot, clip, places, goals, targets, skeleton, start, step })
+        if let Some(base) = floating(&robot) {
+            start[base..base + 4].copy_from_slice(&targets[0].rotation().to_array());
+            start[base + 4..base + 7].copy_from_slice(&targets[0].translation());
+        }
+        Ok(Self { robot, clip, places, goals, targets, skeleton, start, step, told })
     }
 
     pub(crate) fn frames(&self) -> usize {
@@ -78,6 +113,9 @@ impl Scene {
             self.goals.len(),
             self.robot.mechanism().rates(),
         );
+        for sentence in &self.told {
+            text += &format!("  {sentence}\n");
+        }
         for (role, known) in ROLES.iter().enumerate() {
             if !self.places.iter().any(|place| place.role == role) {
                 text += &format!("  {:<15} not found\n", known.name);
@@ -98,6 +136,8 @@ impl Scene {
 /// The robot as the clip is at rest.
 struct Stance {
     values: Vec<f64>,
+    /// The poses of all links.
+    poses: Vec<DualQuat<f64>>,
     /// Of each place: where it is, how its link is turned, and where it is on that.
     at: Vec<Vector>,
     turns: Vec<Quat<f64>>,
@@ -115,7 +155,9 @@ impl Stance {
             .iter()
             .map(|limits| limits.map_or(0.0, |[low, high]| 0.0_f64.clamp(low, high)))
             .collect();
-        zero[3] = 1.0;
+        if let Some(base) = floating(robot) {
+            zero[base + 3] = 1.0;
+        }
         let mut poses = vec![DualQuat::IDENTITY; mechanism.links()];
         mechanism.link_poses(&zero, &mut poses)?;
         let own: Vec<_> = places.iter().map(|place| poses[place.centre].translation()).collect();
@@ -155,6 +197,7 @@ impl Stance {
             turns: places.iter().map(|place| poses[place.link].rotation()).collect(),
             points: places.iter().map(|place| point(&poses, place)).collect(),
             size: if lengths[1] > 0.0 { lengths[0] / lengths[1] } else { 1.0 },
+            poses,
         })
     }
 
@@ -204,59 +247,31 @@ pub(crate) fn carrier(places: &[Place], index: usize) -> Option<usize> {
     None
 }
 
-/// From the axes of a clip to those of robots: x forward, y to the left, z up.
-fn facing(places: &[Place], rest: &[Vector]) -> Quat<f64> {
-    let place = |role: usize| {
-        let found = places.iter().find(|place| place.role == role)?;
-        Some(rest[found.joint])
-    };
-    let (mut left, mut up) = ([0.0; 3], [0.0; 3]);
-    for role in 3..9 {
-        if let (Some(a), Some(b)) = (place(role), place(role + 6)) {
-            left = add(left, sub(a, b));
+/// The index of the first value of the floating joint.
+fn floating(robot: &Robot) -> Option<usize> {
+    let mut value = 0;
+    for joint in robot.joints() {
+        if joint.kind == JointKind::Floating {
+            return Some(value);
         }
+        value += if joint.mimic.is_some() { 0 } else { joint.kind.values() };
     }
-    if let (Some(top), Some(pelvis)) = (place(2).or(place(1)), place(0)) {
-        up = sub(top, pelvis);
-    }
-    // The axis of the file that is nearest to up: spines lean.
-    let largest = (0..3).max_by(|&a, &b| up[a].abs().total_cmp(&up[b].abs())).unwrap_or(1);
-    up = core::array::from_fn(|axis| if axis == largest { up[axis].signum() } else { 0.0 });
-    let left = unit(sub(left, scale(up, dot(left, up))));
-    Quat::from_matrix3([cross(left, up), left, up]).normalize()
-}
-
-/// The values of the clip at rest: no turns, the root at the origin, and every other joint that has
-/// position channels where the first frame has it. Files that give all joints positions repeat the
-/// offsets there, which zeros would drop.
-fn rest(clip: &Clip) -> Vec<f64> {
-    let channels =
-        clip.joints.iter().flat_map(|joint| joint.channels.iter().map(move |c| (joint, c)));
-    let keeps = |(joint, channel): (&Joint, &Channel)| {
-        joint.parent.is_some() && matches!(channel, Channel::Position(_))
-    };
-    clip.values
-        .iter()
-        .zip(channels)
-        .map(|(&value, of)| if keeps(of) { value } else { 0.0 })
-        .collect()
+    None
 }
 
 /// Whether the second frame is ten times as far from the first as from the third.
-fn jumps(all: &[DualQuat<f64>], joints: usize) -> bool {
-    let mut frames = all.chunks_exact(joints).map(positions);
+fn jumps(clip: &Clip) -> Result<bool, Box<dyn Error>> {
+    let first = (3 * clip.channels()).min(clip.values.len());
+    let all = Clip { values: clip.values[..first].to_vec(), ..clip.clone() }.models()?;
+    let mut frames = all.chunks_exact(clip.joints.len()).map(positions);
     let (Some(first), Some(second), Some(third)) = (frames.next(), frames.next(), frames.next())
     else {
-        return false;
+        return Ok(false);
     };
     let way = |a: &[Vector], b: &[Vector]| -> f64 {
         a.iter().zip(b).map(|(&a, &b)| norm(sub(a, b))).sum()
     };
-    way(&first, &second) > 10.0 * way(&second, &third)
-}
-
-fn positions(poses: &[DualQuat<f64>]) -> Vec<Vector> {
-    poses.iter().map(|pose| pose.translation()).collect()
+    Ok(way(&first, &second) > 10.0 * way(&second, &third))
 }
 
 fn unit(a: Vector) -> Vector {
