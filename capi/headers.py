@@ -140,4 +140,5 @@ def main():
     (out / "dq8_generic.h").write_text(generic(functions))
 
 
-main()
+if __name__ == "__main__":
+    main()

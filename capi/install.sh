@@ -36,8 +36,9 @@ if [ -z "$static" ] || [ -z "$libraries" ]; then
   exit 1
 fi
 
-mkdir -p "$prefix"/include "$prefix"/lib/pkgconfig "$prefix"/lib/cmake/dq8
+mkdir -p "$prefix"/include/dq8 "$prefix"/lib/pkgconfig "$prefix"/lib/cmake/dq8
 install -m 644 include/dq8.h include/dq8_generic.h include/dq8.hpp "$prefix/include/"
+install -m 644 include/dq8/*.hpp "$prefix/include/dq8/"
 install -m 644 "$static" "$prefix/lib/"
 install -m 755 "${static%.a}.$built" "$prefix/lib/$shared"
 # The name that programs ask for at run time, and the one that the linker looks for.

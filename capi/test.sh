@@ -49,9 +49,24 @@ passes "$prefix/generic"
 echo 'C++17 and C++20: nouns, views, exceptions'
 for standard in 17 20; do
   g++ -std=c++$standard -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
-    examples/arm.cpp "${static[@]}" -o "$prefix/arm"
-  passes "$prefix/arm"
+    examples/scene.cpp "${static[@]}" -o "$prefix/scene"
+  passes "$prefix/scene"
 done
+
+exports() { nm -D --defined-only "$prefix/lib/libdq8_capi.so" | sed -n 's/.* T \(dq8_.*\)/\1/p' | sort -u; }
+echo 'every function of C has a door in C++'
+# Without -O1: that of templates takes minutes.
+g++ -std=c++17 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" -O0 "${cflags[@]}" \
+  -c tests/doors.cpp -o "$prefix/doors.o"
+g++ -fsanitize=address,undefined "$prefix/doors.o" "${static[@]}" -o "$prefix/doors"
+passes "$prefix/doors"
+diff <(nm -u "$prefix/doors.o" | grep -o '\bdq8_[a-z0-9_]*' | sort -u) <(exports | grep -v dq8_clips) \
+  || { echo 'tests/doors.cpp does not go through these functions' >&2; exit 1; }
+g++ -std=c++20 -fsyntax-only "${strict[@]}" "${cflags[@]}" tests/doors.cpp
+if grep -n 'dq8_[a-z0-9_]*_f\(32\|64\)' tests/doors.cpp examples/*.cpp; then
+  echo 'a program in C++ names a function of C' >&2
+  exit 1
+fi
 
 echo 'README, in C99 and C++20'
 # Each of its listings is a function. The second one poses a skeleton that the reader has.
@@ -100,5 +115,4 @@ readelf -d "$prefix/app/build/arm_dq8" | grep -q 'NEEDED.*\[libdq8_capi\.so\.0\.
 
 echo 'the header names what the library has, and nothing else'
 names() { sed '/^static inline/,/^}/d' include/dq8.h | grep -o '\bdq8_[a-z0-9_]*(' | tr -d '(' | sort -u; }
-exports() { nm -D --defined-only "$prefix/lib/libdq8_capi.so" | sed -n 's/.* T \(dq8_.*\)/\1/p' | sort -u; }
 diff <(names) <(exports) || { echo 'header and library differ' >&2; exit 1; }
