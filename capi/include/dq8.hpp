@@ -18,5 +18,8 @@
 #include "dq8/motion.hpp"
 #include "dq8/skin.hpp"
 #include "dq8/trajectory.hpp"
+#if defined(DQ8_URDF)
+#include "dq8/urdf.hpp"
+#endif
 
 #endif

@@ -369,7 +369,31 @@ static void on_mechanisms() {
   for (const auto &report : arm.reach({goal}, targets, start)) check(report.outcome == DQ8_OUTCOME_CONVERGED, "reached");
   check(arm.reach_one({goal}, targets[0], one, mechanism::default_options(), {T(0.1), T(0.1)}).outcome == DQ8_OUTCOME_CONVERGED, "reached one");
   check(arm.pose(one, 2).distance_to(targets[0]) < T(1e-4), "the tip that was asked for");
-  check(mechanism::whole(2).angular[2] == 1, "a goal for a whole pose");
+
+  /* The Jacobians of two links of three configurations. */
+  const std::vector<std::size_t> links{2, 1};
+  std::vector<motion> some(6);
+  std::vector<std::array<T, 6>> all_columns(12);
+  arm.jacobians(many, links, some, all_columns, DQ8_FRAME_BODY);
+  const auto last = arm.jacobian({1, 1}, 1, DQ8_FRAME_BODY);
+  check(near<T>(some[5], last.pose) && near<T>(all_columns[10], last.columns[0]) && near<T>(all_columns[11], last.columns[1]), "Jacobians");
+  dq8::blocks<T> pose_blocks(blocks.lanes(), 8, 2), column_blocks(blocks.lanes(), 6, 4);
+  arm.jacobians(many, links, pose_blocks, column_blocks, DQ8_FRAME_BODY);
+  check(std::fabs(pose_blocks.at(1, 2, 4) - some[5][4]) < T(1e-5) && std::fabs(column_blocks.at(2, 2, 4) - last.columns[0][4]) < T(1e-5), "Jacobians in blocks");
+  check(refused(DQ8_STATUS_LENGTH, "columns has length 6", [&] { arm.jacobians(many, links, some, all_columns[0]); }), "columns");
+
+  /* An arm with a spherical wrist: all solutions reach the target, and the first one is the start. */
+  const motion up = motion::translation_by({0, 0, 1}), out = motion::translation_by({1, 0, 0});
+  const mechanism six(std::vector{mechanism::revolute(-1, {}, {0, 0, 1}), mechanism::revolute(0, up, {0, 1, 0}), mechanism::revolute(1, up, {0, 1, 0}),
+                                  mechanism::revolute(2, {}, {1, 0, 0}), mechanism::revolute(3, out, {0, 1, 0}), mechanism::revolute(4, {}, {1, 0, 0})});
+  const std::array<T, 6> bent{T(0.3), T(0.4), T(0.9), T(0.2), T(0.8), T(0.1)};
+  const motion target = six.pose(bent, 5);
+  const auto found = six.solutions(mechanism::whole(5), target, bent);
+  check(found.size() == 1 && found[0].count >= 2 && found[0].is_complete == 1 && found[0].all[0].distance < T(1e-3), "solutions");
+  for (std::size_t i = 0; i < found[0].count; i++) check(six.pose(found[0].all[i].values, 5).distance_to(target) < T(1e-4), "a solution");
+  check(refused(DQ8_STATUS_LENGTH, "starts has length 3", [&] { six.solutions(mechanism::whole(5), target, {1, 2, 3}); }), "starts");
+  check(refused(DQ8_STATUS_NOT_UNIT, "solutions", [&] { six.solutions(mechanism::whole(5), motion({0, 0, 0, 2, 0, 0, 0, 0}), bent); }, 0), "a target that is not unit");
+  check(refused(DQ8_STATUS_NOT_SIX_HINGES, "solutions", [&] { arm.solutions(mechanism::whole(2), target, bent); }), "two hinges");
 
   const std::vector every{mechanism::floating(-1), mechanism::prismatic(0, bone, {1, 0, 0}), mechanism::screw(1, bone, {0, 1, 0}, T(0.5)),
                           mechanism::planar(2, bone, {0, 0, 1}), mechanism::limited(mechanism::revolute(3, {}, {1, 0, 0}), -1, 1),
@@ -417,11 +441,55 @@ static void over_time() {
   check(refused(DQ8_STATUS_LENGTH, "points has length 3", [&] { path.deskew({1, 2}, points, moved); }), "points");
   check(refused(DQ8_STATUS_LENGTH, "twists has length 12", [&] { path.sample(times, at, std::vector<T>(12)); }), "twists");
   check(refused(DQ8_STATUS_LENGTH, "poses has length 16", [&] { dq8::resample({0}, some, when, at); }), "poses of resample");
-  check(refused(DQ8_STATUS_LENGTH, "spline", [&] { dq8::spline(0, 1, poses); }), "too few control poses");
+  check(refused(DQ8_STATUS_FEW_POSES, "spline", [&] { dq8::spline(0, 1, poses); }), "too few control poses");
+}
+
+template <class T>
+static void on_clips() {
+  using motion = dq8::motion<T>;
+  const dq8::skeleton skeleton({-1, 0});
+  /* The first joint slides from 0 to 2 in two seconds, and the second one is one unit beside it. */
+  std::vector<std::array<float, 7>> keys;
+  for (int frame = 0; frame < 3; frame++) keys.push_back({0, 0, 0, 1, float(frame), 0, 0}), keys.push_back({0, 0, 0, 1, 0, 1, 0});
+  dq8::clips gone = dq8::clips::pack(2, {{keys, 1, false}, {keys, 0.5, true}});
+  const dq8::clips clips(std::move(gone));
+  check(clips.joints() == 2 && clips.size() == 2 && clips.duration(0) == 2 && clips.duration(1) == 4, "clips");
+  std::vector<motion> models(2), both(4);
+  clips.play(skeleton, 0, T(0.5), models, motion::translation_by({0, 0, 3}));
+  check(near<T>(models[1].translation(), std::array<T, 3>{T(0.5), 1, 3}), "a clip");
+  const auto [first, at] = clips.template place<T>(0, T(1.25));
+  const auto [second, later] = clips.template place<T>(1, T(1));
+  const std::vector<dq8_place> places{first, second};
+  clips.to_model(skeleton, places, {at, later}, both);
+  check(near<T>(both[0].translation(), std::array<T, 3>{T(1.25), 0, 0}) && near<T>(both[3].translation(), std::array<T, 3>{T(0.5), 1, 0}), "two places");
+  const dq8::clips read(std::vector<std::uint8_t>(clips.bytes().begin(), clips.bytes().end()));
+  check(read.size() == 2, "the bytes of a file");
+
+  check(refused(DQ8_STATUS_NOT_CLIPS, "clips", [] { dq8::clips({1, 2, 3}); }, 0), "no clips");
+  check(refused(DQ8_STATUS_NOT_FINITE, "clips::place", [&] { clips.template place<T>(0, std::numeric_limits<T>::quiet_NaN()); }), "no time");
+  check(refused(DQ8_STATUS_LENGTH, "t has length 1", [&] { clips.to_model(skeleton, places, {at}, both); }), "t");
+  check(refused(DQ8_STATUS_LENGTH, "the skeleton has length 1", [&] { clips.to_model(dq8::skeleton({-1}), places, {at, later}, both); }), "another skeleton");
+  check(refused(DQ8_STATUS_LENGTH, "keys has length 42", [&] { dq8::clips::pack(4, {{keys}}); }), "keys");
+  keys[4][3] = 2;
+  check(refused(DQ8_STATUS_NOT_UNIT, "clips::pack", [&] { dq8::clips::pack(2, {{keys}}); }, 4), "a key that is not unit");
+  check(refused(DQ8_STATUS_UNKNOWN_VALUE, "clips: this object", [&] { gone.duration(0); }), "moved clips");
+}
+
+template <class T>
+static void on_files() {
+  const dq8::urdf<T> door("<robot name='door'><link name='wall'/><link name='door'/><joint name='hinge' type='revolute'><parent link='wall'/>"
+                          "<child link='door'/><origin xyz='1 0 0'/><axis xyz='0 0 1'/><limit upper='2' velocity='1' effort='1'/></joint></robot>");
+  const dq8::mechanism<T> robot(door.joints);
+  check(door.links == std::vector<std::string>{"wall", "door"} && door.values == std::vector<std::string>{"hinge"}, "names");
+  check(near<T>(robot.pose({T(0.5)}, door.link("door")).point({0, 0, 0}), std::array<T, 3>{1, 0, 0}), "a robot from a file");
+  check(refused(DQ8_STATUS_NO_LINK, "window", [&] { door.link("window"); }), "no window");
+  check(refused(DQ8_STATUS_URDF, "line 1", [] { dq8::urdf<T>("<robot"); }), "no file");
 }
 
 template <class T>
 static void all() {
+  on_clips<T>();
+  on_files<T>();
   on_arrays<T>();
   on_motions<T>();
   on_skeletons<T>();

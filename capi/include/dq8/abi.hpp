@@ -17,6 +17,7 @@ namespace detail {
     using goal = dq8_goal_##suffix;                                                             \
     using reach_options = dq8_reach_options_##suffix;                                           \
     using reach_report = dq8_reach_report_##suffix;                                             \
+    using solution_list = dq8_solution_list_##suffix;                                           \
     static constexpr auto chain_products = &dq8_chain_products_##suffix;                        \
     static constexpr auto blocks_chain_products = &dq8_blocks_chain_products_##suffix;          \
     static constexpr auto clips_place = &dq8_clips_place_##suffix;                              \
@@ -42,6 +43,8 @@ namespace detail {
     static constexpr auto blocks_palette_matrices = &dq8_blocks_palette_matrices_##suffix;      \
     static constexpr auto link_poses = &dq8_link_poses_##suffix;                                \
     static constexpr auto blocks_link_poses = &dq8_blocks_link_poses_##suffix;                  \
+    static constexpr auto link_jacobians = &dq8_link_jacobians_##suffix;                        \
+    static constexpr auto blocks_link_jacobians = &dq8_blocks_link_jacobians_##suffix;          \
     static constexpr auto motion_mean = &dq8_motion_mean_##suffix;                              \
     static constexpr auto mechanism_make = &dq8_mechanism_make_##suffix;                        \
     static constexpr auto mechanism_link_poses = &dq8_mechanism_link_poses_##suffix;            \
@@ -144,6 +147,8 @@ namespace detail {
     static constexpr auto blocks_lines_each = &dq8_blocks_lines_each_##suffix;                  \
     static constexpr auto blocks_planes_each = &dq8_blocks_planes_each_##suffix;                \
     static constexpr auto blocks_twists_each = &dq8_blocks_twists_each_##suffix;                \
+    static constexpr auto solutions_scratch = &dq8_solutions_scratch_##suffix;                  \
+    static constexpr auto solutions = &dq8_solutions_##suffix;                                  \
     static constexpr auto reach_scratch = &dq8_reach_scratch_##suffix;                          \
     static constexpr auto reach = &dq8_reach_##suffix;                                          \
     static constexpr auto resample = &dq8_resample_##suffix;                                    \

@@ -6,6 +6,14 @@
 
 namespace dq8 {
 
+/* The frames of a clip: local poses [frame][joint] of seven numbers each, a unit quaternion (x, y, z, w) and a translation.
+   `rate` is in frames a second, so that times are in seconds, or 0 for times in frames. */
+struct clip_frames {
+  span<const float> keys;
+  double rate = 0;
+  bool loops = false;
+};
+
 /* Packed clips of one skeleton, which own the bytes of their file. They can be moved but not copied. Clips that have been moved
    away throw. */
 class clips {
@@ -15,6 +23,26 @@ class clips {
     std::size_t bad = nowhere;
     const dq8_status status = dq8_clips_make(bytes_.data(), bytes_.size(), made_.fill(), &bad);
     detail::check("clips", status, bad);
+  }
+  /* Packs clips of a skeleton. A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
+     that moves by less than `length` as a single translation. Throws an error whose index is the wrong local pose, counted
+     through all clips. */
+  static clips pack(std::size_t joints, span<const clip_frames> frames, float angle = 2e-5f, float length = 1e-5f) {
+    std::vector<dq8_frames> all;
+    for (const clip_frames &clip : frames) {
+      const std::size_t count = detail::things("clips::pack", "keys", clip.keys.size(), 7 * joints);
+      all.push_back({clip.keys.data(), count, clip.rate, clip.loops ? 1u : 0u});
+    }
+    std::size_t size = 0, bad = nowhere;
+    const auto call = [&](std::uint8_t *bytes, std::size_t capacity) {
+      const dq8_status status =
+          dq8_clips_pack(all.data(), all.size(), joints, angle, length, bytes, capacity, &size, &bad);
+      detail::check("clips::pack", status, bad);
+    };
+    call(nullptr, 0);
+    std::vector<std::uint8_t> bytes(size);
+    call(bytes.data(), bytes.size());
+    return clips(std::move(bytes));
   }
 
   std::size_t joints() const { return made_.get("clips")->joints; }

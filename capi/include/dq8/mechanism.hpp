@@ -18,6 +18,7 @@ class mechanism {
   using goal = typename abi::goal;
   using reach_options = typename abi::reach_options;
   using reach_report = typename abi::reach_report;
+  using solution_list = typename abi::solution_list;
   using axis = std::array<T, 3>;
   using column = std::array<T, 6>; /* angular x y z, then linear x y z */
   struct jacobian_and_pose {
@@ -115,6 +116,30 @@ class mechanism {
     return pose;
   }
 
+  /* Computes the Jacobians and poses of some links of many configurations: poses are [configuration][link], in the order of
+     `links`, and columns [configuration][link][rate], of six numbers each. */
+  void jacobians(span<const T> values, span<const std::size_t> links, span<T> poses, span<T> columns,
+                 std::int32_t frame = DQ8_FRAME_WORLD_ALIGNED) const {
+    const std::size_t count = links.size() * configurations("mechanism::jacobians", values);
+    detail::length("mechanism::jacobians", "poses", poses.size(), 8 * count);
+    detail::length("mechanism::jacobians", "columns", columns.size(), 6 * count * rates());
+    detail::check("mechanism::jacobians",
+                  abi::link_jacobians(made(), frame, values.data(), values.size(), links.data(), links.size(), poses.data(),
+                                      columns.data(), count));
+  }
+  /* The same in blocks, [block of configurations]. */
+  void jacobians(span<const T> values, span<const std::size_t> links, blocks<T> &poses, blocks<T> &columns,
+                 std::int32_t frame = DQ8_FRAME_WORLD_ALIGNED) const {
+    const std::size_t lanes = poses.has(8, "mechanism::jacobians");
+    const std::size_t count = (configurations("mechanism::jacobians", values) + lanes - 1) / lanes * links.size();
+    detail::length("mechanism::jacobians", "poses, in blocks,", poses.count(), count);
+    detail::length("mechanism::jacobians", "columns, in blocks,", columns.count(), count * rates());
+    detail::check("mechanism::jacobians", columns.has(6, "mechanism::jacobians") == lanes ? DQ8_STATUS_OK : DQ8_STATUS_LANES);
+    detail::check("mechanism::jacobians",
+                  abi::blocks_link_jacobians(lanes, made(), frame, values.data(), values.size(), links.data(), links.size(),
+                                             poses.numbers().data(), columns.numbers().data(), count));
+  }
+
   /* A goal: a link that is to come to its target, with its rotation and its origin. */
   static goal whole(std::size_t link) { return {link, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}}; }
   /* A goal: a point of a link that is to come to its target, with any rotation. */
@@ -151,6 +176,21 @@ class mechanism {
                   abi::reach(made(), goals.data(), goals.size(), targets.data(), detail::maybe(posture), &options,
                              values.data(), values.size(), scratch.data(), scratch.size(), reports.data(), count));
     return reports;
+  }
+  /* Finds all solutions of an arm of six hinges for each target: values of its hinges that bring the link of `goal` there.
+     `starts` has six values for each target; the nearest solution to them comes first. Throws an error whose index is the
+     wrong target. */
+  std::vector<solution_list> solutions(const goal &goal, span<const T> targets, span<const T> starts) const {
+    const std::size_t count = detail::things("mechanism::solutions", "targets", targets.size(), 8);
+    detail::length("mechanism::solutions", "starts", starts.size(), 6 * count);
+    std::size_t room = 0, bad = nowhere;
+    detail::check("mechanism::solutions", abi::solutions_scratch(made(), &room));
+    std::vector<T> scratch(room);
+    std::vector<solution_list> found(count);
+    const dq8_status status = abi::solutions(made(), &goal, targets.data(), starts.data(), scratch.data(), scratch.size(),
+                                             found.data(), count, &bad);
+    detail::check("mechanism::solutions", status, bad);
+    return found;
   }
 
  private:
