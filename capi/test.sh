@@ -41,6 +41,11 @@ gcc -std=c99 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict
   examples/arm.c "${static[@]}" -o "$prefix/arm"
 passes "$prefix/arm"
 
+echo 'C99: a character, an arm and a scan'
+gcc -std=c99 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
+  examples/scene.c "${static[@]}" -o "$prefix/scene"
+passes "$prefix/scene"
+
 echo 'C11, one name for float and double'
 gcc -std=c11 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
   examples/generic.c "${static[@]}" -o "$prefix/generic"
@@ -82,6 +87,12 @@ read_as gcc -std=c99
 read_as g++ -std=c++20 -Wno-missing-field-initializers -x c++
 [ "$("$prefix/readme")" = PASS ] || { echo 'a listing of README fails' >&2; exit 1; }
 
+# The listing in C++ is the body of a function.
+awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside && !/^#include/' README.md |
+  { printf '#include "dq8.hpp"\nvoid listing() {\n'; cat; echo '}'; } > "$prefix/readme.cpp"
+grep -q mechanism "$prefix/readme.cpp" || { echo 'README has no listing in C++' >&2; exit 1; }
+g++ -std=c++17 -fsyntax-only "${strict[@]}" -Wno-unused "${cflags[@]}" "$prefix/readme.cpp"
+
 echo 'CMake'
 mkdir "$prefix/app"
 cat > "$prefix/app/CMakeLists.txt" <<EOF
@@ -102,6 +113,9 @@ cmake -S "$prefix/app" -B "$prefix/app/build" -DCMAKE_PREFIX_PATH="$prefix" >/de
 cmake --build "$prefix/app/build" >/dev/null
 passes "$prefix/app/build/arm_dq8"
 passes "$prefix/app/build/arm_static"
+cmake -S examples/robot -B "$prefix/robot" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
+cmake --build "$prefix/robot" >/dev/null
+passes "$prefix/robot/robot" ../robot/robots/arm6.urdf tool
 
 # Of code, not of symbols. With everything that the library has it is several times as large.
 code() { size "$1" | awk 'END { print $1 }'; }

@@ -8,6 +8,10 @@
 #include <cstring>
 #include <tuple>
 
+#if __cplusplus >= 202002L
+#include <span>
+#endif
+
 #include "dq8.hpp"
 
 static int failures = 0;
@@ -168,6 +172,12 @@ static void on_arrays() {
   arrays("vectors", 3, EACH(a[0].direction(of_three(i))), CALL(dq8::vectors(a[0], x, more...)), threes);
   arrays("matrices_3x4", 12, EACH(a[i].to_matrix_3x4()), CALL(dq8::matrices_3x4(x, DQ8_MATRIX_ORDER_ROWS, more...)), as);
   arrays("matrices_4x4", 16, EACH(a[i].to_matrix_4x4()), CALL(dq8::matrices_4x4(x, DQ8_MATRIX_ORDER_ROWS, more...)), as);
+
+#if __cplusplus >= 202002L
+  std::vector<T> by_span(3 * n);
+  dq8::points(a[0], std::span<const T>(three), std::span<T>(by_span));
+  check(near<T>(dq8::span<const T>(by_span.data(), 3), a[0].point(of_three(0))), "std::span");
+#endif
 
   motion end;
   std::vector<motion> products(n), back(n);

@@ -4,6 +4,10 @@
 
 #include "mechanism.hpp"
 
+#if !defined(DQ8_URDF)
+#error "the library reads no URDF files: install it by FEATURES=urdf capi/install.sh"
+#endif
+
 namespace dq8 {
 
 /* A robot from a file: its joints, of which joint j carries link j, and its names. */
