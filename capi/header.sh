@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes include/dq8.h and dq8_generic.h from the sources; with --check, only says whether it is what they give.
+# Writes what is generated in include/ from the sources; with --check, only says whether it is what they give.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -17,9 +17,11 @@ RUSTC_BOOTSTRAP=1 "$cbindgen" --quiet --config cbindgen.toml --crate dq8-capi . 
   sed -z 's/\n \*\n \* # Safety\(\n \* [^\n]*\)*//g' |
   sed "s/@major@/$major/; s/@minor@/$minor/; s/@patch@/$patch/" > "$made/found.h"
 python3 headers.py "$made/found.h" "$made"
-rm "$made/found.h"
-if [ "${1-}" = --check ]; then
-  diff -u --exclude dq8.hpp include "$made" || { echo 'capi/include is out of date: run capi/header.sh' >&2; exit 1; }
-else
-  cp "$made"/* include
-fi
+python3 cpp.py "$made/dq8.h" "$made"
+for file in dq8.h dq8_generic.h dq8/abi.hpp dq8/arrays.hpp; do
+  if [ "${1-}" = --check ]; then
+    diff -u "include/$file" "$made/$file" || { echo 'capi/include is out of date: run capi/header.sh' >&2; exit 1; }
+  else
+    cp "$made/$file" "include/$file"
+  fi
+done

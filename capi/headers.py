@@ -12,7 +12,7 @@ from pathlib import Path
 NOUNS = [
     ("motion", "One motion"), ("plan", "One instance of a hierarchy, in the fastest order"), ("clips", "Packed clips"),
     ("trajectory", "Poses at stamps"), ("spline", "A smooth curve by control poses"),
-    ("mechanism", "One configuration of a mechanism"), ("joint", "A joint of a mechanism, filled in"), ("skin", "A mesh"),
+    ("urdf", "Joints from URDF files, if DQ8_URDF is defined"), ("mechanism", "One configuration of a mechanism"), ("joint", "A joint of a mechanism, filled in"), ("skin", "A mesh"),
     ("blocks", "Arrays: dq8_NAME plain, dq8_blocks_NAME in blocks of lanes"), ("", "Arrays, plain, and the library itself"),
 ]
 FUNCTION = re.compile(
@@ -130,14 +130,21 @@ def generic(functions):
     return text + "#endif\n\n#endif /* DQ8_GENERIC_H */\n"
 
 
+def switched(made):
+    """The header, with the functions of a feature where the installation has defined its name."""
+    of_feature = re.compile(r"(?:/\*\*\n(?: \*[^\n]*\n)+? \*/\ndq8_status dq8_urdf_\w+\([^;]*;\n\n?)+")
+    return of_feature.sub(lambda found: f"#if defined(DQ8_URDF)\n{found[0].rstrip()}\n#endif\n\n", made)
+
+
 def main():
     made, out = Path(sys.argv[1]).read_text(), Path(sys.argv[2])
     end = made.rindex("#ifdef __cplusplus\n}")
     made = made[:end] + joints().lstrip("\n") + "\n" + made[end:]
     functions = FUNCTION.findall(made)
     head = made.index(" */\n") + len(" */\n")
-    (out / "dq8.h").write_text(made[:head] + contents(functions) + made[head:])
+    (out / "dq8.h").write_text(made[:head] + contents(functions) + switched(made[head:]))
     (out / "dq8_generic.h").write_text(generic(functions))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -4,6 +4,7 @@
 #
 #     capi/install.sh /usr/local
 #     FEATURES=reproducible capi/install.sh /usr/local    # with what dq8_set_reproducible needs
+#     FEATURES=urdf capi/install.sh /usr/local            # with robots from URDF files
 set -euo pipefail
 [ $# -eq 1 ] || { echo "usage: $0 PREFIX" >&2; exit 2; }
 mkdir -p "$1"
@@ -36,15 +37,18 @@ if [ -z "$static" ] || [ -z "$libraries" ]; then
   exit 1
 fi
 
-mkdir -p "$prefix"/include "$prefix"/lib/pkgconfig "$prefix"/lib/cmake/dq8
+mkdir -p "$prefix"/include/dq8 "$prefix"/lib/pkgconfig "$prefix"/lib/cmake/dq8
 install -m 644 include/dq8.h include/dq8_generic.h include/dq8.hpp "$prefix/include/"
+install -m 644 include/dq8/*.hpp "$prefix/include/dq8/"
 install -m 644 "$static" "$prefix/lib/"
 install -m 755 "${static%.a}.$built" "$prefix/lib/$shared"
 # The name that programs ask for at run time, and the one that the linker looks for.
 ln -sf "$shared" "$prefix/lib/$soname"
 ln -sf "$soname" "$prefix/lib/libdq8_capi.$built"
+# The name by which headers know that the library reads URDF files.
+case " ${FEATURES-} " in *[\ ,]urdf[\ ,]*) defined=DQ8_URDF ;; *) defined= ;; esac
 fill() {
-  sed "s|@prefix@|$prefix|; s|@version@|$version|; s|@libraries@|$libraries|; s|@shared@|$shared|; s|@soname@|$soname|
+  sed "s|@flags@|${defined:+ -D$defined}|; s|@defined@|$defined|; s|@prefix@|$prefix|; s|@version@|$version|; s|@libraries@|$libraries|; s|@shared@|$shared|; s|@soname@|$soname|
     s|@unused@|$unused|" "$1"
 }
 fill dq8.pc.in > "$prefix/lib/pkgconfig/dq8.pc"

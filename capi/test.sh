@@ -12,7 +12,7 @@ need cmake cmake
 
 prefix=$(mktemp -d)
 trap 'rm -rf "$prefix"' EXIT
-./install.sh "$prefix"
+FEATURES=urdf ./install.sh "$prefix"
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig" LD_LIBRARY_PATH="$prefix/lib"
 strict=(-O1 -Wall -Wextra -Werror -pedantic)
 read -ra cflags < <(pkg-config --cflags dq8)
@@ -41,6 +41,11 @@ gcc -std=c99 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict
   examples/arm.c "${static[@]}" -o "$prefix/arm"
 passes "$prefix/arm"
 
+echo 'C99: a character, an arm and a scan'
+gcc -std=c99 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
+  examples/scene.c "${static[@]}" -o "$prefix/scene"
+passes "$prefix/scene"
+
 echo 'C11, one name for float and double'
 gcc -std=c11 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
   examples/generic.c "${static[@]}" -o "$prefix/generic"
@@ -49,9 +54,24 @@ passes "$prefix/generic"
 echo 'C++17 and C++20: nouns, views, exceptions'
 for standard in 17 20; do
   g++ -std=c++$standard -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
-    examples/arm.cpp "${static[@]}" -o "$prefix/arm"
-  passes "$prefix/arm"
+    examples/scene.cpp "${static[@]}" -o "$prefix/scene"
+  passes "$prefix/scene"
 done
+
+exports() { nm -D --defined-only "$prefix/lib/libdq8_capi.so" | sed -n 's/.* T \(dq8_.*\)/\1/p' | sort -u; }
+echo 'every function of C has a door in C++'
+# Without -O1: that of templates takes minutes.
+g++ -std=c++17 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" -O0 "${cflags[@]}" \
+  -c tests/doors.cpp -o "$prefix/doors.o"
+g++ -fsanitize=address,undefined "$prefix/doors.o" "${static[@]}" -o "$prefix/doors"
+passes "$prefix/doors"
+diff <(nm -u "$prefix/doors.o" | grep -o '\bdq8_[a-z0-9_]*' | sort -u) <(exports) \
+  || { echo 'tests/doors.cpp does not go through these functions' >&2; exit 1; }
+g++ -std=c++20 -fsyntax-only "${strict[@]}" "${cflags[@]}" tests/doors.cpp
+if grep -n 'dq8_[a-z0-9_]*_f\(32\|64\)' tests/doors.cpp examples/*.cpp; then
+  echo 'a program in C++ names a function of C' >&2
+  exit 1
+fi
 
 echo 'README, in C99 and C++20'
 # Each of its listings is a function. The second one poses a skeleton that the reader has.
@@ -66,6 +86,12 @@ read_as gcc -std=c99
 [ "$("$prefix/readme")" = PASS ] || { echo 'a listing of README fails' >&2; exit 1; }
 read_as g++ -std=c++20 -Wno-missing-field-initializers -x c++
 [ "$("$prefix/readme")" = PASS ] || { echo 'a listing of README fails' >&2; exit 1; }
+
+# The listing in C++ is the body of a function.
+awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside && !/^#include/' README.md |
+  { printf '#include "dq8.hpp"\nvoid listing() {\n'; cat; echo '}'; } > "$prefix/readme.cpp"
+grep -q mechanism "$prefix/readme.cpp" || { echo 'README has no listing in C++' >&2; exit 1; }
+g++ -std=c++17 -fsyntax-only "${strict[@]}" -Wno-unused "${cflags[@]}" "$prefix/readme.cpp"
 
 echo 'CMake'
 mkdir "$prefix/app"
@@ -87,6 +113,9 @@ cmake -S "$prefix/app" -B "$prefix/app/build" -DCMAKE_PREFIX_PATH="$prefix" >/de
 cmake --build "$prefix/app/build" >/dev/null
 passes "$prefix/app/build/arm_dq8"
 passes "$prefix/app/build/arm_static"
+cmake -S examples/robot -B "$prefix/robot" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
+cmake --build "$prefix/robot" >/dev/null
+passes "$prefix/robot/robot" ../robot/robots/arm6.urdf tool
 
 # Of code, not of symbols. With everything that the library has it is several times as large.
 code() { size "$1" | awk 'END { print $1 }'; }
@@ -100,5 +129,4 @@ readelf -d "$prefix/app/build/arm_dq8" | grep -q 'NEEDED.*\[libdq8_capi\.so\.0\.
 
 echo 'the header names what the library has, and nothing else'
 names() { sed '/^static inline/,/^}/d' include/dq8.h | grep -o '\bdq8_[a-z0-9_]*(' | tr -d '(' | sort -u; }
-exports() { nm -D --defined-only "$prefix/lib/libdq8_capi.so" | sed -n 's/.* T \(dq8_.*\)/\1/p' | sort -u; }
 diff <(names) <(exports) || { echo 'header and library differ' >&2; exit 1; }

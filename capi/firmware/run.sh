@@ -36,9 +36,9 @@ said=$(timeout 60 qemu-system-arm -M mps2-an386 -display none -serial none -moni
 echo "$said"
 [ "${said##*$'\n'}" = PASS ] || { echo 'the firmware did not say PASS' >&2; exit 1; }
 
-# Functions of trajectories need a heap, and the library has none of them without that feature.
+# Functions of trajectories, of URDF files and of packing need a heap, and the library has none of them without these features.
 # A function that can panic brings core::panicking into the image, one that allocates an allocator.
-mapfile -t roots < <(sed '/^static inline/,/^}/d' ../include/dq8.h | grep -o '\bdq8_[a-z0-9_]*(' | tr -d '(' | grep -vE 'dq8_(resample|trajectory|spline)_' | sort -u | sed 's/^/-Wl,-u,/')
+mapfile -t roots < <(sed '/^static inline/,/^}/d' ../include/dq8.h | grep -o '\bdq8_[a-z0-9_]*(' | tr -d '(' | grep -vE 'dq8_(resample|trajectory|spline|urdf)_|dq8_clips_pack' | sort -u | sed 's/^/-Wl,-u,/')
 link "${roots[@]}"
 if arm-none-eabi-nm -C "$out/image" | grep -E 'core::(panicking|slice::index|option::|result::)|rust_begin_unwind|__rust_alloc'; then
   echo 'a function can panic or allocate' >&2

@@ -18,7 +18,7 @@
  * Errors.   Every call returns a dq8_status. If it is not DQ8_STATUS_OK, the outputs are as they were,
  *           except an index such as `bad_joint`, the steps of a mechanism, and scratch.
  * Memory.   All memory is yours. The library allocates nothing and keeps no pointer after it returns.
- *           (dq8_resample, dq8_trajectory_NAME and dq8_spline_NAME alone allocate while they run.
+ *           (dq8_resample, dq8_clips_pack, dq8_trajectory_NAME and dq8_spline_NAME alone allocate while they run.
  *           Without the feature `trajectory`, as for firmware, the library does not have them.) But a dq8_mechanism points to its steps, a
  *           dq8_skin to its joints and weights, and dq8_clips to their bytes: do not change or free
  *           these, or the behaviour is undefined. A pointer may be null if the length of its array
@@ -77,6 +77,7 @@
  *   dq8_plan_local_to_model                    Computes model poses like dq8_local_to_model, in a faster order
  *
  * Packed clips
+ *   dq8_clips_pack                             Packs clips of one skeleton into a file, which dq8_clips_make reads
  *   dq8_clips_make                             Makes `clips` from the `length` bytes of a packed clip file
  *   dq8_clips_duration                         Writes the time from the first to the last frame of a clip
  *   dq8_clips_place                            Finds the time `at` in a clip
@@ -89,6 +90,10 @@
  *
  * A smooth curve by control poses
  *   dq8_spline_poses                           Samples the poses of a cubic spline, and its twists, at `count` times
+ *
+ * Joints from URDF files, if DQ8_URDF is defined
+ *   dq8_urdf_size                              Reads a URDF file, of which `text` holds `length` bytes, and writes ...
+ *   dq8_urdf_joints                            Reads the joints of a URDF file, of which `text` holds `length` bytes
  *
  * One configuration of a mechanism
  *   dq8_mechanism_make                         Makes a mechanism of `count` joints
@@ -130,6 +135,7 @@
  *   dq8_palette                                Computes model poses and the skinning palette in one pass
  *   dq8_palette_matrices                       Computes model poses and the palette like dq8_palette, but with ...
  *   dq8_link_poses                             Computes the poses of all links for many configurations
+ *   dq8_link_jacobians                         Computes the Jacobians and the poses of some links for many ...
  *   dq8_mul                                    Computes the products `a[i] b[i]`, in which b acts first
  *   dq8_normalize                              Normalizes `motions` to unit motions, exactly; NaN where there is none
  *   dq8_inverse                                Computes the inverses of `motions` of any norm; NaN or infinite ...
@@ -168,6 +174,8 @@
  *   dq8_pack_chain                             Packs the links of a chain into blocks
  *   dq8_unpack_chain                           Unpacks the blocks of a chain into plain links
  *   dq8_block_size                             Returns the size of a block, counted in floats or doubles
+ *   dq8_solutions_scratch                      Writes the size that `scratch` of dq8_solutions must have
+ *   dq8_solutions                              Finds all solutions of an arm of six hinges for `count` targets
  *   dq8_status_text                            Returns the meaning of a status in English
  *   dq8_reach_scratch                          Writes the size that `scratch` of dq8_reach must have
  *   dq8_reach                                  Solves the inverse kinematics of `count` configurations
@@ -217,8 +225,8 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_LARGE = 4,
   /**
-   * Lengths do not fit each other. For example, `count` is no multiple of the number of
-   * joints: it must be the number of poses of all instances or configurations together.
+   * The arrays of `count` elements do not hold whole instances or configurations: `count`,
+   * or `link_count`, is no multiple of the number of joints or links.
    */
   DQ8_STATUS_LENGTH = 5,
   /**
@@ -351,6 +359,65 @@ enum dq8_status
    * options refuse such times. Or the time at which `frame` is taken is not finite.
    */
   DQ8_STATUS_OUTSIDE = 35,
+  /**
+   * `value_count` is not the mechanism's number of values times the number of
+   * configurations.
+   */
+  DQ8_STATUS_LENGTH_VALUES = 36,
+  /**
+   * `column_count` is not the mechanism's number of rates.
+   */
+  DQ8_STATUS_LENGTH_COLUMNS = 37,
+  /**
+   * `scratch_count` is less than the function whose name ends in `_scratch` has written.
+   */
+  DQ8_STATUS_LENGTH_SCRATCH = 38,
+  /**
+   * `pose_count` is no multiple of the number of joints.
+   */
+  DQ8_STATUS_LENGTH_POSES = 39,
+  /**
+   * `block_count` is not the number of blocks that the instances or links fill.
+   */
+  DQ8_STATUS_LENGTH_BLOCKS = 40,
+  /**
+   * `joint_count` is not the number of joints of the skin or of the clips.
+   */
+  DQ8_STATUS_LENGTH_JOINTS = 41,
+  /**
+   * `vertices` is not the number of vertices of the skin.
+   */
+  DQ8_STATUS_LENGTH_VERTICES = 42,
+  /**
+   * Only one of two vertex buffers has normals, or tangents.
+   */
+  DQ8_STATUS_FIELDS = 43,
+  /**
+   * There are fewer poses than are needed: one for a trajectory, two if its body is to go
+   * on, and four control poses for a spline.
+   */
+  DQ8_STATUS_FEW_POSES = 44,
+  /**
+   * A place was found in other clips.
+   */
+  DQ8_STATUS_OTHER_CLIPS = 45,
+  /**
+   * The joints that carry the link of the goal are not six hinges with values of their own,
+   * and fixed joints; or the goal leaves a part of the pose free.
+   */
+  DQ8_STATUS_NOT_SIX_HINGES = 46,
+  /**
+   * The packed clips are longer than `capacity`.
+   */
+  DQ8_STATUS_LENGTH_BYTES = 47,
+  /**
+   * The text is no URDF file that a mechanism can express.
+   */
+  DQ8_STATUS_URDF = 48,
+  /**
+   * `names_size` is not the size of the names.
+   */
+  DQ8_STATUS_LENGTH_NAMES = 49,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -539,6 +606,29 @@ typedef enum dq8_outcome dq8_outcome;
 typedef int32_t dq8_outcome;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
+
+/**
+ * The frames of a clip, as dq8_clips_pack reads them.
+ */
+typedef struct dq8_frames {
+  /**
+   * Local poses `[frame][joint]`, of seven components each: a unit quaternion (x, y, z, w), then
+   * a translation (x, y, z).
+   */
+  const float *keys;
+  /**
+   * The number of frames.
+   */
+  size_t count;
+  /**
+   * The number of frames a second, so that times are in seconds. 0 for times in frames.
+   */
+  double rate;
+  /**
+   * 1 if the clip begins again where it ends, and 0 otherwise.
+   */
+  uint32_t loops;
+} dq8_frames;
 
 /**
  * Packed clips of one skeleton, made by dq8_clips_make. This struct may be copied and moved. It
@@ -1043,6 +1133,100 @@ typedef struct dq8_skin_f64 {
 } dq8_skin_f64;
 
 /**
+ * A solution: values of the six hinges that bring the link of the goal to the target. The last
+ * three fields are 1 if the arm is singular there, and 0 otherwise.
+ */
+typedef struct dq8_solution_f32 {
+  /**
+   * The values of the six hinges from the base up, within their limits, and as near to the start
+   * as whole turns allow.
+   */
+  float values[6];
+  /**
+   * The distance from the start in radians: the root of the sum of the squared differences.
+   */
+  float distance;
+  /**
+   * 1 if the wrist is on the first axis, or as far from the plane of the arm as it can be.
+   */
+  uint8_t shoulder;
+  /**
+   * 1 if the arm is stretched or folded at the second and third axis.
+   */
+  uint8_t elbow;
+  /**
+   * 1 if the last axis is parallel to one before it.
+   */
+  uint8_t wrist;
+} dq8_solution_f32;
+
+/**
+ * All solutions for a target.
+ */
+typedef struct dq8_solution_list_f32 {
+  /**
+   * The solutions, the nearest to the start first. Elements from `count` on have no meaning.
+   */
+  struct dq8_solution_f32 all[8];
+  /**
+   * The number of solutions. It is 0 if the target cannot be reached.
+   */
+  size_t count;
+  /**
+   * 1 if the arm has no other solutions, and 0 if searches have found these, so that there may
+   * be more.
+   */
+  uint8_t is_complete;
+} dq8_solution_list_f32;
+
+/**
+ * A solution: values of the six hinges that bring the link of the goal to the target. The last
+ * three fields are 1 if the arm is singular there, and 0 otherwise.
+ */
+typedef struct dq8_solution_f64 {
+  /**
+   * The values of the six hinges from the base up, within their limits, and as near to the start
+   * as whole turns allow.
+   */
+  double values[6];
+  /**
+   * The distance from the start in radians: the root of the sum of the squared differences.
+   */
+  double distance;
+  /**
+   * 1 if the wrist is on the first axis, or as far from the plane of the arm as it can be.
+   */
+  uint8_t shoulder;
+  /**
+   * 1 if the arm is stretched or folded at the second and third axis.
+   */
+  uint8_t elbow;
+  /**
+   * 1 if the last axis is parallel to one before it.
+   */
+  uint8_t wrist;
+} dq8_solution_f64;
+
+/**
+ * All solutions for a target.
+ */
+typedef struct dq8_solution_list_f64 {
+  /**
+   * The solutions, the nearest to the start first. Elements from `count` on have no meaning.
+   */
+  struct dq8_solution_f64 all[8];
+  /**
+   * The number of solutions. It is 0 if the target cannot be reached.
+   */
+  size_t count;
+  /**
+   * 1 if the arm has no other solutions, and 0 if searches have found these, so that there may
+   * be more.
+   */
+  uint8_t is_complete;
+} dq8_solution_list_f64;
+
+/**
  * The options of a trajectory: the clock of the times, the poses outside of the stamps, and the
  * frame of the results.
  */
@@ -1141,8 +1325,34 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
                                          size_t count);
 
 /**
- * Makes `clips` from the `length` bytes of a packed clip file. The Rust package, the Python
- * package and the example mocap write such files. The function reads and checks all bytes once,
+ * Packs clips of one skeleton into a file, which dq8_clips_make reads. `clips` holds `clip_count`
+ * clips of `joint_count` joints. The file takes about a quarter of the memory of the frames. A
+ * rotation is kept to about 5e-5 radians, and a translation to 1/65534 of the longest side of the
+ * box in which its joint moves in all clips.
+ *
+ * A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
+ * that moves by less than `length_tolerance` as a single translation: 2e-5 and 1e-5 suit metres.
+ * `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity` is
+ * 0, only `length` is written.
+ *
+ * Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES if
+ * there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`. Returns
+ * DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may be null,
+ * to its index, counted through all clips.
+ */
+dq8_status dq8_clips_pack(const struct dq8_frames *clips,
+                          size_t clip_count,
+                          size_t joint_count,
+                          float angle,
+                          float length_tolerance,
+                          uint8_t *bytes,
+                          size_t capacity,
+                          size_t *length,
+                          size_t *bad_key);
+
+/**
+ * Makes `clips` from the `length` bytes of a packed clip file. dq8_clips_pack, the Rust
+ * package and the Python package write such files. The function reads and checks all bytes once,
  * and copies none.
  *
  * Returns DQ8_STATUS_NOT_CLIPS if the bytes are no packed clips. It then sets `bad_offset`, which
@@ -1166,7 +1376,7 @@ dq8_status dq8_clips_duration(const struct dq8_clips *clips, size_t clip, double
  * are in seconds if the clip has a rate, and in frames otherwise. A time before the
  * first frame counts as the first frame, and a time after the last frame as the last
  * frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
- * clip.
+ * clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN.
  */
 dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                size_t clip,
@@ -1179,8 +1389,9 @@ dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
  * instance i are at the fraction `t[i]` of the way from the frame `places[i]` to the
  * next frame. `t` is clamped to [0, 1], and NaN gives model poses of NaN. `parents`
  * and `root` are those of dq8_local_to_model. `models` is `[instance][joint]` and
- * holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH if the
- * clips do not have `joint_count` joints, or if a place belongs to other clips.
+ * holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH_JOINTS if
+ * the clips do not have `joint_count` joints, and DQ8_STATUS_OTHER_CLIPS if a place
+ * belongs to other clips.
  */
 dq8_status dq8_clips_to_model_f32(const int32_t *parents,
                                   size_t joint_count,
@@ -1197,7 +1408,7 @@ dq8_status dq8_clips_to_model_f32(const int32_t *parents,
  * are in seconds if the clip has a rate, and in frames otherwise. A time before the
  * first frame counts as the first frame, and a time after the last frame as the last
  * frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
- * clip.
+ * clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN.
  */
 dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                size_t clip,
@@ -1210,8 +1421,9 @@ dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
  * instance i are at the fraction `t[i]` of the way from the frame `places[i]` to the
  * next frame. `t` is clamped to [0, 1], and NaN gives model poses of NaN. `parents`
  * and `root` are those of dq8_local_to_model. `models` is `[instance][joint]` and
- * holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH if the
- * clips do not have `joint_count` joints, or if a place belongs to other clips.
+ * holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH_JOINTS if
+ * the clips do not have `joint_count` joints, and DQ8_STATUS_OTHER_CLIPS if a place
+ * belongs to other clips.
  */
 dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   size_t joint_count,
@@ -1647,8 +1859,9 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
  * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
  * of links times the number of blocks of configurations: the number of configurations
  * over `lanes`, rounded up. `values` is a plain array in either case. Lanes without a
- * configuration get the poses for values that are all zero. Returns DQ8_STATUS_LENGTH
- * if `value_count` and `count` belong to different numbers of configurations.
+ * configuration get the poses for values that are all zero. Returns
+ * DQ8_STATUS_LENGTH_VALUES if `value_count` and `count` belong to different numbers of
+ * configurations.
  */
 dq8_status dq8_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                               const float *values,
@@ -1667,6 +1880,47 @@ dq8_status dq8_blocks_link_poses_f32(size_t lanes,
                                      size_t count);
 
 /**
+ * Computes the Jacobians and the poses of some links for many configurations.
+ * `links` holds the indices of `link_count` links. `values` is
+ * `[configuration][value]` and holds `value_count` values in all. `poses` is
+ * `[configuration][link]`, in the order of `links`, and holds `count` motions in all:
+ * `link_count` times the number of configurations. `columns` is
+ * `[configuration][link][rate]` and holds `count` times the mechanism's number of
+ * rates columns, of six components each, in `frame`, one of enum dq8_frame: see
+ * dq8_mechanism_link_jacobian.
+ *
+ * In blocks, `poses` and `columns` are `[block of configurations]` and so on, and
+ * `count` is `link_count` times the number of blocks of configurations. `values` is a
+ * plain array in either case. Returns DQ8_STATUS_NO_LINK, DQ8_STATUS_UNKNOWN_VALUE (of
+ * `frame`), DQ8_STATUS_LENGTH if `count` is no multiple of `link_count`, and
+ * DQ8_STATUS_LENGTH_VALUES if `value_count` belongs to another number of
+ * configurations than `count`.
+ */
+dq8_status dq8_link_jacobians_f32(const struct dq8_mechanism_f32 *mechanism,
+                                  int32_t frame,
+                                  const float *values,
+                                  size_t value_count,
+                                  const size_t *links,
+                                  size_t link_count,
+                                  float *poses,
+                                  float *columns,
+                                  size_t count);
+
+/**
+ * Does what dq8_link_jacobians_f32 does, on blocks of 8 or 16 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_link_jacobians_f32(size_t lanes,
+                                         const struct dq8_mechanism_f32 *mechanism,
+                                         int32_t frame,
+                                         const float *values,
+                                         size_t value_count,
+                                         const size_t *links,
+                                         size_t link_count,
+                                         float *poses,
+                                         float *columns,
+                                         size_t count);
+
+/**
  * Computes the poses of all links for many configurations: forward kinematics.
  * `values` is `[configuration][value]` and holds `value_count` values: the
  * mechanism's number of values times the number of configurations. `poses` is
@@ -1676,8 +1930,9 @@ dq8_status dq8_blocks_link_poses_f32(size_t lanes,
  * In blocks, `poses` is `[block of configurations][link]`, and `count` is the number
  * of links times the number of blocks of configurations: the number of configurations
  * over `lanes`, rounded up. `values` is a plain array in either case. Lanes without a
- * configuration get the poses for values that are all zero. Returns DQ8_STATUS_LENGTH
- * if `value_count` and `count` belong to different numbers of configurations.
+ * configuration get the poses for values that are all zero. Returns
+ * DQ8_STATUS_LENGTH_VALUES if `value_count` and `count` belong to different numbers of
+ * configurations.
  */
 dq8_status dq8_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                               const double *values,
@@ -1694,6 +1949,47 @@ dq8_status dq8_blocks_link_poses_f64(size_t lanes,
                                      size_t value_count,
                                      double *poses,
                                      size_t count);
+
+/**
+ * Computes the Jacobians and the poses of some links for many configurations.
+ * `links` holds the indices of `link_count` links. `values` is
+ * `[configuration][value]` and holds `value_count` values in all. `poses` is
+ * `[configuration][link]`, in the order of `links`, and holds `count` motions in all:
+ * `link_count` times the number of configurations. `columns` is
+ * `[configuration][link][rate]` and holds `count` times the mechanism's number of
+ * rates columns, of six components each, in `frame`, one of enum dq8_frame: see
+ * dq8_mechanism_link_jacobian.
+ *
+ * In blocks, `poses` and `columns` are `[block of configurations]` and so on, and
+ * `count` is `link_count` times the number of blocks of configurations. `values` is a
+ * plain array in either case. Returns DQ8_STATUS_NO_LINK, DQ8_STATUS_UNKNOWN_VALUE (of
+ * `frame`), DQ8_STATUS_LENGTH if `count` is no multiple of `link_count`, and
+ * DQ8_STATUS_LENGTH_VALUES if `value_count` belongs to another number of
+ * configurations than `count`.
+ */
+dq8_status dq8_link_jacobians_f64(const struct dq8_mechanism_f64 *mechanism,
+                                  int32_t frame,
+                                  const double *values,
+                                  size_t value_count,
+                                  const size_t *links,
+                                  size_t link_count,
+                                  double *poses,
+                                  double *columns,
+                                  size_t count);
+
+/**
+ * Does what dq8_link_jacobians_f64 does, on blocks of 4 or 8 `lanes`. `count` is the number of blocks.
+ */
+dq8_status dq8_blocks_link_jacobians_f64(size_t lanes,
+                                         const struct dq8_mechanism_f64 *mechanism,
+                                         int32_t frame,
+                                         const double *values,
+                                         size_t value_count,
+                                         const size_t *links,
+                                         size_t link_count,
+                                         double *poses,
+                                         double *columns,
+                                         size_t count);
 
 /**
  * Computes the intrinsic mean of `count` unit motions: the logarithms of the motions,
@@ -1763,8 +2059,8 @@ dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
 /**
  * Computes the poses of all links in the frame of the base: forward kinematics of one
  * configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
- * Returns DQ8_STATUS_LENGTH if `value_count` is not the mechanism's number of values,
- * or `link_count` not its number of links.
+ * Returns DQ8_STATUS_LENGTH_VALUES if `value_count` is not the mechanism's number of
+ * values, and DQ8_STATUS_LENGTH if `link_count` is not its number of links.
  */
 dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                                         const float *values,
@@ -1822,8 +2118,8 @@ dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
 /**
  * Computes the poses of all links in the frame of the base: forward kinematics of one
  * configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
- * Returns DQ8_STATUS_LENGTH if `value_count` is not the mechanism's number of values,
- * or `link_count` not its number of links.
+ * Returns DQ8_STATUS_LENGTH_VALUES if `value_count` is not the mechanism's number of
+ * values, and DQ8_STATUS_LENGTH if `link_count` is not its number of links.
  */
 dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                                         const double *values,
@@ -2038,7 +2334,7 @@ dq8_status dq8_motion_vector_f64(const double *motion, const double *vector, dou
 /**
  * Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
  * `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
- * instance get the identity. Returns DQ8_STATUS_LENGTH if `block_count` is not
+ * instance get the identity. Returns DQ8_STATUS_LENGTH_BLOCKS if `block_count` is not
  * `joints` times the number of blocks of instances: the number of instances over
  * `lanes`, rounded up.
  */
@@ -2092,7 +2388,7 @@ size_t dq8_block_size_f32(size_t lanes, size_t components);
 /**
  * Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
  * `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
- * instance get the identity. Returns DQ8_STATUS_LENGTH if `block_count` is not
+ * instance get the identity. Returns DQ8_STATUS_LENGTH_BLOCKS if `block_count` is not
  * `joints` times the number of blocks of instances: the number of instances over
  * `lanes`, rounded up.
  */
@@ -2272,8 +2568,9 @@ dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mecha
  *
  * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (a weight is negative or not finite,
  * or all weights of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the
- * posture or of a point), _LENGTH or _UNKNOWN_VALUE (of `restarts`) for wrong inputs.
- * The function may then have written `scratch`, but not the values and the report.
+ * posture or of a point), _LENGTH_VALUES, _LENGTH_SCRATCH or _UNKNOWN_VALUE (of
+ * `restarts`) for wrong inputs. The function may then have written `scratch`, but not
+ * the values and the report.
  */
 dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
                                    const struct dq8_goal_f32 *goals,
@@ -2316,8 +2613,9 @@ dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mecha
  *
  * Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (a weight is negative or not finite,
  * or all weights of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the
- * posture or of a point), _LENGTH or _UNKNOWN_VALUE (of `restarts`) for wrong inputs.
- * The function may then have written `scratch`, but not the values and the report.
+ * posture or of a point), _LENGTH_VALUES, _LENGTH_SCRATCH or _UNKNOWN_VALUE (of
+ * `restarts`) for wrong inputs. The function may then have written `scratch`, but not
+ * the values and the report.
  */
 dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
                                    const struct dq8_goal_f64 *goals,
@@ -2492,7 +2790,7 @@ dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -2514,8 +2812,8 @@ dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
  * at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
  * `posed_tangents`, which must not overlap any other array. `normals` and
  * `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
- * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` differs from that of the
- * skin.
+ * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_VERTICES if `joint_count` or `vertices`
+ * differs from that of the skin.
  */
 dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                const float *matrices,
@@ -2534,7 +2832,7 @@ dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -2571,7 +2869,7 @@ dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -2609,7 +2907,7 @@ dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -2686,7 +2984,7 @@ dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -2708,8 +3006,8 @@ dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
  * at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
  * `posed_tangents`, which must not overlap any other array. `normals` and
  * `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
- * Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` differs from that of the
- * skin.
+ * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_VERTICES if `joint_count` or `vertices`
+ * differs from that of the skin.
  */
 dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                const double *matrices,
@@ -2728,7 +3026,7 @@ dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -2765,7 +3063,7 @@ dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -2803,7 +3101,7 @@ dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
  * `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
  * other elements of `posed` keep their values.
  *
- * Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+ * Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
  * and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
  * field.
  */
@@ -3646,6 +3944,64 @@ dq8_status dq8_blocks_twists_each_f64(size_t lanes,
                                       size_t count);
 
 /**
+ * Writes the size that `scratch` of dq8_solutions must have. The size counts floats or
+ * doubles. It depends on the mechanism only.
+ */
+dq8_status dq8_solutions_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
+                                     size_t *scratch_count);
+
+/**
+ * Finds all solutions of an arm of six hinges for `count` targets: the values of its
+ * hinges that bring the link of `goal` to the target. Arms with a spherical wrist and
+ * arms with three parallel axes are solved by formula, others by searches from many
+ * starts. `targets` holds unit motions. `starts` holds six values for each target,
+ * from the base up; solutions are sorted by their distance from them. The mechanism may
+ * have other joints, which do not carry the link.
+ *
+ * Returns DQ8_STATUS_NOT_SIX_HINGES, or the errors of a goal that dq8_mechanism_reach
+ * has; and DQ8_STATUS_NOT_FINITE or _NOT_UNIT for a target or a start, and then sets
+ * `bad_target`, which may be null, to its index.
+ */
+dq8_status dq8_solutions_f32(const struct dq8_mechanism_f32 *mechanism,
+                             const struct dq8_goal_f32 *goal,
+                             const float *targets,
+                             const float *starts,
+                             float *scratch,
+                             size_t scratch_count,
+                             struct dq8_solution_list_f32 *found,
+                             size_t count,
+                             size_t *bad_target);
+
+/**
+ * Writes the size that `scratch` of dq8_solutions must have. The size counts floats or
+ * doubles. It depends on the mechanism only.
+ */
+dq8_status dq8_solutions_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
+                                     size_t *scratch_count);
+
+/**
+ * Finds all solutions of an arm of six hinges for `count` targets: the values of its
+ * hinges that bring the link of `goal` to the target. Arms with a spherical wrist and
+ * arms with three parallel axes are solved by formula, others by searches from many
+ * starts. `targets` holds unit motions. `starts` holds six values for each target,
+ * from the base up; solutions are sorted by their distance from them. The mechanism may
+ * have other joints, which do not carry the link.
+ *
+ * Returns DQ8_STATUS_NOT_SIX_HINGES, or the errors of a goal that dq8_mechanism_reach
+ * has; and DQ8_STATUS_NOT_FINITE or _NOT_UNIT for a target or a start, and then sets
+ * `bad_target`, which may be null, to its index.
+ */
+dq8_status dq8_solutions_f64(const struct dq8_mechanism_f64 *mechanism,
+                             const struct dq8_goal_f64 *goal,
+                             const double *targets,
+                             const double *starts,
+                             double *scratch,
+                             size_t scratch_count,
+                             struct dq8_solution_list_f64 *found,
+                             size_t count,
+                             size_t *bad_target);
+
+/**
  * Returns the meaning of a status in English. The text lives as long as the program. If `status`
  * is no value of enum dq8_status, the text says so.
  */
@@ -3727,7 +4083,7 @@ dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
  * Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
  * the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
  * both cases it sets `bad_time`, which may be null, to the index of the element.
- * Returns DQ8_STATUS_LENGTH if there is no pose.
+ * Returns DQ8_STATUS_FEW_POSES if there is no pose.
  */
 dq8_status dq8_resample_f32(const float *times,
                             const float *poses,
@@ -3749,7 +4105,7 @@ dq8_status dq8_resample_f32(const float *times,
  * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
  * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
  * sets `bad_time`, which may be null, to the index of the stamp or time. Returns
- * DQ8_STATUS_LENGTH if there is no pose, or if there is only one pose and `outside`
+ * DQ8_STATUS_FEW_POSES if there is no pose, or if there is only one pose and `outside`
  * is 1. The pose at a time that is NaN is NaN.
  */
 dq8_status dq8_trajectory_sample_f32(const double *stamps,
@@ -3806,7 +4162,7 @@ dq8_status dq8_trajectory_skew_f32(const double *stamps,
  * Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
  * control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It
  * sets `bad_index`, which may be null, to the index of the control pose or time.
- * Returns DQ8_STATUS_LENGTH if there are fewer than four control poses.
+ * Returns DQ8_STATUS_FEW_POSES if there are fewer than four control poses.
  */
 dq8_status dq8_spline_poses_f32(const double *control,
                                 size_t control_count,
@@ -3831,7 +4187,7 @@ dq8_status dq8_spline_poses_f32(const double *control,
  * Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
  * the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
  * both cases it sets `bad_time`, which may be null, to the index of the element.
- * Returns DQ8_STATUS_LENGTH if there is no pose.
+ * Returns DQ8_STATUS_FEW_POSES if there is no pose.
  */
 dq8_status dq8_resample_f64(const double *times,
                             const double *poses,
@@ -3853,7 +4209,7 @@ dq8_status dq8_resample_f64(const double *times,
  * Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
  * it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
  * sets `bad_time`, which may be null, to the index of the stamp or time. Returns
- * DQ8_STATUS_LENGTH if there is no pose, or if there is only one pose and `outside`
+ * DQ8_STATUS_FEW_POSES if there is no pose, or if there is only one pose and `outside`
  * is 1. The pose at a time that is NaN is NaN.
  */
 dq8_status dq8_trajectory_sample_f64(const double *stamps,
@@ -3910,7 +4266,7 @@ dq8_status dq8_trajectory_skew_f64(const double *stamps,
  * Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
  * control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It
  * sets `bad_index`, which may be null, to the index of the control pose or time.
- * Returns DQ8_STATUS_LENGTH if there are fewer than four control poses.
+ * Returns DQ8_STATUS_FEW_POSES if there are fewer than four control poses.
  */
 dq8_status dq8_spline_poses_f64(const double *control,
                                 size_t control_count,
@@ -3924,6 +4280,60 @@ dq8_status dq8_spline_poses_f64(const double *control,
                                 double *accelerations,
                                 size_t count,
                                 size_t *bad_index);
+
+#if defined(DQ8_URDF)
+/**
+ * Reads a URDF file, of which `text` holds `length` bytes, and writes how large its robot is:
+ * `link_count` gets the number of links, and `names_size` the number of bytes that dq8_urdf_joints
+ * writes to `names`.
+ *
+ * Returns DQ8_STATUS_URDF if the file describes no robot. Then `message`, which has room for
+ * `message_size` bytes, gets a text that says which line is wrong and why, with a zero at the end.
+ * It may be null if `message_size` is 0.
+ */
+dq8_status dq8_urdf_size(const uint8_t *text,
+                         size_t length,
+                         size_t *link_count,
+                         size_t *names_size,
+                         char *message,
+                         size_t message_size);
+
+/**
+ * Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
+ * `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
+ * the root of the file. `names` gets the names of all links, then of all values, each
+ * with a zero after it, and holds `names_size` bytes. It may be null if `names_size` is
+ * 0. dq8_urdf_size writes both numbers, and has the same errors.
+ *
+ * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
+ */
+dq8_status dq8_urdf_joints_f32(const uint8_t *text,
+                               size_t length,
+                               struct dq8_joint_f32 *joints,
+                               size_t link_count,
+                               char *names,
+                               size_t names_size,
+                               char *message,
+                               size_t message_size);
+
+/**
+ * Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
+ * `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
+ * the root of the file. `names` gets the names of all links, then of all values, each
+ * with a zero after it, and holds `names_size` bytes. It may be null if `names_size` is
+ * 0. dq8_urdf_size writes both numbers, and has the same errors.
+ *
+ * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
+ */
+dq8_status dq8_urdf_joints_f64(const uint8_t *text,
+                               size_t length,
+                               struct dq8_joint_f64 *joints,
+                               size_t link_count,
+                               char *names,
+                               size_t names_size,
+                               char *message,
+                               size_t message_size);
+#endif
 
 /* A joint of this kind, which mimics no other and has no limits. */
 static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, const float *placement, const float *axis)

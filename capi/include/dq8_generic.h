@@ -65,6 +65,10 @@
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_link_poses)(mechanism, values, value_count, poses, count)
 #define dq8_blocks_link_poses(lanes, mechanism, values, value_count, poses, count) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_blocks_link_poses)(lanes, mechanism, values, value_count, poses, count)
+#define dq8_link_jacobians(mechanism, frame, values, value_count, links, link_count, poses, columns, count) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_link_jacobians)(mechanism, frame, values, value_count, links, link_count, poses, columns, count)
+#define dq8_blocks_link_jacobians(lanes, mechanism, frame, values, value_count, links, link_count, poses, columns, count) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_blocks_link_jacobians)(lanes, mechanism, frame, values, value_count, links, link_count, poses, columns, count)
 #define dq8_motion_mean(motions, weights, count, tolerance, max_iterations, out, converged) \
   DQ8_OF_NUMBERS(out, dq8_motion_mean)(motions, weights, count, tolerance, max_iterations, out, converged)
 #define dq8_mechanism_make(joints, count, steps, mechanism, bad_joint) \
@@ -267,6 +271,10 @@
   DQ8_OF_NUMBERS(out, dq8_blocks_planes_each)(lanes, motions, planes, out, count)
 #define dq8_blocks_twists_each(lanes, motions, twists, out, count) \
   DQ8_OF_NUMBERS(out, dq8_blocks_twists_each)(lanes, motions, twists, out, count)
+#define dq8_solutions_scratch(mechanism, scratch_count) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_solutions_scratch)(mechanism, scratch_count)
+#define dq8_solutions(mechanism, goal, targets, starts, scratch, scratch_count, found, count, bad_target) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_solutions)(mechanism, goal, targets, starts, scratch, scratch_count, found, count, bad_target)
 #define dq8_reach_scratch(mechanism, goal_count, scratch_count) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_reach_scratch)(mechanism, goal_count, scratch_count)
 #define dq8_reach(mechanism, goals, goal_count, targets, posture, options, values, value_count, scratch, scratch_count, reports, count) \
@@ -281,6 +289,8 @@
   DQ8_OF_NUMBERS(moved, dq8_trajectory_skew)(stamps, poses, pose_count, options, times, points, moved, count, bad_time)
 #define dq8_spline_poses(control, control_count, start, every, basis, options, times, out, twists, accelerations, count, bad_index) \
   DQ8_OF_NUMBERS(accelerations, dq8_spline_poses)(control, control_count, start, every, basis, options, times, out, twists, accelerations, count, bad_index)
+#define dq8_urdf_joints(text, length, joints, link_count, names, names_size, message, message_size) \
+  DQ8_OF_THINGS(joints, dq8_joint, dq8_urdf_joints)(text, length, joints, link_count, names, names_size, message, message_size)
 #define dq8_joint_fixed(parent, placement) \
   DQ8_OF_NUMBERS(placement, dq8_joint_fixed)(parent, placement)
 #define dq8_joint_revolute(parent, placement, axis) \

@@ -42,8 +42,8 @@ pub struct Place {
     pub numbers: [u32; 6],
 }
 
-/// Makes `clips` from the `length` bytes of a packed clip file. The Rust package, the Python
-/// package and the example mocap write such files. The function reads and checks all bytes once,
+/// Makes `clips` from the `length` bytes of a packed clip file. dq8_clips_pack, the Rust
+/// package and the Python package write such files. The function reads and checks all bytes once,
 /// and copies none.
 ///
 /// Returns DQ8_STATUS_NOT_CLIPS if the bytes are no packed clips. It then sets `bad_offset`, which
@@ -158,6 +158,9 @@ unsafe fn place<R: Scalar>(
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let (place, to) = (Output::<TrackPlace>::new(place, 1)?, Output::<R>::new(t, 1)?);
     disjoint(&[place.span, to.span], &[span, bytes])?;
+    if at.is_nan() {
+        return Err(Status::NotFinite);
+    }
     let (found, t) = clips.place(clip, at).ok_or(Status::UnknownValue)?;
     // SAFETY: `place` and `t` point to a `Place` and a float, as the caller guarantees, and
     // `disjoint` has checked that they overlap neither each other nor the clips.
@@ -211,7 +214,7 @@ macro_rules! functions {
             /// are in seconds if the clip has a rate, and in frames otherwise. A time before the
             /// first frame counts as the first frame, and a time after the last frame as the last
             /// frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
-            /// clip.
+            /// clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN.
             clips::place(
                 clips: *const Clips, clip: usize, at: $R, place: *mut Place, t: *mut $R,
             ) = super::place(clips, clip, at, place, t)
@@ -221,8 +224,9 @@ macro_rules! functions {
             /// instance i are at the fraction `t[i]` of the way from the frame `places[i]` to the
             /// next frame. `t` is clamped to [0, 1], and NaN gives model poses of NaN. `parents`
             /// and `root` are those of dq8_local_to_model. `models` is `[instance][joint]` and
-            /// holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH if the
-            /// clips do not have `joint_count` joints, or if a place belongs to other clips.
+            /// holds `joint_count` times `instances` motions. Returns DQ8_STATUS_LENGTH_JOINTS if
+            /// the clips do not have `joint_count` joints, and DQ8_STATUS_OTHER_CLIPS if a place
+            /// belongs to other clips.
             clips::to_model(
                 parents: *const i32, joint_count: usize, root: *const $R, clips: *const Clips,
                 places: *const Place, t: *const $R, instances: usize, models: *mut $R,

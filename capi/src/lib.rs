@@ -9,15 +9,18 @@
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | products along long chains, plain or in blocks |
 //! | [`clips`] | packed clips, plain |
+//! | [`clip_files`] | packed clips, written |
 //! | [`plan`] | one instance of a hierarchy in the fastest order, plain |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
 //! | [`targets`] | inverse kinematics of many configurations, plain |
-//! | [`links`] | poses of links for many configurations, plain or in blocks |
+//! | [`solutions`] | all solutions of arms of six hinges, plain |
+//! | [`links`] | poses and Jacobians of links for many configurations, plain or in blocks |
 //! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints: arrays or vertex buffers |
 //! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | conversions between plain arrays and blocks |
 //! | [`trajectory`] | poses at stamps, sampled at other times |
+//! | `urdf` | joints from URDF files |
 //!
 //! In this table, *plain* means arrays of one record after the other, and *blocks* are blocks of
 //! lanes (AoSoA). Functions that exist for both `f32` and `f64` are in two submodules: `single` for
@@ -33,9 +36,9 @@
 //! Status::of                 the error as an integer, or DQ8_STATUS_OK
 //! ```
 //!
-//! No function allocates, except for functions of the module `trajectory`, which needs the feature
-//! of the same name. No function panics. A panic would abort the program, because it must not leave
-//! an `extern "C"` function.
+//! No function allocates, except for functions of the modules `trajectory` and `urdf`, which need
+//! the features of these names, and dq8_clips_pack, which needs the feature `std`. No function
+//! panics. A panic would abort the program, because it must not leave an `extern "C"` function.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[macro_use]
@@ -44,6 +47,8 @@ mod export;
 mod kernel;
 pub mod backend;
 pub mod chain;
+#[cfg(feature = "std")]
+pub mod clip_files;
 pub mod clips;
 pub mod geometry;
 pub mod hierarchy;
@@ -62,11 +67,14 @@ pub mod screw;
 pub mod skin;
 pub mod skinning;
 pub mod slices;
+pub mod solutions;
 mod span;
 pub mod status;
 pub mod targets;
 #[cfg(feature = "trajectory")]
 pub mod trajectory;
+#[cfg(feature = "urdf")]
+pub mod urdf;
 
 pub use backend::InstructionSet;
 pub use slices::Order;

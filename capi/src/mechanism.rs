@@ -267,8 +267,8 @@ macro_rules! functions {
         export_one! { $R
             /// Computes the poses of all links in the frame of the base: forward kinematics of one
             /// configuration, `poses[j] = poses[parent] * placement[j] * motion of joint j`.
-            /// Returns DQ8_STATUS_LENGTH if `value_count` is not the mechanism's number of values,
-            /// or `link_count` not its number of links.
+            /// Returns DQ8_STATUS_LENGTH_VALUES if `value_count` is not the mechanism's number of
+            /// values, and DQ8_STATUS_LENGTH if `link_count` is not its number of links.
             mechanism::link_poses(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 poses: *mut $R, link_count: usize,

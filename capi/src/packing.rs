@@ -82,7 +82,7 @@ macro_rules! functions {
         export_packing! { $R $lanes
             /// Packs plain poses into blocks. `poses` is `[instance][joint]`, and `blocks` is
             /// `[block of instances][joint]`, with `lanes` instances in a block. Lanes without an
-            /// instance get the identity. Returns DQ8_STATUS_LENGTH if `block_count` is not
+            /// instance get the identity. Returns DQ8_STATUS_LENGTH_BLOCKS if `block_count` is not
             /// `joints` times the number of blocks of instances: the number of instances over
             /// `lanes`, rounded up.
             pack(

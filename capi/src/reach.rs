@@ -268,11 +268,14 @@ pub(crate) unsafe fn reach<R: Scalar>(
         [options] => options.known()?,
         _ => ik::Options::default(),
     };
-    if query.goal_count > GOALS || known.values().checked_mul(count) != Some(value_count) {
-        return Err(Status::Length);
+    if query.goal_count > GOALS {
+        return Err(Status::TooLarge);
+    }
+    if known.values().checked_mul(count) != Some(value_count) {
+        return Err(Status::LengthValues);
     }
     if scratch_count < scratch_len(known, query.goal_count, width)? {
-        return Err(Status::Length);
+        return Err(Status::LengthScratch);
     }
     // SAFETY: the caller guarantees that each array has as many elements as its count says, and
     // `disjoint` has checked that no output overlaps these arrays.
@@ -282,14 +285,14 @@ pub(crate) unsafe fn reach<R: Scalar>(
     let (values, scratch) = unsafe { (values.slice(), scratch.slice()) };
     // The scratch is large enough, as has been checked above, so this error does not occur.
     let (freedoms, rest) =
-        place(bytes(scratch), known.rates(), Freedom::default()).ok_or(Status::Length)?;
+        place(bytes(scratch), known.rates(), Freedom::default()).ok_or(Status::LengthScratch)?;
     let mut reach = Reach::new(known, goals, freedoms).map_err(|error| status(&error))?;
     // The search needs no more scratch than `scratch_bound`, for which the length has been checked.
     let numbers = match width {
         Width::One => reach.scratch_len(),
         Width::Lanes => reach.batch_scratch_len(),
     };
-    let (scratch, _) = place(rest, numbers, R::ZERO).ok_or(Status::Length)?;
+    let (scratch, _) = place(rest, numbers, R::ZERO).ok_or(Status::LengthScratch)?;
     if !query.posture.is_null() {
         reach = reach.with_posture(posture).map_err(|error| status(&error))?;
     }
@@ -297,11 +300,11 @@ pub(crate) unsafe fn reach<R: Scalar>(
     // uninitialised. SAFETY: the caller guarantees that `reports` has `count` elements, and
     // `disjoint` has checked that they overlap no other array.
     let reports = bytes(unsafe { reports.slice() });
-    let (reports, _) = place(reports, count, ik::Report::default()).ok_or(Status::Length)?;
+    let (reports, _) = place(reports, count, ik::Report::default()).ok_or(Status::LengthScratch)?;
     Ok(solve(Search { reach, targets, values, scratch, reports, options })?)
 }
 
-fn status(error: &ReachError) -> Status {
+pub(crate) fn status(error: &ReachError) -> Status {
     match error {
         ReachError::Link { .. } => Status::NoLink,
         ReachError::NoGoals | ReachError::Weight { .. } | ReachError::NoWeight { .. } => {
@@ -310,7 +313,7 @@ fn status(error: &ReachError) -> Status {
         ReachError::Unmoved { .. } => Status::Unmoved,
         ReachError::Limits { .. } => Status::Limits,
         ReachError::Posture { .. } | ReachError::Point { .. } => Status::NotFinite,
-        ReachError::Freedoms { .. } | ReachError::PostureLength { .. } => Status::Length,
+        ReachError::Freedoms { .. } | ReachError::PostureLength { .. } => Status::LengthValues,
         // The enum is `non_exhaustive`: a newer `dq8_robot` may have more errors.
         _ => Status::UnknownValue,
     }
@@ -345,8 +348,9 @@ macro_rules! functions {
             ///
             /// Returns DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (a weight is negative or not finite,
             /// or all weights of a goal are 0, or there is no goal), _LIMITS, _NOT_FINITE (of the
-            /// posture or of a point), _LENGTH or _UNKNOWN_VALUE (of `restarts`) for wrong inputs.
-            /// The function may then have written `scratch`, but not the values and the report.
+            /// posture or of a point), _LENGTH_VALUES, _LENGTH_SCRATCH or _UNKNOWN_VALUE (of
+            /// `restarts`) for wrong inputs. The function may then have written `scratch`, but not
+            /// the values and the report.
             mechanism::reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,
                 goal_count: usize, posture: *const $R, options: *const ReachOptions<$R>,

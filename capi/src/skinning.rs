@@ -57,7 +57,7 @@ macro_rules! export_pose {
             /// `rest` and `posed`: the offsets of position, normal and tangent in a vertex. All
             /// other elements of `posed` keep their values.
             ///
-            /// Returns DQ8_STATUS_LENGTH if only one of the two buffers has a normal, or a tangent,
+            /// Returns DQ8_STATUS_FIELDS if only one of the two buffers has a normal, or a tangent,
             /// and DQ8_STATUS_FIELD if a field is not inside of its vertex, or overlaps another
             /// field.
             skin::$interleaved(
@@ -132,8 +132,8 @@ macro_rules! functions {
             /// at rest. The posed mesh is written to `posed_positions`, `posed_normals` and
             /// `posed_tangents`, which must not overlap any other array. `normals` and
             /// `posed_normals` may both be null, and so may `tangents` and `posed_tangents`.
-            /// Returns DQ8_STATUS_LENGTH if `joint_count` or `vertices` differs from that of the
-            /// skin.
+            /// Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_VERTICES if `joint_count` or `vertices`
+            /// differs from that of the skin.
             linear, linear_interleaved(matrices)
         }
         export_pose! { $R

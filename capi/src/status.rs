@@ -51,9 +51,9 @@ statuses! {
         Overlap = 3: c"an output overlaps another array",
         /// An array would be larger than memory.
         TooLarge = 4: c"an array would be larger than memory",
-        /// Lengths do not fit each other. For example, `count` is no multiple of the number of
-        /// joints: it must be the number of poses of all instances or configurations together.
-        Length = 5: c"lengths do not fit each other; count is that of all poses, such as links times configurations",
+        /// The arrays of `count` elements do not hold whole instances or configurations: `count`,
+        /// or `link_count`, is no multiple of the number of joints or links.
+        Length = 5: c"count is no multiple of the number of joints or links",
         /// There are no blocks with this number of lanes. Blocks of float have 8 or 16 lanes, and
         /// blocks of double 4 or 8.
         Lanes = 6: c"there are no blocks with that number of lanes",
@@ -124,6 +124,37 @@ statuses! {
         /// A time is before the first stamp or after the last stamp of a trajectory, and the
         /// options refuse such times. Or the time at which `frame` is taken is not finite.
         Outside = 35: c"a time is outside the stamps of the trajectory",
+        /// `value_count` is not the mechanism's number of values times the number of
+        /// configurations.
+        LengthValues = 36: c"value_count is not the mechanism's number of values times the number of configurations",
+        /// `column_count` is not the mechanism's number of rates.
+        LengthColumns = 37: c"column_count is not the mechanism's number of rates",
+        /// `scratch_count` is less than the function whose name ends in `_scratch` has written.
+        LengthScratch = 38: c"scratch_count is less than the function whose name ends in _scratch has written",
+        /// `pose_count` is no multiple of the number of joints.
+        LengthPoses = 39: c"pose_count is no multiple of the number of joints",
+        /// `block_count` is not the number of blocks that the instances or links fill.
+        LengthBlocks = 40: c"block_count is not the number of blocks that the instances or links fill",
+        /// `joint_count` is not the number of joints of the skin or of the clips.
+        LengthJoints = 41: c"joint_count is not the number of joints of the skin or of the clips",
+        /// `vertices` is not the number of vertices of the skin.
+        LengthVertices = 42: c"vertices is not the number of vertices of the skin",
+        /// Only one of two vertex buffers has normals, or tangents.
+        Fields = 43: c"only one of the two vertex buffers has normals, or tangents",
+        /// There are fewer poses than are needed: one for a trajectory, two if its body is to go
+        /// on, and four control poses for a spline.
+        FewPoses = 44: c"there are too few poses: a trajectory needs one, or two if the body is to go on, and a spline four",
+        /// A place was found in other clips.
+        OtherClips = 45: c"a place was found in other clips",
+        /// The joints that carry the link of the goal are not six hinges with values of their own,
+        /// and fixed joints; or the goal leaves a part of the pose free.
+        NotSixHinges = 46: c"not six hinges and fixed joints carry the link of the goal, or the goal is not for a whole pose",
+        /// The packed clips are longer than `capacity`.
+        LengthBytes = 47: c"the packed clips are longer than capacity",
+        /// The text is no URDF file that a mechanism can express.
+        Urdf = 48: c"the text is no URDF file that a mechanism can express",
+        /// `names_size` is not the size of the names.
+        LengthNames = 49: c"names_size is not what dq8_urdf_size has written",
     }
 }
 
@@ -134,8 +165,27 @@ impl Status {
 }
 
 impl From<ShapeError> for Status {
-    fn from(_: ShapeError) -> Self {
-        Self::Length
+    /// Names the argument of C that has the wrong length, by the name of the slice in Rust.
+    fn from(error: ShapeError) -> Self {
+        let what = match error {
+            ShapeError::NotWhole { what, .. }
+            | ShapeError::Empty { what }
+            | ShapeError::Length { what, .. } => what,
+            ShapeError::NoPlace { .. } => return Self::OtherClips,
+            ShapeError::NoLink { .. } => return Self::NoLink,
+            _ => return Self::Length,
+        };
+        match what {
+            "values" => Self::LengthValues,
+            "columns" => Self::LengthColumns,
+            "scratch" => Self::LengthScratch,
+            "things" => Self::LengthPoses,
+            "blocks" => Self::LengthBlocks,
+            "palette" | "motions" | "stretches" | "each frame of the clip" => Self::LengthJoints,
+            "shares" | "positions" | "weighted vertices" | "rest" | "posed" => Self::LengthVertices,
+            "posed normals" | "posed tangents" => Self::Fields,
+            _ => Self::Length,
+        }
     }
 }
 
@@ -174,7 +224,7 @@ impl From<SkinningError> for Status {
             SkinningError::NotFinite { .. } => Self::NotFinite,
             SkinningError::NotAffine { .. } => Self::NotAffine,
             SkinningError::Field { .. } | SkinningError::InfluenceField { .. } => Self::Field,
-            SkinningError::Shape(_) => Self::Length,
+            SkinningError::Shape(error) => error.into(),
             SkinningError::Share { .. } => Self::Share,
             // The enum is `non_exhaustive`: a newer `dq8` may have more errors.
             _ => Self::UnknownValue,

@@ -42,8 +42,8 @@ fn fault(error: TrajectoryError) -> (Status, Option<usize>) {
         TrajectoryError::NoFrame { .. } => (Status::Outside, None),
         TrajectoryError::Interval { .. } => (Status::Times, None),
         TrajectoryError::Clock { .. } => (Status::NotFinite, None),
-        // There are fewer poses than needed, or lengths do not fit each other.
-        _ => (Status::Length, None),
+        // All arrays of times have one length here, so the poses are what is wrong.
+        _ => (Status::FewPoses, None),
     }
 }
 
@@ -287,7 +287,7 @@ macro_rules! functions {
             /// Returns DQ8_STATUS_TIMES if an element of `times` is not finite or not later than
             /// the element before it, and DQ8_STATUS_NOT_FINITE if an element of `at` is NaN. In
             /// both cases it sets `bad_time`, which may be null, to the index of the element.
-            /// Returns DQ8_STATUS_LENGTH if there is no pose.
+            /// Returns DQ8_STATUS_FEW_POSES if there is no pose.
             resample(
                 times: *const $R, poses: *const $R, pose_count: usize, at: *const $R, out: *mut $R,
                 count: usize, bad_time: *mut usize,
@@ -307,7 +307,7 @@ macro_rules! functions {
             /// Returns DQ8_STATUS_TIMES if a stamp is not finite or not later than the stamp before
             /// it, and DQ8_STATUS_OUTSIDE if the options refuse a time or the time of the frame. It
             /// sets `bad_time`, which may be null, to the index of the stamp or time. Returns
-            /// DQ8_STATUS_LENGTH if there is no pose, or if there is only one pose and `outside`
+            /// DQ8_STATUS_FEW_POSES if there is no pose, or if there is only one pose and `outside`
             /// is 1. The pose at a time that is NaN is NaN.
             trajectory::sample(
                 stamps: *const f64, poses: *const f64, pose_count: usize, options: *const Options,
@@ -364,7 +364,7 @@ macro_rules! functions {
             /// Returns DQ8_STATUS_TIMES if the interval is not positive, DQ8_STATUS_NOT_FINITE if a
             /// control pose is not finite, and DQ8_STATUS_OUTSIDE if the options refuse a time. It
             /// sets `bad_index`, which may be null, to the index of the control pose or time.
-            /// Returns DQ8_STATUS_LENGTH if there are fewer than four control poses.
+            /// Returns DQ8_STATUS_FEW_POSES if there are fewer than four control poses.
             spline::poses(
                 control: *const f64, control_count: usize, start: f64, every: f64, basis: i32,
                 options: *const Options, times: *const f64, out: *mut $R, twists: *mut $R,

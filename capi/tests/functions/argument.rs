@@ -229,6 +229,19 @@ impl<T: Element, V> Of<T, V> {
         self.array.faults.push(Fault { status, index, change });
         self
     }
+    /// Adds contents that are refused with an index that is not one of this array.
+    pub(crate) fn fault_through(
+        self,
+        status: Status,
+        index: usize,
+        change: impl Fn(&mut [T]) + 'static,
+    ) -> Self {
+        let mut changed = self.fault(status, None, change);
+        if let Some(fault) = changed.array.faults.last_mut() {
+            fault.index = Some(index);
+        }
+        changed
+    }
     pub(crate) fn unless_null(self, group: u8) -> Self {
         Self { array: Array { group: Some(group), ..self.array }, ..self }
     }

@@ -2,11 +2,13 @@
 
 use dq8::simd::{Block, Row};
 use dq8::{DualQuat, Quat, Real, Twist};
+use dq8_capi::clip_files::Frames;
 use dq8_capi::clips::{Clips, Place};
 use dq8_capi::joint::Joint;
 use dq8_capi::mechanism::{Mechanism, Step};
 use dq8_capi::reach::{Goal, ReachOptions, ReachReport};
 use dq8_capi::skin::Skin;
+use dq8_capi::solutions::Solutions;
 use dq8_capi::trajectory::Options;
 use dq8_fixtures::random::Random;
 use std::fmt::Debug;
@@ -159,12 +161,14 @@ things! {
     [] [u32; 6], |scratch| scratch;
     [] Place, |place| place;
     [] Options, |options| options;
+    [] Frames, |frames| frames;
     [] Clips, |made| (made.joints, made.clips);
     [R] Joint<R>, |joint| joint;
     [R] Step<R>, |_step| ();
     [R] Goal<R>, |goal| goal;
     [R] ReachOptions<R>, |options| options;
     [R] ReachReport<R>, |report| report;
+    [R] Solutions<R>, |found| found;
     [R] Mechanism<R>, |made| (made.links, made.values, made.rates);
     [R] Skin<R>, |made| (made.vertices, made.influences, made.joints);
 }

@@ -12,6 +12,7 @@ use super::problem::Reach;
 use super::report::{Options, Report};
 use super::scratch::check_scratch;
 use super::search::Work;
+use crate::mechanism::Mechanism;
 use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{NONE, UNIT};
 use crate::mechanism::values::checked_cos_sin;
@@ -23,7 +24,7 @@ use dq8::internal::Choice;
 use dq8::internal::Rows;
 use dq8::storage::same_length;
 use dq8::{Backend, DualQuat, Kernel, Real, Scalar};
-use dq8_simd::{Lanes, Level, Mask, Portable};
+use dq8_simd::{Lanes, Level, MAX_LANES, Mask, Portable};
 
 /// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose. The arm is
 /// analysed once; then all solutions can be found for any target.
@@ -120,6 +121,42 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         self.with_values(self.reach.batch_scratch_len())
     }
 
+    /// Checks targets and their starts, as a [`SolutionsJob`](super::SolutionsJob) does before it
+    /// writes.
+    ///
+    /// # Errors
+    /// If a target or a start is not finite, a target is farther than 10⁻³ from unit, or there
+    /// are not as many starts as targets.
+    pub fn check(&self, targets: &[DualQuat<R>], starts: &[[R; 6]]) -> Result<(), SolutionsError> {
+        same_length("starts", starts.len(), targets.len())?;
+        for (index, target) in targets.iter().enumerate() {
+            for number in target.to_array() {
+                if !number.is_finite() {
+                    return Err(SolutionsError::Target { index, value: number.into() });
+                }
+            }
+            if !target.is_unit(R::from(UNIT)) {
+                return Err(SolutionsError::NotUnit { index, norm: target.real().norm().into() });
+            }
+        }
+        for (index, start) in starts.iter().enumerate() {
+            for (hinge, value) in start.iter().enumerate() {
+                if !value.is_finite() {
+                    return Err(SolutionsError::Start { index, hinge, value: (*value).into() });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the largest [`batch_scratch_len`](Self::batch_scratch_len) of the arms of a
+    /// mechanism, when the goal is not known yet.
+    #[must_use]
+    pub fn batch_scratch_bound(mechanism: Mechanism<'_, R>) -> usize {
+        let searches = Reach::scratch_bound(mechanism, 1).saturating_mul(MAX_LANES);
+        searches.saturating_add(mechanism.values.saturating_mul(STARTS))
+    }
+
     fn with_values(&self, scratch: usize) -> usize {
         let is_other = self.family() == Family::Other;
         if is_other { scratch.saturating_add(starts_len(&self.reach)) } else { 0 }
@@ -128,6 +165,7 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
 
 /// All solutions of an arm of six hinges for a target, as a slice that is sorted by the distance
 /// from the start.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solutions<R> {
@@ -139,6 +177,7 @@ pub struct Solutions<R> {
 }
 
 /// A solution: values of the six hinges that bring the tool to the target.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solution<R> {
@@ -155,6 +194,7 @@ pub struct Solution<R> {
 /// The joints at which a solution is singular. Either two solutions coincide there, because the
 /// target is at the edge of the reach; or there are infinitely many solutions, of which the
 /// solution with the angle of the start is given.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular {
@@ -336,25 +376,8 @@ impl<R: Real> SolutionsKernel<'_, R> {
     /// Returns the job if its lengths fit, its inputs are finite, and its targets are unit motions;
     /// otherwise an error.
     fn checked(self) -> Result<Self, SolutionsError> {
-        same_length("starts", self.starts.len(), self.targets.len())?;
+        self.arm.check(self.targets, self.starts)?;
         same_length("found", self.found.len(), self.targets.len())?;
-        for (index, target) in self.targets.iter().enumerate() {
-            for number in target.to_array() {
-                if !number.is_finite() {
-                    return Err(SolutionsError::Target { index, value: number.into() });
-                }
-            }
-            if !target.is_unit(R::from(UNIT)) {
-                return Err(SolutionsError::NotUnit { index, norm: target.real().norm().into() });
-            }
-        }
-        for (index, start) in self.starts.iter().enumerate() {
-            for (hinge, value) in start.iter().enumerate() {
-                if !value.is_finite() {
-                    return Err(SolutionsError::Start { index, hinge, value: (*value).into() });
-                }
-            }
-        }
         Ok(self)
     }
 }

@@ -122,13 +122,13 @@ macro_rules! layout {
                     .fault(Status::Times, Some(2), |times| times[2] = times[1])
                     .fault(Status::Times, Some(1), |times| times[1] = <$R>::INFINITY),
                 poses: reads::<DualQuat<$R>>(n),
-                pose_count: count(n).wrong(0, Status::Length),
+                pose_count: count(n).wrong(0, Status::FewPoses),
                 at: reads::<$R>(at).only(|i| i as $R * 0.4 - 1.0)
                     .fault(Status::NotFinite, Some(1), |at| at[1] = <$R>::NAN),
                 out: writes::<DualQuat<$R>>(at),
                 count: count(at),
                 bad_time: crate::argument::names(),
-            ) => resampled(times, poses, at, out).map_err(|_| Status::Length);
+            ) => resampled(times, poses, at, out).map_err(|_| Status::FewPoses);
         }
     };
     (@rest $shape:ident $list:ident $R:ident $of:ident [$lanes:literal]) => {
@@ -139,26 +139,28 @@ macro_rules! layout {
         let lanes = || crate::argument::lanes::<$R>($lanes);
         let joint_count = || {
             let no_instances = n % (joints + 1) != 0;
-            passes(joints).wrong_if(n > 0, 0, Status::Length).wrong_if(no_instances, joints + 1, Status::Length)
+            passes(joints)
+                .wrong_if(n > 0, 0, Status::LengthPoses)
+                .wrong_if(no_instances, joints + 1, Status::LengthPoses)
         };
         of_numbers! { $list $R $of:
             "" packing pack (
                 lanes: lanes(), joints: joint_count(),
-                poses: reads::<DualQuat<$R>>(n), pose_count: count(n).wrong(n + 1, Status::Length),
-                blocks: writes::<Blocks>(blocks), block_count: count(blocks).wrong(blocks + 1, Status::Length),
+                poses: reads::<DualQuat<$R>>(n), pose_count: count(n).wrong(n + 1, Status::LengthPoses),
+                blocks: writes::<Blocks>(blocks), block_count: count(blocks).wrong(blocks + 1, Status::LengthBlocks),
             ) => storage::pack(joints, poses, blocks);
             "" packing unpack (
                 lanes: lanes(), joints: joint_count(),
-                blocks: reads::<Blocks>(blocks), block_count: count(blocks).wrong(blocks + 1, Status::Length),
-                poses: writes::<DualQuat<$R>>(n), pose_count: count(n).wrong(n + 1, Status::Length),
+                blocks: reads::<Blocks>(blocks), block_count: count(blocks).wrong(blocks + 1, Status::LengthBlocks),
+                poses: writes::<DualQuat<$R>>(n), pose_count: count(n).wrong(n + 1, Status::LengthPoses),
             ) => storage::unpack(joints, blocks, poses);
             "" packing pack_chain (
                 lanes: lanes(), links: reads::<DualQuat<$R>>(n), link_count: count(n),
-                blocks: writes::<Blocks>(links), block_count: count(links).wrong(links + 1, Status::Length),
+                blocks: writes::<Blocks>(links), block_count: count(links).wrong(links + 1, Status::LengthBlocks),
             ) => storage::pack_chain(links, blocks);
             "" packing unpack_chain (
                 lanes: lanes(), blocks: reads::<Blocks>(links),
-                block_count: count(links).wrong(links + 1, Status::Length),
+                block_count: count(links).wrong(links + 1, Status::LengthBlocks),
                 links: writes::<DualQuat<$R>>(n), link_count: count(n),
             ) => storage::unpack_chain(blocks, links);
         }

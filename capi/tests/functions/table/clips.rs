@@ -10,6 +10,7 @@ use dq8::hierarchy::{Clip, PackedClip, Root, Sampled, Tolerance, TrackPlace};
 use dq8::law::NlerpLerp;
 use dq8::{DualQuat, Hierarchy};
 use dq8_capi::Status;
+use dq8_capi::clip_files::{Frames, dq8_clips_pack};
 use dq8_capi::clips::{Clips, Place, double, dq8_clips_duration, dq8_clips_make, single};
 use std::rc::Rc;
 
@@ -39,6 +40,57 @@ fn scene(joints: usize) -> Rc<Scene> {
     Rc::new(Scene { packed, made })
 }
 
+/// Adds the function that packs two clips, of which the second loops.
+fn add_packing(joints: usize, to: &mut Vec<Function>) {
+    let joints = joints.max(1);
+    let keys = Rc::new([5, 3].map(|frames| -> Vec<[f32; 7]> {
+        let key = |at: usize| {
+            let joint = at as f32 / joints as f32;
+            [(0.1 * joint).sin(), 0.0, 0.0, (0.1 * joint).cos(), joint, 0.5, -joint]
+        };
+        (0..frames * joints).map(key).collect()
+    }));
+    let clips = |keys: &[Vec<[f32; 7]>; 2]| {
+        let [first, second] = keys.each_ref().map(|keys| Clip::new(joints, keys).expect("frames"));
+        let tolerance = Tolerance { angle: 1e-3, length: 1e-4 };
+        PackedClip::library(&[first, second.with_rate(2.0).looping()], tolerance)
+    };
+    let file = clips(&keys).expect("keys").as_bytes().to_vec();
+    let length = file.len();
+    let of_c = move |keys: &[Vec<[f32; 7]>; 2], at: usize| {
+        let (rate, loops) = [(0.0, 0), (2.0, 1)][at];
+        Frames { keys: keys[at].as_ptr().cast(), count: keys[at].len() / joints, rate, loops }
+    };
+    let wrong = |joint: usize, component: usize, number: f32| {
+        let mut wrong = (*keys).clone();
+        wrong[1][joints + joint][component] = number;
+        let wrong = Rc::new(wrong);
+        move |clips: &mut [Frames]| clips[1] = of_c(&wrong, 1)
+    };
+    let bad = joints - 1;
+    let given = Rc::clone(&keys);
+    functions! { to:
+        "dq8_clips_pack", dq8_clips_pack = (
+            clips: reads::<Frames>(2).only(move |at| of_c(&given, at))
+                .keeps(keys.iter().map(|keys| memory(keys)).collect())
+                .fault(Status::NullPointer, None, |clips| clips[1].keys = std::ptr::null())
+                .fault(Status::NoInfluences, None, |clips| clips[1].count = 0)
+                .fault(Status::UnknownValue, None, |clips| clips[0].loops = 2)
+                .fault(Status::UnknownValue, None, |clips| clips[0].rate = -1.0)
+                .fault_through(Status::NotUnit, 6 * joints + bad, wrong(bad, 3, 2.0))
+                .fault_through(Status::NotFinite, 6 * joints + bad, wrong(bad, 5, f32::NAN)),
+            clip_count: passes(2).wrong(0, Status::NoInfluences).wrong(usize::MAX, Status::TooLarge),
+            joint_count: passes(joints).wrong(0, Status::NoInfluences),
+            angle: passes(1e-3_f32), length_tolerance: passes(1e-4_f32),
+            bytes: writes::<u8>(length), capacity: passes(length).wrong(length - 1, Status::LengthBytes),
+            length: writes::<usize>(1), bad_key: names(),
+        ) => {
+            bytes.copy_from_slice(&file);
+            length[0] = file.len();
+        };
+    }
+}
+
 /// The place in C.
 fn place(place: TrackPlace) -> Place {
     // SAFETY: both are six numbers.
@@ -66,7 +118,7 @@ macro_rules! add {
         let [of_place, of_places, of_models] = [(); 3].map(|()| Rc::clone(&$scene));
         functions! { $to:
             concat!("dq8_clips_place_", stringify!($R)), $of::place = (
-                clips: made(&$scene), clip: passes(0).wrong(1, Status::UnknownValue), at: passes(3.25),
+                clips: made(&$scene), clip: passes(0).wrong(1, Status::UnknownValue), at: passes(3.25).wrong(<$R>::NAN, Status::NotFinite),
                 found: writes::<Place>(1), t: writes::<$R>(1),
             ) => {
                 let (frame, rest) = of_place.packed.clips().place::<$R>(clip, at).ok_or(Status::UnknownValue)?;
@@ -75,14 +127,14 @@ macro_rules! add {
             };
             concat!("dq8_clips_to_model_", stringify!($R)), $of::to_model = (
                 parents: parents($shape),
-                joints: count(joints).wrong_if(joints > 1 && n > 0, joints.saturating_sub(1), Status::Length),
+                joints: count(joints).wrong_if(joints > 1 && n > 0, joints.saturating_sub(1), Status::LengthJoints),
                 root: reads::<DualQuat<$R>>(1).unless_null(0), clips: made(&$scene),
                 places: reads::<Place>(n)
                     .only(move |at| {
                         let at = wave::<$R>(at, 1).abs() * 3.0;
                         place(of_places.packed.clips().place(0, at).expect("a clip").0)
                     })
-                    .fault(Status::Length, None, |places| places[0] = Place::default()),
+                    .fault(Status::OtherClips, None, |places| places[0] = Place::default()),
                 t: reads::<$R>(n), instances: count(n), models: writes::<DualQuat<$R>>(n * joints),
             ) => {
                 let (parents, view) = (unsigned(parents), of_models.packed.clips());
@@ -114,6 +166,7 @@ pub(super) fn add(shape: &Shape, to: &mut Vec<Function>) {
             let _ = clips;
         };
     }
+    add_packing(shape.parents.len(), to);
     add!(shape to scene f32 single);
     add!(shape to scene f64 double);
 }

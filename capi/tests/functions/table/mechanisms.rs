@@ -97,15 +97,36 @@ macro_rules! layout {
         let (each, joints) = (scene.made.values, scene.made.links);
         let configurations = if each == 0 { 0 } else { $shape.instances };
         let n = configurations.div_ceil(<$L as Layout>::THINGS) * joints;
-        let rust = Rc::clone(&scene);
+        let [rust, jacobians] = [(); 2].map(|()| Rc::clone(&scene));
+        // The first and the last link.
+        let few = joints.min(2);
+        let of_few = configurations.div_ceil(<$L as Layout>::THINGS) * few;
         let some = each * configurations;
         of_arrays! { $list $R $of [$($lanes)?]:
             links link_poses blocks_link_poses (
                 mechanism: scene.argument(),
-                values: reads::<$R>(some), value_count: count(some).wrong_if(each > 0, some + 16 * each, Status::Length),
+                values: reads::<$R>(some), value_count: count(some).wrong_if(each > 0, some + 16 * each, Status::LengthValues),
                 poses: writes::<<$L as Layout>::Record<8>>(n),
-                count: count(n).wrong_if(each > 0, n + 1, Status::Length).wrong_if(each > 0, n + joints, Status::Length),
+                count: count(n).wrong_if(each > 0, n + 1, Status::Length).wrong_if(each > 0, n + joints, Status::LengthValues),
             ) => rust.rust.view().job().poses(values, poses);
+            links link_jacobians blocks_link_jacobians (
+                mechanism: scene.argument(),
+                frame: one_of([0, 1, 2]).wrong(3, Status::UnknownValue).wrong(-1, Status::UnknownValue),
+                values: reads::<$R>(some), value_count: count(some).wrong_if(each > 0, some + 16 * each, Status::LengthValues),
+                links: reads::<usize>(few).only(move |at| (joints - 1) * at)
+                    .fault(Status::NoLink, None, move |links| links[0] = joints),
+                link_count: count(few), poses: writes::<<$L as Layout>::Record<8>>(of_few),
+                columns: writes::<<$L as Layout>::Record<6>>(of_few * scene.made.rates),
+                count: count(of_few).wrong_if(each > 0, of_few + 1, Status::Length)
+                    .wrong_if(each > 0, of_few + few, Status::LengthValues),
+            ) => {
+                let job = jacobians.rust.view().job();
+                match frame {
+                    0 => job.links(links).jacobians(World, values, poses, columns),
+                    1 => job.links(links).jacobians(Body, values, poses, columns),
+                    _ => job.links(links).jacobians(WorldAligned, values, poses, columns),
+                }
+            };
         }
     }};
 }
@@ -181,7 +202,7 @@ macro_rules! add {
         let [all, one, columns_of, made] = [(); 4].map(|()| Rc::clone(&scene));
         let given = Rc::clone(&scene);
         let links = || one_of(0..joints.max(1)).wrong(joints.max(1), Status::NoLink).wrong(usize::MAX, Status::NoLink);
-        let values_of = || count(values).wrong(values + 1, Status::Length);
+        let values_of = || count(values).wrong(values + 1, Status::LengthValues);
         let described = reads::<Described<$R>>(joints).only(move |at| given.described[at]);
         of_numbers! { $list $R $of:
             "mechanism_" mechanism make (
@@ -204,7 +225,7 @@ macro_rules! add {
                 mechanism: scene.argument(),
                 frame: one_of([0, 1, 2]).wrong(3, Status::UnknownValue).wrong(-1, Status::UnknownValue),
                 values: reads::<$R>(values), value_count: values_of(), link: links(),
-                columns: writes::<Twist<$R>>(rates), count: count(rates).wrong(rates + 1, Status::Length),
+                columns: writes::<Twist<$R>>(rates), count: count(rates).wrong(rates + 1, Status::LengthColumns),
                 pose: writes::<Motion>(1).unless_null(0),
             ) => {
                 let known = columns_of.rust.view();

@@ -1,15 +1,16 @@
-//! Inverse kinematics: of one configuration, and of many.
+//! Inverse kinematics: of one configuration, and of many; all solutions of arms of six hinges.
 
 use super::mechanisms::Scene;
-use crate::argument::{Of, Read, count, passes, reads, writes};
+use crate::argument::{Of, Read, count, names, passes, reads, writes};
 use crate::element::{Element, wave};
 use crate::function::Function;
 use crate::shape::Shape;
 use dq8::{DualQuat, Real, Scalar};
 use dq8_capi::reach::{Goal, ReachOptions, ReachReport};
-use dq8_capi::{Status, reach, targets};
-use dq8_robot::JointKind;
-use dq8_robot::ik::{self, OwnedReach, ReachError, Report};
+use dq8_capi::solutions::Solutions as SolutionList;
+use dq8_capi::{Status, reach, solutions, targets};
+use dq8_robot::ik::{self, OwnedReach, ReachError, Report, SixAxisArm};
+use dq8_robot::{Joint, JointKind};
 use std::rc::Rc;
 
 /// The options in C.
@@ -138,7 +139,7 @@ macro_rules! add {
             if goal_count == 0 { posture } else { posture.fault(Status::NotFinite, None, |posture| posture.fill(<$R>::NAN)) }
         };
         let rooms = |of: usize| writes::<$R>(of).scratch();
-        let few = |of: usize| count(of).wrong_if(of > 0, of.saturating_sub(1), Status::Length);
+        let few = |of: usize| count(of).wrong_if(of > 0, of.saturating_sub(1), Status::LengthScratch);
         of_numbers! { $list $R $of:
             "mechanism_" reach reach_options (filled: writes::<ReachOptions<$R>>(1))
                 => filled[0] = options(ik::Options::default());
@@ -149,7 +150,7 @@ macro_rules! add {
             "mechanism_" reach reach (
                 mechanism: scene.argument(), goals: goals::<$R>($shape), targets: reads::<DualQuat<$R>>(goal_count),
                 goal_count: count(goal_count), posture: posture(), options: asks(),
-                values: writes::<$R>(values).only(|at| wave(at, 4)), value_count: count(values).wrong(values + 1, Status::Length),
+                values: writes::<$R>(values).only(|at| wave(at, 4)), value_count: count(values).wrong(values + 1, Status::LengthValues),
                 scratch: rooms(room), scratch_count: few(room), report: writes::<ReachReport<$R>>(1),
             ) => {
                 let options = options.first().map(known).unwrap_or_default();
@@ -164,9 +165,9 @@ macro_rules! add {
                 mechanism: scene.argument(), goals: goals::<$R>($shape), goal_count: count(goal_count),
                 targets: reads::<DualQuat<$R>>(goal_count * n).of(target), posture: posture(), options: asks(),
                 values: writes::<$R>(values * n).only(|at| wave(at, 4)),
-                value_count: count(values * n).wrong(values * n + 1, Status::Length),
+                value_count: count(values * n).wrong(values * n + 1, Status::LengthValues),
                 scratch: rooms(room_of_many), scratch_count: few(room_of_many),
-                reports: writes::<ReachReport<$R>>(n), count: count(n).wrong_if(values > 0, n + 1, Status::Length),
+                reports: writes::<ReachReport<$R>>(n), count: count(n).wrong_if(values > 0, n + 1, Status::LengthValues),
             ) => {
                 let options = options.first().map(known).unwrap_or_default();
                 let search = search(&many, goals, posture)?;
@@ -178,7 +179,74 @@ macro_rules! add {
     }};
 }
 
+/// A shape whose mechanism is an arm with a spherical wrist, which formulas solve, with one more
+/// joint that does not carry its link.
+fn with_arm(shape: &Shape) -> Shape {
+    let hinge = |parent: Option<usize>, at: [f64; 3], axis: [f64; 3]| {
+        Joint::revolute(parent, DualQuat::from_translation(at), axis)
+    };
+    let [x, y, z, here] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0; 3]];
+    let joints = vec![
+        hinge(None, here, z),
+        hinge(Some(0), z, y),
+        hinge(Some(1), z, y),
+        hinge(Some(2), here, x),
+        hinge(Some(3), x, y),
+        hinge(Some(4), here, x),
+        hinge(Some(0), x, y),
+    ];
+    Shape { joints, ..shape.clone() }
+}
+
+/// The solutions in C.
+fn listed<R>(found: &ik::Solutions<R>) -> SolutionList<R> {
+    // SAFETY: the library has checked that both have one layout.
+    unsafe { std::mem::transmute_copy(found) }
+}
+
+macro_rules! add_solutions {
+    ($shape:ident $list:ident $R:ident $of:ident) => {{
+        let scene = Scene::<$R>::$of(&with_arm($shape));
+        let mut room = 0;
+        // SAFETY: it has been made.
+        let said = unsafe { solutions::$of::solutions_scratch(&raw const scene.made, &raw mut room) };
+        assert_eq!(said, Status::Ok);
+        let (n, [arm, placed]) = ($shape.count, [(); 2].map(|()| Rc::clone(&scene)));
+        let values = |at: usize| std::array::from_fn::<$R, 7, _>(|joint| wave(7 * at + joint, 5));
+        let goal = Goal::<$R> { link: 5, angular: [1.0; 3], linear: [1.0; 3], point: [0.1, 0.2, 0.3] };
+        of_numbers! { $list $R $of:
+            "" solutions solutions_scratch (mechanism: scene.argument(), scratch_count: writes::<usize>(1))
+                => scratch_count[0] = room;
+            "" solutions solutions (
+                mechanism: scene.argument(),
+                goal: reads::<Goal<$R>>(1).only(move |_| goal)
+                    .fault(Status::NoLink, None, |goal| goal[0].link = 7)
+                    .fault(Status::Weight, None, |goal| goal[0].linear[1] = -1.0)
+                    .fault(Status::NotSixHinges, None, |goal| goal[0].linear[1] = 0.0)
+                    .fault(Status::NotSixHinges, None, |goal| goal[0].link = 6),
+                targets: reads::<DualQuat<$R>>(n)
+                    .only(move |at| placed.rust.view().link_pose(&values(at), 5).expect("a link"))
+                    .fault(Status::NotFinite, Some(2), |targets| targets[2] = DualQuat::from_array([<$R>::NAN; 8]))
+                    .fault(Status::NotUnit, Some(1), |targets| targets[1] = targets[1].scale(2.0)),
+                starts: reads::<[$R; 6]>(n).only(move |at| std::array::from_fn(|hinge| wave(at + hinge, 8)))
+                    .fault(Status::NotFinite, Some(1), |starts| starts[1][3] = <$R>::INFINITY),
+                scratch: writes::<$R>(room).scratch(),
+                scratch_count: count(room).wrong(room - 1, Status::LengthScratch),
+                found: writes::<SolutionList<$R>>(n), count: count(n), bad_target: names(),
+            ) => {
+                let search = search(&arm, goal, &[])?;
+                let solver = SixAxisArm::new(search.view()).map_err(|_| Status::NotSixHinges)?;
+                let mut all = vec![ik::Solutions::default(); n];
+                solver.job().solutions(targets, starts, &mut all).expect("targets that may be");
+                found.iter_mut().zip(&all).for_each(|(list, known)| *list = listed(known));
+            };
+        }
+    }};
+}
+
 pub(super) fn add(shape: &Shape, to: &mut Vec<Function>) {
+    add_solutions!(shape to f32 single);
+    add_solutions!(shape to f64 double);
     add!(shape to f32 single);
     add!(shape to f64 double);
 }

@@ -130,7 +130,7 @@ fn fields(fields: VertexFields, count: usize) -> crate::argument::Passed<VertexF
         .wrong(VertexFields { tangent: one + 1, ..fields }, Status::Field)
         .wrong(VertexFields { stride: 2, ..fields }, Status::Field)
         .wrong_if(count > 1, VertexFields { stride: usize::MAX, ..fields }, Status::TooLarge)
-        .wrong_if(count > 0, VertexFields { normal: toggled, ..fields }, Status::Length)
+        .wrong_if(count > 0, VertexFields { normal: toggled, ..fields }, Status::Fields)
 }
 
 /// One that scales, in the order of the shape.
@@ -165,8 +165,8 @@ macro_rules! add {
         let (from, to) = (vertices($shape, 10, 0), vertices($shape, 11, 3));
         let vector = |of: usize| reads::<[$R; 3]>(of);
         let moved = |of: usize| writes::<[$R; 3]>(of);
-        let joints = || count(JOINTS).wrong(JOINTS - 1, Status::Length);
-        let all = || count(n).wrong_if(n > 0, n.saturating_sub(1), Status::Length);
+        let joints = || count(JOINTS).wrong(JOINTS - 1, Status::LengthJoints);
+        let all = || count(n).wrong_if(n > 0, n.saturating_sub(1), Status::LengthVertices);
         let matrices = || reads::<Matrix>(JOINTS);
         let motions = || reads::<DualQuat<$R>>(JOINTS);
         let shares = || {

@@ -35,7 +35,7 @@ fn status(error: TrajectoryError) -> Status {
     match error {
         TrajectoryError::ControlPose { .. } => Status::NotFinite,
         TrajectoryError::NotRising { .. } | TrajectoryError::Interval { .. } => Status::Times,
-        _ => Status::Length,
+        _ => Status::FewPoses,
     }
 }
 
@@ -56,7 +56,7 @@ macro_rules! add {
         functions! { $to:
             concat!("dq8_trajectory_sample_", stringify!($R)), $of::sample = (
                 stamps: stamps(), poses: reads::<DualQuat<f64>>(n),
-                pose_count: count(n).wrong(0, Status::Length), options: options(),
+                pose_count: count(n).wrong(0, Status::FewPoses), options: options(),
                 times: reads::<f64>(at), out: writes::<DualQuat<$R>>(at),
                 twists: writes::<Twist<$R>>(at).unless_null(1), count: count(at), bad_time: names(),
             ) => {
@@ -69,14 +69,14 @@ macro_rules! add {
             };
             concat!("dq8_trajectory_deskew_", stringify!($R)), $of::deskew = (
                 stamps: stamps(), poses: reads::<DualQuat<f64>>(n),
-                pose_count: count(n).wrong(0, Status::Length), options: options(),
+                pose_count: count(n).wrong(0, Status::FewPoses), options: options(),
                 times: reads::<f64>(at), points: cloud(at), moved: moved(at).over("points"),
                 count: count(at), bad_time: names(),
             ) => of(options, path(stamps, poses).map_err(status)?.job())
                 .deskew(times, points, moved).map_err(status);
             concat!("dq8_trajectory_skew_", stringify!($R)), $of::skew = (
                 stamps: stamps(), poses: reads::<DualQuat<f64>>(n),
-                pose_count: count(n).wrong(0, Status::Length), options: options(),
+                pose_count: count(n).wrong(0, Status::FewPoses), options: options(),
                 times: reads::<f64>(at), points: cloud(at), moved: moved(at).over("points"),
                 count: count(at), bad_time: names(),
             ) => of(options, path(stamps, poses).map_err(status)?.job())
@@ -84,7 +84,7 @@ macro_rules! add {
             concat!("dq8_spline_poses_", stringify!($R)), $of::poses = (
                 control: reads::<DualQuat<f64>>(5)
                     .fault(Status::NotFinite, Some(3), |control| control[3] = DualQuat::ZERO.scale(f64::NAN)),
-                control_count: count(5).wrong(3, Status::Length), start: passes(0.5),
+                control_count: count(5).wrong(3, Status::FewPoses), start: passes(0.5),
                 every: passes(0.25).wrong(0.0, Status::Times),
                 basis: one_of([0, 1]).wrong(2, Status::UnknownValue), options: options(),
                 times: reads::<f64>(at), out: writes::<DualQuat<$R>>(at),

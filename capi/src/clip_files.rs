@@ -1,0 +1,134 @@
+//! Files of packed clips, written from frames. This takes the heap.
+
+use crate::memory::{Input, Output};
+use crate::span::disjoint;
+use crate::status::{Done, Status};
+use dq8::hierarchy::{Clip, PackedClip, PackedError, Tolerance};
+
+/// The frames of a clip, as dq8_clips_pack reads them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Frames {
+    /// Local poses `[frame][joint]`, of seven components each: a unit quaternion (x, y, z, w), then
+    /// a translation (x, y, z).
+    pub keys: *const f32,
+    /// The number of frames.
+    pub count: usize,
+    /// The number of frames a second, so that times are in seconds. 0 for times in frames.
+    pub rate: f64,
+    /// 1 if the clip begins again where it ends, and 0 otherwise.
+    pub loops: u32,
+}
+
+/// The arguments of [`pack`], as C passes them.
+struct Query {
+    clips: *const Frames,
+    clip_count: usize,
+    joint_count: usize,
+    tolerance: Tolerance,
+    bytes: *mut u8,
+    capacity: usize,
+    length: *mut usize,
+    bad_key: *mut usize,
+}
+
+/// Packs clips of one skeleton into a file, which dq8_clips_make reads. `clips` holds `clip_count`
+/// clips of `joint_count` joints. The file takes about a quarter of the memory of the frames. A
+/// rotation is kept to about 5e-5 radians, and a translation to 1/65534 of the longest side of the
+/// box in which its joint moves in all clips.
+///
+/// A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
+/// that moves by less than `length_tolerance` as a single translation: 2e-5 and 1e-5 suit metres.
+/// `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity` is
+/// 0, only `length` is written.
+///
+/// Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES if
+/// there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`. Returns
+/// DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may be null,
+/// to its index, counted through all clips.
+///
+/// # Safety
+/// `clips` must hold `clip_count` clips, whose keys have the lengths that they state, and `bytes`
+/// must hold `capacity` bytes. No other thread may use the outputs or write the inputs during the
+/// call.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dq8_clips_pack(
+    clips: *const Frames,
+    clip_count: usize,
+    joint_count: usize,
+    angle: f32,
+    length_tolerance: f32,
+    bytes: *mut u8,
+    capacity: usize,
+    length: *mut usize,
+    bad_key: *mut usize,
+) -> Status {
+    let tolerance = Tolerance { angle, length: length_tolerance };
+    let query =
+        Query { clips, clip_count, joint_count, tolerance, bytes, capacity, length, bad_key };
+    // SAFETY: `pack` needs arrays of the stated lengths that no other thread uses, which the caller
+    // guarantees.
+    Status::of(unsafe { pack(&query) })
+}
+
+/// # Safety
+/// The arrays must have the lengths that the query states. No other thread may use the outputs or
+/// write the inputs during the call.
+unsafe fn pack(query: &Query) -> Done {
+    let joints = query.joint_count;
+    let clips = Input::<Frames>::new(query.clips, query.clip_count)?;
+    let bytes = Output::<u8>::new(query.bytes, query.capacity)?;
+    let length = Output::<usize>::new(query.length, 1)?;
+    let bad_key = Output::<usize>::unless_null(query.bad_key)?;
+    let outputs = [bytes.span, length.span, bad_key.span];
+    disjoint(&outputs, &[clips.span])?;
+    let mut known = Vec::new();
+    // SAFETY: the caller guarantees that `clips` holds its elements, and `disjoint` has checked that
+    // no output overlaps them.
+    let frames = unsafe { clips.slice() };
+    for &Frames { keys, count, rate, loops } in frames {
+        let keys =
+            Input::<[f32; 7]>::new(keys, count.checked_mul(joints).ok_or(Status::TooLarge)?)?;
+        disjoint(&outputs, &[keys.span])?;
+        // SAFETY: the caller guarantees that each clip holds its keys, and `disjoint` has checked
+        // that no output overlaps them.
+        let clip = Clip::new(joints, unsafe { keys.slice() }).or(Err(Status::NoInfluences))?;
+        let clip = if rate == 0.0 { clip } else { clip.with_rate(rate) };
+        known.push(match loops {
+            0 => clip,
+            1 => clip.looping(),
+            _ => return Err(Status::UnknownValue),
+        });
+    }
+    let packed = PackedClip::library(&known, query.tolerance).map_err(|error| {
+        let (status, place) = match error {
+            PackedError::NotUnit { clip, frame, joint, .. } => {
+                (Status::NotUnit, Some((clip, frame, joint)))
+            }
+            PackedError::Beyond { clip, frame, joint, .. } => {
+                (Status::NotFinite, Some((clip, frame, joint)))
+            }
+            PackedError::Rate { .. } => (Status::UnknownValue, None),
+            PackedError::TooLarge => (Status::TooLarge, None),
+            _ => (Status::NoInfluences, None),
+        };
+        if let Some((clip, frame, joint)) = place {
+            let before: usize = frames.iter().take(clip).map(|clip| clip.count * joints).sum();
+            // SAFETY: the caller guarantees that `bad_key` is null or points to a `usize`, and
+            // `disjoint` has checked that it overlaps no other array.
+            unsafe { bad_key.write(before + frame * joints + joint) };
+        }
+        status
+    })?;
+    let file = packed.as_bytes();
+    // SAFETY: the caller guarantees `capacity` bytes and a `usize`, and `disjoint` has checked that
+    // they overlap no other array.
+    unsafe {
+        if query.capacity > 0 {
+            let room = bytes.slice().get_mut(..file.len()).ok_or(Status::LengthBytes)?;
+            room.copy_from_slice(file);
+        }
+        length.write(file.len());
+    }
+    Ok(())
+}
