@@ -39,13 +39,13 @@ struct Query {
 ///
 /// A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
 /// that moves by less than `length_tolerance` as a single translation: 2e-5 and 1e-5 suit metres.
-/// `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity` is
-/// 0, only `length` is written.
+/// `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity`
+/// is 0, only `length` is written.
 ///
-/// Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES if
-/// there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`. Returns
-/// DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may be null,
-/// to its index, counted through all clips.
+/// Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES
+/// if there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`.
+/// Returns DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may
+/// be null, to its index, counted through all clips.
 ///
 /// # Safety
 /// `clips` must hold `clip_count` clips, whose keys have the lengths that they state, and `bytes`
@@ -83,8 +83,8 @@ unsafe fn pack(query: &Query) -> Done {
     let outputs = [bytes.span, length.span, bad_key.span];
     disjoint(&outputs, &[clips.span])?;
     let mut known = Vec::new();
-    // SAFETY: the caller guarantees that `clips` holds its elements, and `disjoint` has checked that
-    // no output overlaps them.
+    // SAFETY: the caller guarantees that `clips` holds its elements, and `disjoint` has checked
+    // that no output overlaps them.
     let frames = unsafe { clips.slice() };
     for &Frames { keys, count, rate, loops } in frames {
         let keys =

@@ -166,8 +166,8 @@ macro_rules! functions {
             /// hinges that bring the link of `goal` to the target. Arms with a spherical wrist and
             /// arms with three parallel axes are solved by formula, others by searches from many
             /// starts. `targets` holds unit motions. `starts` holds six values for each target,
-            /// from the base up; solutions are sorted by their distance from them. The mechanism may
-            /// have other joints, which do not carry the link.
+            /// from the base up; solutions are sorted by their distance from them. The mechanism
+            /// may have other joints, which do not carry the link.
             ///
             /// Returns DQ8_STATUS_NOT_SIX_HINGES, or the errors of a goal that dq8_mechanism_reach
             /// has; and DQ8_STATUS_NOT_FINITE or _NOT_UNIT for a target or a start, and then sets

@@ -92,8 +92,8 @@ unsafe fn read(file: &File, outputs: &[Span], write: impl FnOnce(&Robot) -> Done
 /// It may be null if `message_size` is 0.
 ///
 /// # Safety
-/// `text` must hold `length` bytes, and `message` must hold `message_size` bytes. No other thread may
-/// use the outputs or write the text during the call.
+/// `text` must hold `length` bytes, and `message` must hold `message_size` bytes. No other thread
+/// may use the outputs or write the text during the call.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dq8_urdf_size(
     text: *const u8,
@@ -168,7 +168,8 @@ macro_rules! functions {
             /// Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
             /// `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
             /// the root of the file. `names` gets the names of all links, then of all values, each
-            /// with a zero after it, and holds `names_size` bytes. It may be null if `names_size` is
+            /// with a zero after it, and holds `names_size` bytes. It may be null if `names_size`
+            /// is
             /// 0. dq8_urdf_size writes both numbers, and has the same errors.
             ///
             /// Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
