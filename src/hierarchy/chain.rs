@@ -10,7 +10,7 @@ use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, ident
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat};
 
-/// The greatest number of segments of a chain: the lanes of the widest block.
+/// The greatest number of segments of a chain, which is the number of lanes of the widest block.
 const MAX_SEGMENTS: usize = 16;
 
 impl Backend {
@@ -18,13 +18,13 @@ impl Backend {
     /// `products[i] = links[0] · links[1] ⋯ links[i]`.
     ///
     /// Each product needs the product before it, so a loop over the links has one motion at a time
-    /// and no work for other lanes. But products are associative, so the chain is cut into segments
-    /// of equal length, one in each lane. The first pass computes the products of whole segments,
-    /// on all lanes at once. The second pass multiplies these totals, so that each segment knows
-    /// the product of all links before it. The third pass computes every product, on all lanes
-    /// again. This takes two multiplications for each link, and is still twice as fast as a loop
-    /// over the links. Its results differ from those of the loop in the last bits, because the
-    /// multiplications are in another order.
+    /// and no work for other lanes. But products are associative, so the chain is divided into
+    /// segments of equal length, one in each lane. The first pass computes the products of whole
+    /// segments, on all lanes at once. The second pass multiplies these totals, so that each
+    /// segment knows the product of all links before it. The third pass computes every product, on
+    /// all lanes again. This takes two multiplications for each link, and is still twice as fast as
+    /// a loop over the links. Its results differ from those of the loop in the last bits, because
+    /// the multiplications are in another order.
     ///
     /// Links are `[DualQuat<R>]` in order, or `[Block<R, N>]` with a segment in each lane, which is
     /// the fastest way; see [`pack_chain`](crate::storage::pack_chain).
@@ -77,8 +77,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
-        // A chain in blocks was cut into segments when it was packed, and the last segment was
-        // filled with identities.
+        // A chain in blocks was divided into segments when it was packed, and the last segment was
+        // filled up with identities.
         if const { E::Layout::THINGS > 1 } {
             scan(InBlocks { level, links, products });
             return;
@@ -105,7 +105,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
                     level, steps, links, products,
                 ))
             };
-            // The links that remain after eight segments of equal length are multiplied one by one.
+            // The links that remain after the eight segments of equal length are multiplied one by
+            // one.
             for index in PLAIN_SEGMENTS * steps..products.len() {
                 let Some(link) = links.or(products).get(index) else { return };
                 before = packed_product(before, link);
@@ -116,8 +117,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     }
 }
 
-/// A chain in segments, with a segment in each lane. If the segments need several registers, a part
-/// is the segments of one register.
+/// A chain in segments, with a segment in each lane. If the segments need several registers, a
+/// *part* consists of the segments in the lanes of one register.
 trait Segments {
     type Lanes: Lanes<Real: Scalar>;
     fn level(&self) -> <Self::Lanes as Lanes>::Level;
@@ -137,7 +138,8 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
     // First pass, on all lanes: the product of each segment.
     //
-    // Totals to which no segment belongs stay at the identity, which changes no product.
+    // An element of `totals` to which no segment belongs stays at the identity, which changes no
+    // product.
     let mut totals = [identity(); MAX_SEGMENTS];
     for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
         let mut total = batch::DualQuat::identity(level);
@@ -277,13 +279,13 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
 ///
 /// With right = p + εq, the result is left · p + ε(left · q), where terms with ε² are
 /// dropped. This takes eight multiplications of vectors. The last sum adds −0 to the real part,
-/// which keeps its bits. Adding +0 would turn −0 into +0, and the result would differ from that
-/// of [`product_in_lanes`].
+/// so the bits of the real part do not change. Adding +0 would turn −0 into +0, and the result
+/// would differ from that of [`product_in_lanes`].
 ///
-/// Three other ways were measured on a skeleton of 64 joints and are slower. Signs by alternating
-/// multiply-adds and subtractions take a sixth longer, although they save three instructions.
-/// Broadcasting the components of the left factor takes a sixth longer. Joints of equal depth in
-/// the lanes, gathered and scattered, take a twentieth longer.
+/// Three other ways were measured on a skeleton of 64 joints and are slower. Alternating
+/// multiply-adds and subtractions, in place of a change of signs, take a sixth longer, although
+/// they save three instructions. Broadcasting the components of the left factor takes a sixth
+/// longer. Joints of equal depth in the lanes, gathered and scattered, take a twentieth longer.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
