@@ -1,5 +1,5 @@
 //! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3). Twists x = ω +
-//! εv are dual vectors, and with the dual number u = x·x
+//! εv are dual vectors. With the dual number u = x·x, the left Jacobian and its inverse are
 //!
 //! ```text
 //! J_l(x) y   = y +   A(u) x×y + B(u) x×(x×y)
@@ -14,16 +14,16 @@ use crate::geometry::{Twist, Wrench};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
-    /// Returns the twist moved by unit σ, with the angular part ω′ = Rω and the linear part
-    /// v′ = Rv + t × ω′.
+    /// Returns the twist moved by unit σ (with rotation R and translation t): its angular part is
+    /// ω′ = Rω, its linear part v′ = Rv + t × ω′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn adjoint(self, twist: Twist<L>) -> Twist<L> {
         let (angular, linear) = self.carry(twist.angular, twist.linear);
         Twist { angular, linear }
     }
 
-    /// Returns the wrench moved by unit σ, with the force f′ = Rf and the torque τ′ = Rτ + t
-    /// × f′.
+    /// Returns the wrench moved by unit σ (with rotation R and translation t): its force is f′ =
+    /// Rf, its torque τ′ = Rτ + t × f′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn coadjoint(self, wrench: Wrench<L>) -> Wrench<L> {
         let (force, torque) = self.carry(wrench.force, wrench.torque);
@@ -91,9 +91,9 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 /// Returns the rows of the matrix of a linear map on twists. Its columns are the images of the six
-/// unit twists. The value of `any` does not matter: the constants on lanes are made from it.
-/// Callers pass a closure marked `inline(always)`, because the compiler does not inline a function
-/// that is passed by name.
+/// unit twists. The value of `any` does not matter, because it only serves to make constants on
+/// lanes. Callers pass a closure marked `inline(always)`, because the compiler does not inline a
+/// function that is passed by name.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn matrix<L: Lanes>(map: impl Fn(Twist<L>) -> Twist<L>, any: Twist<L>) -> [[L; 6]; 6] {
     let mut rows = [any.to_array(); 6];
@@ -116,7 +116,7 @@ fn square<L: Lanes>(x: Twist<L>) -> Dual<L> {
 }
 
 /// Returns the Lie bracket [x, y] = ad_x y of two twists, their cross product x × y. It is the
-/// rate at which y changes while the motion with the twist x carries y along.
+/// rate of change of y while a motion with the twist x carries y along.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let moved = vector::cross(x.linear, y.angular);

@@ -1,5 +1,5 @@
 //! Conversions from and to types of glam 0.34. Its quaternions are `[x, y, z, w]` as in dq8, and
-//! its matrices are columns.
+//! its matrices are stored as columns.
 //!
 //! ```
 //! use dq8::{DualQuat, Quat};

@@ -110,7 +110,8 @@ impl<R: Real> Quat<R> {
     /// returned is about the axis orthogonal to `from` that is nearest to the coordinate axis
     /// farthest from `from`. The result is NaN for a zero vector.
     ///
-    /// |a + b| and |b − a| are accurate for the smallest angles and near half a turn, where the scalar product a·b would have lost digits.
+    /// The lengths |a + b| and |b − a| are accurate for the smallest angles and near half a turn,
+    /// where the scalar product a·b would have lost digits.
     ///
     /// ```
     /// use dq8::Quat;
