@@ -1,9 +1,9 @@
 //! Rigid motions as dual quaternions, many at a time on SIMD lanes.
 //!
 //! A dual quaternion is eight floats that represent a rotation and a translation. This crate
-//! multiplies, blends and interpolates dual quaternions, moves points with them, and multiplies
-//! them along joint hierarchies. It does so for one motion at a time in a textbook reference, or
-//! for as many motions at a time as a SIMD register has lanes. Both obey the same laws.
+//! multiplies, blends and interpolates dual quaternions, moves points with them, and computes the
+//! poses of joint hierarchies. It does so for one motion at a time in a textbook reference, or for
+//! as many motions at a time as a SIMD register has lanes. Both obey the same laws.
 //!
 //! ```
 //! use dq8::{Crowd, DualQuat, Hierarchy, Quat};

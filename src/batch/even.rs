@@ -103,11 +103,11 @@ pub fn farthest<L: Lanes>() -> f64 {
     if L::Real::SINGLE { 65_536.0 } else { 35_184_372_088_832.0 }
 }
 
-/// Returns cos √v, sin(√v)/√v and the derivative of the latter by v, for v > (π/2)². All
-/// are NaN where √v is beyond [`farthest`].
+/// Returns cos √v, sin(√v)/√v and the derivative of sin(√v)/√v by v, for v > (π/2)².
+/// All three are NaN where √v is beyond [`farthest`].
 ///
-/// The errors grow with √v like the rounding error of √v itself, because a float of size y is
-/// only known to y/2²⁴ (`f64`: y/2⁵³).
+/// The errors grow with √v like the rounding error of √v itself, because a float of size y has
+/// a rounding error of up to y/2²⁴ (`f64`: y/2⁵³).
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
     let root = v.sqrt();

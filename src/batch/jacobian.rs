@@ -32,8 +32,8 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// Returns J_l(x) y for the twists x = `at` and y = `along`, with exp(½(x + δy)) ≈ exp(½δ
-    /// J_l(x) y) exp(½x) for small δ.
+    /// Returns J_l(x) y, the left Jacobian at the twist x = `at` applied to the twist y = `along`,
+    /// with exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) for small δ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn left_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let (first, second) = exponential_integrals(square(at));
@@ -41,15 +41,16 @@ impl<L: Lanes> DualQuat<L> {
         times_onto(second, lie_bracket(at, once), times_onto(first, once, along))
     }
 
-    /// Returns J_r(x) y for the twists x = `at` and y = `along`, with exp(½(x + δy)) ≈ exp(½x)
-    /// exp(½δ J_r(x) y) for small δ.
+    /// Returns J_r(x) y, the right Jacobian at the twist x = `at` applied to the twist y = `along`,
+    /// with exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y) for small δ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn right_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian(-at, along)
     }
 
-    /// Returns J_l⁻¹(x) y for the twists x = `at` and y = `along`, with 2 log(exp(½δy)
-    /// exp(½x)) ≈ x + δ J_l⁻¹(x) y for small δ. The result is infinite at |ω| = 2π.
+    /// Returns J_l⁻¹(x) y, the inverse of the left Jacobian at x = `at` applied to y = `along`,
+    /// with 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y for small δ. The result is
+    /// infinite at |ω| = 2π.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn left_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let u = square(at);
@@ -58,15 +59,16 @@ impl<L: Lanes> DualQuat<L> {
         times_onto(half_cotangent(u), lie_bracket(at, once), times_onto(minus_half, once, along))
     }
 
-    /// Returns J_r⁻¹(x) y for the twists x = `at` and y = `along`, with 2 log(exp(½x)
-    /// exp(½δy)) ≈ x + δ J_r⁻¹(x) y for small δ. The result is infinite at |ω| = 2π.
+    /// Returns J_r⁻¹(x) y, the inverse of the right Jacobian at x = `at` applied to y = `along`,
+    /// with 2 log(exp(½x) exp(½δy)) ≈ x + δ J_r⁻¹(x) y for small δ. The result is
+    /// infinite at |ω| = 2π.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn right_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian_inverse(-at, along)
     }
 
-    /// Returns the rows of the 6×6 matrices of J_l(x), x = `at`. They act on columns
-    /// `[ωx, ωy, ωz, vx, vy, vz]`.
+    /// Returns the rows of the 6×6 matrices of the left Jacobian J_l(x), x = `at`. They act on
+    /// columns `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_matrix(at: Twist<L>) -> [[L; 6]; 6] {
@@ -77,8 +79,8 @@ impl<L: Lanes> DualQuat<L> {
         )
     }
 
-    /// Returns the rows of the 6×6 matrices of J_l⁻¹(x), x = `at`, with twists in the order of
-    /// [`left_jacobian_matrix`](Self::left_jacobian_matrix).
+    /// Returns the rows of the 6×6 matrices of the inverse left Jacobian J_l⁻¹(x), x = `at`,
+    /// with twists in the order of [`left_jacobian_matrix`](Self::left_jacobian_matrix).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<L>) -> [[L; 6]; 6] {

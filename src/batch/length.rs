@@ -55,7 +55,8 @@ impl<L: Lanes> Length<L> {
         let root = sum_of_squares(scaled(vector, stretch), one).sqrt();
         // A component is divided by the length in two multiplications. For short vectors both
         // factors are at least 1, and for long vectors at most 1. So the first product lies between
-        // the component and the quotient, and it overflows or vanishes only if one of the two does.
+        // the component and the quotient, and it overflows or vanishes only if the component or the
+        // quotient does.
         let balance = power_by_size(small, fits, one, up - half, down + half);
         let first = one / root * balance;
         let second = power_by_size(small, fits, one, half, -half);

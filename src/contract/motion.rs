@@ -116,11 +116,11 @@ shared_trait! {
     by_hand {
         /// Returns the identity motion, 1 + ε0.
         fn identity(level: Self::Level) -> Self;
-        /// Returns σ/√(σσ*), and a mask that is `true` where it does not exist, because p is
-        /// zero or a component is not finite. There the first result is NaN.
+        /// Returns σ/√(σσ*), and a mask that is `true` where this quotient does not exist,
+        /// because p is zero or a component is not finite. There the first result is NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
-        /// Returns σ⁻¹, and a mask that is `true` where it does not exist, because p is zero or
-        /// a component is not finite. There the first result is NaN.
+        /// Returns σ⁻¹, and a mask that is `true` where the inverse does not exist, because p
+        /// is zero or a component is not finite. There the first result is NaN.
         fn inverse_checked(self) -> (Self, Self::Mask);
     }
 

@@ -46,8 +46,8 @@ shared_trait! {
     by_hand {
         /// Returns the identity 1, the rotation by the angle 0.
         fn identity(level: Self::Level) -> Self;
-        /// Returns q/|q|, and a mask that is `true` where it does not exist, because q is zero or a
-        /// component is not finite. There the first result is NaN.
+        /// Returns q/|q|, and a mask that is `true` where this quotient does not exist, because q
+        /// is zero or a component is not finite. There the first result is NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
     }
 

@@ -104,8 +104,8 @@ impl<E: Element<8>> Run<'_, E> {
         let lanes = E::Layout::records::<V>();
         let nothing = root.unwrap_or(identity());
         // The models of the joints and of their parents are copied to the two halves of one array.
-        // Of two arrays with the same initial values, the compiler would initialise the second by a
-        // call of `memcpy` from the first.
+        // If they were two arrays with the same initial values, the compiler would call `memcpy` to
+        // initialise the second from the first.
         let mut both = [nothing; 2 * MAX_LANES];
         let (own, parents) = both.split_at_mut(MAX_LANES);
         let mut end = self.joints.end;
@@ -136,11 +136,11 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// The loop that writes locals as motions: poses(j) = local(j). In blocks, and for plain instances
-/// whose locals are computed, lanes are instances. There are two reasons: clips and layers compute
-/// a batch of joints at a time, and the joints of a small skeleton would fill few registers, the
-/// last of them only partly. For locals in memory, and for the last instances, which do not fill
-/// all lanes, lanes are joints of one instance. This is possible because no joint waits for another
+/// The loop that writes locals as motions: poses(j) = local(j). In blocks, and in plain slices if
+/// the locals are computed, lanes are instances. There are two reasons: clips and layers compute a
+/// batch of joints at a time, and the joints of a small skeleton would fill few registers, the last
+/// of them only partly. For locals in memory, and for the last instances, which do not fill all
+/// lanes, lanes are joints of one instance. This is possible because no joint waits for another
 /// here, and quick because the joints of one instance adjoin in memory. Both ways give the same
 /// bits.
 pub(super) struct Write<'r, 's, E: Element<8>, L> {
@@ -152,8 +152,9 @@ pub(super) struct Write<'r, 's, E: Element<8>, L> {
 impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE || L::COMPUTED;
-    // On CPUs that shuffle 512 bits as quickly as 256 bits, AVX-512 takes a fifth to a quarter less
-    // time than AVX2.
+    // If the locals are computed and the motions are plain, the loop transposes. On CPUs that
+    // shuffle 512 bits as quickly as 256 bits, AVX-512 then takes a fifth to a quarter less time
+    // than AVX2.
     const SHUFFLES: bool = !E::Layout::WIDE && L::COMPUTED;
 
     #[cfg_attr(not(opt_level_0), inline(always))]

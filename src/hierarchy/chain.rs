@@ -1,6 +1,6 @@
-//! Products of chains: for each link, the product of all links up to it. Also the product of two
-//! motions for all loops over a hierarchy, with one motion in a register ([`packed_product`]) or
-//! one motion in each lane ([`product_in_lanes`]).
+//! Products of chains: for each link, the product of all links up to it. The module also has the
+//! product of two motions that all loops over a hierarchy use, with one motion in a register
+//! ([`packed_product`]) or one motion in each lane ([`product_in_lanes`]).
 
 use crate::backend::{Backend, Kernel};
 use crate::batch;
@@ -88,7 +88,7 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
             Source::Output => Some(Source::Output),
         };
         // The loop may work in place: the third pass overwrites a link with its product just after
-        // it has read the link, and the first pass, which reads all links, ends before.
+        // it has read the link, and the first pass, which reads all links, has then ended.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
             // On targets without SIMD, where a register holds a single value, segments are computed
@@ -219,7 +219,7 @@ impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
 /// The number of segments of a chain of plain motions.
 const PLAIN_SEGMENTS: usize = 8;
 
-/// A chain of plain motions. Its eight segments lie one after the other in memory, so links are
+/// A chain in a plain slice. Its eight segments lie one after the other in memory, so links are
 /// loaded at a stride and transposed in registers.
 struct Strided<'s, V, R, L> {
     level: V,
@@ -285,7 +285,8 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
 /// Three other ways were measured on a skeleton of 64 joints and are slower. Alternating
 /// multiply-adds and subtractions, in place of a change of signs, take a sixth longer, although
 /// they save three instructions. Broadcasting the components of the left factor takes a sixth
-/// longer. Joints of equal depth in the lanes, gathered and scattered, take a twentieth longer.
+/// longer. Computing joints of equal depth in the lanes, with gathers and scatters, takes a
+/// twentieth longer.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();

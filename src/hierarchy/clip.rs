@@ -418,8 +418,8 @@ impl<'s, W: Law<C>, P: KeysAt<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P
     /// poses of NaN.
     ///
     /// # Errors
-    /// If `places` and `t` differ in length, a frame is not in the clip or is its last, which no
-    /// frame follows, or a place was made by other packed clips.
+    /// If `places` and `t` differ in length, if a frame is not in the clip or is its last frame
+    /// (after which there is none), or if a place was made by other packed clips.
     pub fn new<K: Keys<'s, R, C, Placed = P>>(
         law: W,
         clip: K,
@@ -479,9 +479,9 @@ locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |po
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}
 
 impl<K> Clip<'_, K> {
-    /// Returns the local pose of a joint at the time `at`, which counts as in
-    /// [`place`](Self::place), by the law `law`; `None` if there is no such joint. For whole
-    /// skeletons use [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
+    /// Returns the local pose of a joint at the time `at` (in the unit of [`place`](Self::place))
+    /// by the law `law`, or `None` if there is no such joint. For whole skeletons use
+    /// [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
     #[must_use]
     pub fn pose<W, R: Scalar, const C: usize>(
         &self,
@@ -553,7 +553,8 @@ impl<K> Clip<'_, K> {
     }
 }
 
-/// The level for single poses. Its lanes do not fuse, so poses have the same bits on every target.
+/// The level for single poses. Its lanes fuse no multiplication with an addition, so poses have the
+/// same bits on every target.
 pub(super) type Single = Unfused<Portable>;
 pub(super) const SINGLE: Single = Unfused(Portable);
 

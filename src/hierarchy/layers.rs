@@ -279,8 +279,8 @@ where
         if let Some(mask) = self.mask {
             same_length("mask", mask.len(), joints)?;
         }
-        // There may be fewer weights than lanes in all blocks, because some lanes of the last block
-        // may hold no instance.
+        // There may be fewer weights than all blocks together have lanes, because some lanes of the
+        // last block may hold no instance.
         let blocks = length.checked_div(joints).unwrap_or(0);
         if self.weights.len().div_ceil(M::THINGS) != blocks {
             same_length("weights", self.weights.len(), blocks.saturating_mul(M::THINGS))?;

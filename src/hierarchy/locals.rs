@@ -37,7 +37,8 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
     /// Loads the locals of a slot. `models` holds the models of the slot's instances, which have
-    /// been computed for all earlier joints. Locals in place are read from there.
+    /// been computed for all earlier joints. If the run is in place, the locals are read from
+    /// `models`.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Registers<E, V>>;
 
@@ -238,8 +239,8 @@ pub(super) mod sealed {
 /// registers. Poses of seven components leave the last row unchanged.
 pub(super) type Stored<L> = [<L as Lanes>::Array; 8];
 
-/// The number of slots (joints in all lanes) in a batch. The batch is so large that calling a
-/// source takes little of the time, and small enough to stay in the first-level cache.
+/// The number of slots ([`JointSlot`]) in a batch. The batch is so large that the calls of a source
+/// take little of the time, and small enough to stay in the first-level cache.
 pub(super) const BATCH: usize = 16;
 
 /// `true` if computed locals are computed in batches. Firmware has little memory for code and

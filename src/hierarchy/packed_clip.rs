@@ -60,7 +60,7 @@ brief!([] PackedClip: PackedClip |it| {
     joints: it.clips().joints(), clips: it.clips().clips(), bytes: it.as_bytes().len(),
 });
 
-/// The limits of packing: a track that changes within a clip by no more than this is kept as a
+/// The limits of packing: a track that changes within a clip by no more than its limit is kept as a
 /// single key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
@@ -221,8 +221,9 @@ impl PackedClip {
     }
 
     /// Measures the error of packing a clip. Three points are fixed to each joint, one on each axis
-    /// at the distance `distance`; their distances in model space from the points that the given
-    /// `frames` yield are measured, at the frames but not between them.
+    /// at the distance `distance` from the joint. The function compares the positions in model
+    /// space that the packed clip gives to these points with those that `frames` gives, at the
+    /// frames but not between them.
     ///
     /// # Errors
     /// If there is no such clip, or it was packed from another number of frames, or the hierarchy

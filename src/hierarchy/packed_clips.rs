@@ -297,8 +297,8 @@ impl<'a> PackedClips<'a> {
 }
 
 impl PackedClips<'_> {
-    /// Returns the local pose of a joint of a clip at the time `at`, which counts as in
-    /// [`place`](Self::place); `None` if there is no such clip or joint. See
+    /// Returns the local pose of a joint of a clip at the time `at` (in the unit of
+    /// [`place`](Self::place)), or `None` if there is no such clip or joint. See
     /// [`Clip::pose`](super::Clip::pose).
     #[must_use]
     pub fn pose<R: Scalar>(&self, clip: usize, joint: usize, at: R) -> Option<DualQuat<R>> {
@@ -503,10 +503,10 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
 }
 
 /// Normalizes the mean of two keys of rotations. Neighbouring keys are less than 60° apart, so the
-/// squared length 1 − e of the mean is near 1, and (1 − e)^(−½) is a polynomial of e without
-/// root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005,
-/// 0.068]). The result is NaN if `t` is NaN. The other interpolations cannot share this code,
-/// because here the weights of the mean are integers.
+/// squared length 1 − e of the mean is near 1, and a polynomial of e gives (1 − e)^(−½)
+/// without root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on
+/// [−0.0005, 0.068]). The result is NaN if `t` is NaN. The other interpolations cannot share this
+/// code, because here the weights of the mean are integers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);

@@ -221,10 +221,10 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
             && self.run.renormalize == Renormalize::Never
     }
 
-    /// Computes the models in the order of the plan: stores the locals as motions in place of the
-    /// models, multiplies roots onto their base, then each joint onto its parent, and runs the
-    /// epilogue. The product is the same as in all other runs, so the models of a tree have the
-    /// same bits.
+    /// Computes the models in the order of the plan. It stores the locals, as motions, in the
+    /// memory of the models, multiplies roots onto their base, then multiplies each joint onto its
+    /// parent, and runs the epilogue. The product is the same as in all other runs, so the models
+    /// of a tree have the same bits.
     #[inline]
     pub(super) fn in_order_of(self, plan: Plan<'_>) {
         let Self { run, locals, models, mut epilogue } = self;
@@ -305,8 +305,9 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        // The epilogue runs after all models are computed, in the order of joints: joints that
-        // follow each other in the plan do not adjoin in memory, as loads into lanes need.
+        // The epilogue runs after all models are computed, in the order of joints. Joints that
+        // follow each other in the plan do not adjoin in memory, but loads into lanes need joints
+        // that do.
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {
             let slot = JointSlot::of_joints(start, 0, models.len(), models.len());
@@ -322,7 +323,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 ///
 /// Measured by `cargo bench --bench hierarchy -- one-instance` on skeletons of 21 and 64 joints,
 /// with other values of this constant: 3 to 6 are the same within a few hundredths. Computing level
-/// by level takes a twentieth longer, and depth first half as long again.
+/// by level takes a twentieth longer, and depth first takes half as long again.
 const BETWEEN: u32 = 4;
 
 /// The value that marks the end of a list of children.

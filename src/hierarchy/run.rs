@@ -276,8 +276,8 @@ pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
 }
 
 /// The number of joints that the loop prefetches ahead. For 1,000 skeletons whose palettes exceed
-/// the second-level cache this saves a seventh of the time. If the palettes fit into the cache, it
-/// saves almost nothing. A distance of 4 is equally good.
+/// the second-level cache, prefetching saves a seventh of the time. If the palettes fit into the
+/// cache, it saves almost nothing. A distance of 4 is equally good.
 const PREFETCH_DISTANCE: usize = 2;
 
 /// The joints and instances in the lanes of a register: one joint of several instances, or several

@@ -56,9 +56,9 @@ pub struct Skeleton {
     names: Box<[Box<str>]>,
 }
 
-/// The permutation between the joints of a skeleton and those of its file, which
-/// [`Skeleton::sorted`] finds. It derefs to a slice: joint `j` of the skeleton is joint `order[j]`
-/// of the file.
+/// The permutation between the joints of a skeleton and those of the file, that is, of the list of
+/// parents from which [`Skeleton::sorted`] made the skeleton. It derefs to a slice: joint `j` of
+/// the skeleton is joint `order[j]` of the file.
 ///
 /// ```
 /// use dq8::Skeleton;
@@ -407,8 +407,8 @@ impl OwnedPlan {
     }
 }
 
-/// An integer that is the index of a parent. −1, the largest value of the type or, for an
-/// `Option` of an integer, `None` means that there is no parent. The trait is sealed.
+/// An integer that is the index of a parent. A root has −1, the largest value of the type or, if
+/// the type is an `Option` of an integer, `None`. The trait is sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
     /// Returns the index as the caller wrote it; `None` if there is no parent.
     fn number(self) -> Option<i128>;

@@ -17,7 +17,8 @@
 //!
 //! Conversions are `From` and `Into`. A matrix becomes a motion only through `TryFrom`, which
 //! returns an error unless the matrix is rigid within √ε of its element type (3·10⁻⁴ in
-//! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
+//! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] has the tolerance as a
+//! parameter.
 
 #[cfg(feature = "approx_05")]
 mod approx_05;

@@ -47,9 +47,9 @@ struct Weights<F> {
 impl<F: Number> Weights<F> {
     /// Returns the weights cos √v/√(4 − C) and w sin(√v)/√v, with w = (½ − t)K(C) and
     /// v = Cw² = (τΘ/2)². C is the squared chord of Θ, the dual number `chord` + 2ε`across`,
-    /// and K is the arc over the chord. The two polynomials, one after the other, take most of the
-    /// time, so their inputs are computed first, and everything independent of them is computed
-    /// while they wait.
+    /// and K is the ratio of the arc to the chord. The two polynomials, one after the other, take
+    /// most of the time, so their inputs are computed first, and everything independent of them is
+    /// computed while they wait.
     #[inline(always)]
     fn of(chord: F, across: F, t: F) -> Option<Self> {
         let (half, one) = (t.constant(0.5), t.constant(1.0));

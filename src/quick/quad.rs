@@ -230,8 +230,8 @@ fn turned<V: Four>(b: V) -> [V; 4] {
     ]
 }
 
-/// a_x ib + a_y jb + a_z kb + a_w b, added in the same pairs as in the reference, so both give the
-/// same bits.
+/// Returns a_x ib + a_y jb + a_z kb + a_w b. The terms are added in the same pairs as in the scalar
+/// reference, so both give the same bits.
 #[inline(always)]
 fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
     let ([x, y, z, w], [i, j, k, one]) = (a, b);

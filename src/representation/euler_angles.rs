@@ -32,15 +32,15 @@ pub struct EulerAngles<R> {
 /// give the same rotation.
 ///
 /// If the first and the last axis coincide (the middle angle is ±π/2 with three different axes,
-/// or 0 or π with a proper order), only the sum or the difference of the outer angles is
-/// determined. This is *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products
-/// for θ = π/2 and θ = 0). For a rotation that is within rounding errors of gimbal lock, the
-/// returned middle angle is exactly ±π/2, 0 or π, **the last angle is zero**, the first angle is
-/// the whole sum or difference, and `gimbal_lock` is set.
+/// or 0 or π with a proper order), only the sum or the difference of the first and the last angle
+/// is determined. This is *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the
+/// products for θ = π/2 and θ = 0). For a rotation that is within rounding errors of gimbal
+/// lock, the returned middle angle is exactly ±π/2, 0 or π, **the last angle is zero**, the
+/// first angle is the whole sum or difference, and `gimbal_lock` is set.
 ///
 /// Near gimbal lock the angles are still those of the rotation, but they are sensitive: an error δ
-/// of the rotation changes the outer angles by δ over the sine of the angle between the two axes.
-/// Their sum or difference changes by δ only.
+/// of the rotation changes the first and the last angle by δ divided by the sine of the angle
+/// between their axes. The sum or the difference of both changes by δ only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerSolution<R> {
     /// The angles, in the order that the caller asked for.

@@ -140,11 +140,11 @@ impl<R: Real> DualQuat<R> {
     /// `converged` may be `false`.
     ///
     /// Each step multiplies the error by a factor that shrinks with the square of the spread:
-    /// influences within 40° of a common pose take at most 3 steps to 10⁻⁶ and 8 to
-    /// 2·10⁻¹⁵. The mean of two motions is their [`sclerp`](Self::sclerp), found in one step.
-    /// The mean moves with the influences, c·dib(σᵢ) = dib(cσᵢ), and likewise for a motion c
-    /// on the right. Each logarithm takes the shorter way, so signs do not matter. If influences
-    /// lie more than a quarter of a turn from the mean, there may be several means.
+    /// influences within 40° of a common pose take at most 3 steps to an error of 10⁻⁶ and 8
+    /// steps to 2·10⁻¹⁵. The mean of two motions is their [`sclerp`](Self::sclerp), found in
+    /// one step. The mean moves with the influences, c·dib(σᵢ) = dib(cσᵢ), and likewise for
+    /// a motion c on the right. Each logarithm takes the shorter way, so signs do not matter. If
+    /// influences lie more than a quarter of a turn from the mean, there may be several means.
     ///
     /// The weights need not sum to one; multiplying all weights by one factor gives the same
     /// motion. If they sum to zero, there is no mean: components are NaN, or `converged` is

@@ -73,8 +73,8 @@ errors! {
             /// The number of joints.
             joints: usize,
         } => "there is no joint {joint} of instance {instance}: the crowd has {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
-        /// An instance is sampled after a frame that the clip does not have, or that no frame
-        /// follows.
+        /// The frame that was given for an instance is not in the clip, or it is the last frame,
+        /// after which there is none.
         NoFrame {
             /// The index of the instance.
             instance: usize,
