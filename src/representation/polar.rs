@@ -241,8 +241,8 @@ fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
     core::array::from_fn(|row| {
         core::array::from_fn(|column| {
             let (i, j) = (row.min(column), row.max(column));
-            // The mean of two elements is computed as the first plus half of the difference. Their
-            // sum may overflow, and half of a small element may become zero.
+            // The mean of two elements is computed as the first plus half of the difference,
+            // because their sum may overflow, and half of a small element may become zero.
             let above = product(i, j);
             above + (product(j, i) - above) * R::HALF
         })
@@ -276,8 +276,8 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
                 let tangent = if tau < R::ZERO { -tangent } else { tangent };
                 let cosine = R::ONE / (R::ONE + tangent * tangent).sqrt();
                 let turn = Turn { p, q, cosine, sine: tangent * cosine };
-                // The rows of the matrix are the columns of its transpose, so they are turned by a
-                // turn of those columns.
+                // The turn acts on both sides of the matrix: on its columns, then on the columns of
+                // its transpose. The result is symmetric, so it need not be transposed back.
                 turn.columns_of(&mut matrix);
                 matrix = transpose(matrix);
                 turn.columns_of(&mut matrix);

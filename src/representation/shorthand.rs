@@ -163,9 +163,9 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Returns the intrinsic mean of unit motions, all with the same weight. Their signs do not
-    /// matter. The iteration [`dib`](Self::dib) runs until only rounding is left.
+    /// matter. The iteration [`dib`](Self::dib) runs until its steps are within rounding errors.
     ///
-    /// Returns `None` if there are no poses, if a component is not finite, and if the steps are
+    /// Returns `None` if there are no poses, if a component is not finite, or if the steps are
     /// still larger than rounding errors after 64 iterations. Poses more than a quarter of a turn
     /// from their mean may have several means; this returns one of them.
     ///

@@ -45,10 +45,10 @@ impl<R: Real> DualQuat<R> {
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
     }
 
-    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, with each sign turned
-    /// toward the first motion (Kavan et al. 2008, "DLB"). It is cheaper than the intrinsic mean
-    /// [`dib`](Self::dib). For two motions, the rotation of the blend differs from that of the
-    /// intrinsic mean by at most 8.15°.
+    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, with the sign for which
+    /// ±σᵢ is nearer to the first motion (Kavan et al. 2008, "DLB"). It is cheaper than the
+    /// intrinsic mean [`dib`](Self::dib). For two motions, the rotation of the blend differs from
+    /// that of the intrinsic mean by at most 8.15°.
     ///
     /// The weights need not sum to one, because the sum is normalized: multiplying all weights by
     /// the same factor (not zero) gives the same motion. A negative weight moves the blend away
@@ -73,13 +73,14 @@ impl<R: Real> DualQuat<R> {
         Some(weighted_sum(influences.iter().copied())?.normalize())
     }
 
-    /// Blends like [`dlb`](Self::dlb), but turns each sign toward the sum of the motions before it.
-    /// This is for influences that do not cluster about the first one, or whose first weight may be
-    /// zero. A motion exactly half a turn from the sum keeps its sign. The result depends on the
-    /// order of the influences if they span more than half a turn. The weights need not sum to one,
-    /// but no partial sum of the weights should be negative: otherwise the partial sum of the
-    /// motions would point away from the motions in it. Tarini's slide 127 chooses the sign for two
-    /// motions; this function is one way to extend the rule to more motions.
+    /// Blends like [`dlb`](Self::dlb), but chooses each sign by the weighted sum of the motions
+    /// before it: ±σᵢ is nearer to this sum. This is for influences that do not cluster about
+    /// the first one, or whose first weight may be zero. A motion exactly half a turn from the sum
+    /// keeps its sign. The result depends on the order of the influences if they span more than
+    /// half a turn. The weights need not sum to one, but no partial sum of the weights should be
+    /// negative: otherwise the partial sum of the motions would point away from the motions in it.
+    /// Tarini's slide 127 chooses the sign for two motions; this function is one way to extend the
+    /// rule to more motions.
     ///
     /// Returns `None` if there are no influences. Every component is NaN if the sum cannot be
     /// normalized.
@@ -111,7 +112,7 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// Returns the weighted sum of influences, each with the sign that turns it toward the first
+/// Returns the weighted sum of influences, each with the sign for which it is nearer to the first
 /// motion. [`DualQuat::dlb`] is this sum, normalized.
 #[inline]
 pub fn weighted_sum<R: Real>(

@@ -20,8 +20,9 @@ impl<R: Real> Twist<R> {
 
 impl<R: Real> DualQuat<R> {
     /// Returns Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry
-    /// 1994, eq. 2.58), the formula for lines. It converts a twist from the body's frame to the
-    /// fixed frame; `conjugate().adjoint()` converts it back. Ad_{ab} = Ad_a Ad_b. σ must be unit.
+    /// 1994, eq. 2.58), which is also the formula for lines. It converts a twist from the body's
+    /// frame to the fixed frame; `conjugate().adjoint()` converts it back. Ad_{ab} = Ad_a Ad_b. σ
+    /// must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -62,8 +63,9 @@ impl<R: Real> DualQuat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The left Jacobian of SE(3) at the twist x, applied to y. It says how the motion of x changes
-    /// on its *spatial* side if x changes by δy: exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
+    /// The left Jacobian of SE(3) at the twist x = `at`, applied to y = `along`. It says how the
+    /// motion exp(½x) changes on its *spatial* side if x changes by δy, with a small δ:
+    /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
     ///
     /// The formula is that of Barfoot & Furgale 2014 and Barfoot 2017, eq. 7.85, where the
     /// translation comes first. `at` is a twist as [`to_twist`](Self::to_twist) gives it, in
@@ -93,17 +95,18 @@ impl<R: Real> DualQuat<R> {
         along + times(first, once) + times(second, lie_bracket(at, once))
     }
 
-    /// The right Jacobian of SE(3) at the twist x, applied to y. It says how the motion of x
-    /// changes on its *body* side if x changes by δy: exp(½(x + δy)) ≈ exp(½x) exp(½δ
-    /// J_r(x) y). J_r(x) = J_l(−x), and J_l(x) = Ad_{exp ½x} J_r(x).
+    /// The right Jacobian of SE(3) at the twist x = `at`, applied to y = `along`. It says how the
+    /// motion exp(½x) changes on its *body* side if x changes by δy, with a small δ: exp(½(x +
+    /// δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and J_l(x) = Ad_{exp ½x} J_r(x).
     #[inline]
     pub fn right_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian(-at, along)
     }
 
-    /// The inverse of the left Jacobian at the twist x, applied to y. It says how the twist x of a
-    /// motion changes if the motion changes by the *spatial* twist δy: 2 log(exp(½δy) exp(½x))
-    /// ≈ x + δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources of dq8).
+    /// The inverse of the left Jacobian at the twist x = `at`, applied to y = `along`. It says how
+    /// the twist x of a motion changes if the motion changes by the small *spatial* twist δy: 2
+    /// log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources
+    /// of dq8).
     ///
     /// The domain is |ω| < 2π: the result is **infinite at |ω| = 2π** and at every multiple of
     /// it, and errors near 2π grow like 1/(2π − |ω|). A twist from
@@ -121,9 +124,9 @@ impl<R: Real> DualQuat<R> {
         along - once.scale(R::HALF) + times(second, lie_bracket(at, once))
     }
 
-    /// The inverse of the right Jacobian at the twist x, applied to y: J_r⁻¹(x) =
-    /// J_l⁻¹(−x). It says how the twist x of a motion changes if the motion changes by the
-    /// *body* twist δy. The domain is that of
+    /// The inverse of the right Jacobian at the twist x = `at`, applied to y = `along`:
+    /// J_r⁻¹(x) = J_l⁻¹(−x). It says how the twist x of a motion changes if the motion
+    /// changes by the small *body* twist δy. The domain is that of
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
     #[inline]
     pub fn right_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {

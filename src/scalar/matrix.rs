@@ -267,8 +267,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// Returns the factor s of a matrix that is s times a rotation, or `None` if there is none or if s
-/// is 1 within `tolerance`. A negative s means that the matrix mirrors.
+/// Returns the factor s of a matrix that is s times a rotation, or `None` if there is no such
+/// factor or if it is 1 within `tolerance`. A negative s means that the matrix mirrors.
 #[cold]
 fn uniform_scale<R: Real>(rows: [[R; 3]; 3], tolerance: R) -> Option<R> {
     let size = rows.map(vector::norm);

@@ -74,8 +74,9 @@ impl<R: Real> DualQuat<R> {
     /// The [canonical](Self::canonical) sign of σ is taken, so that |a| ≤ π/2. The logarithm
     /// has no singularity: a pure translation has a = 0, b = t/2.
     ///
-    /// The formula is Jia's eq. 37, whose moment is infinite for a translation, multiplied by the
-    /// angle, which is then zero: b = ½ ( h t×l + h cot h (t − d l) + d l ), h = θ/2.
+    /// The dual part is b = hm + dl/2 with the moment m of Jia's eq. 37. For a translation m is
+    /// infinite and h is zero, but b is finite: b = ½ ( h t×l + h cot h (t − d l) + d l ), h =
+    /// θ/2.
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -34,8 +34,8 @@ errors! {
 /// The limb lies in the plane of the target and the *pole*, and the knee is on the side of the
 /// pole. In the rest pose, where all rotations are the identity, both bones run along x and the
 /// hinge turns about z, so that the knee bends toward −y and each bone's frame has x along the
-/// bone. If the bones of a limb have other axes in its rest pose, the columns of a rotation F, the
-/// rotation of its upper bone is `upper * F.conjugate()`.
+/// bone. If the axes of a limb in its rest pose are the columns of another rotation F, the rotation
+/// of its upper bone is `upper * F.conjugate()`.
 ///
 /// ```
 /// use dq8::ik::{Span, TwoBone};

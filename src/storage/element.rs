@@ -7,9 +7,9 @@ use core::fmt::Debug;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level};
 
-/// The place in a slice of the things that one register holds, one in each lane. In blocks they are
-/// the things of register `register` within the block at index `element`. In plain records they are
-/// the records at `element`, `element + stride`, `element + 2·stride` and so on.
+/// The place, in a slice, of the things that fill one register, one in each lane. In blocks these
+/// are the things of register `register` within the block at index `element`. In plain records
+/// these are the records at `element`, `element + stride`, `element + 2·stride` and so on.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
     pub(crate) element: usize,
