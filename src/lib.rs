@@ -141,7 +141,7 @@ pub mod storage;
 /// lockstep should compare it.
 pub const BITS: u32 = 2;
 
-/// This item makes the examples of the README be tested like those of the documentation.
+/// An item whose documentation is the README, so that its examples are tested, too.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -63,8 +63,8 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
     }
 
     /// Returns l₁·m₂ + m₁·l₂, the dual part of the inner product of two lines. It is zero
-    /// if and only if the lines lie in one plane, so that they meet or are parallel. For unit lines
-    /// with the angle θ and the distance d between them it is −d sin θ.
+    /// if and only if the lines lie in one plane, so that they intersect or are parallel. For unit
+    /// lines with the angle θ and the distance d between them it is −d sin θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn reciprocal_product(self, other: Self) -> T {

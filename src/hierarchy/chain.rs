@@ -125,9 +125,9 @@ trait Segments {
     fn parts(&self) -> usize;
     /// Returns the number of links of a segment.
     fn steps(&self) -> usize;
-    /// Loads link `step` of each segment of a part.
+    /// Loads link `step` of every segment in a part.
     fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>>;
-    /// Stores product `step` of each segment of a part.
+    /// Stores product `step` of every segment in a part.
     fn store(&mut self, product: batch::DualQuat<Self::Lanes>, part: usize, step: usize);
 }
 
@@ -216,7 +216,7 @@ impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
     }
 }
 
-/// The number of segments of a chain of plain motions.
+/// The number of segments of a chain in a plain slice.
 const PLAIN_SEGMENTS: usize = 8;
 
 /// A chain in a plain slice. Its eight segments lie one after the other in memory, so links are
@@ -235,8 +235,8 @@ impl<'s, V, R, L> Strided<'s, V, R, L> {
         Self { level, steps, links, products, lanes: PhantomData }
     }
 
-    /// Returns the tile of link `step` of each segment of a part; its stride is the length of a
-    /// segment.
+    /// Returns the tile that holds link `step` of every segment in a part. Its stride is the length
+    /// of a segment.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile(&self, part: usize, step: usize) -> Tile
     where

@@ -119,7 +119,8 @@ pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     let dot = |a: [i16; 4], b: [i16; 4]| -> i64 {
         a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum()
     };
-    // The bounds of the squared length are (32767 − 4)² and (32767 + 4)². Rounding a unit rotation to integers changes its length by at most 1.
+    // The bounds of the squared length are (32767 − 4)² and (32767 + 4)². Rounding a unit
+    // rotation to integers changes its length by at most 1.
     let unit = |key| (1_073_414_169..=1_073_938_441).contains(&dot(key, key));
     unit(a) && unit(b) && dot(a, b) >= NEAREST
 }

@@ -155,8 +155,8 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// Computes the models of as many instances as there are lanes, beginning with instance
-    /// `instance`. Every product reads the parent's model from the ring, which is memory in the
+    /// Computes the models of a group of as many instances as there are lanes, of which `instance`
+    /// is the first. Every product reads the parent's model from the ring, which is memory in the
     /// first-level cache, so that the branches for recent and for far parents join without moves
     /// between registers (*One source*, docs/measured.md).
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -381,8 +381,8 @@ const LINE: usize = 64;
 /// transposed again either.
 ///
 /// Lanes are instances, which lie at a stride in memory. The loop computes groups of as many
-/// instances as there are lanes, and returns the number of instances in these groups; 0 if the
-/// scratch does not hold one group.
+/// instances as there are lanes, and returns the number of instances in these groups. It returns 0
+/// if the scratch memory does not hold one group.
 pub(super) struct PaletteInstances<'f, 'r, 's, E: Element<8>, L, X>(
     pub(super) &'f mut PaletteOnly<'r, 's, E, L, X>,
 );
@@ -400,7 +400,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
         let joints = run.parents.len();
         let rows =
             E::plain_mut(scratch).and_then(|plain| aligned(plain.as_flattened_mut(), joints));
-        // On targets without SIMD there is nothing to transpose, so this loop would gain nothing.
+        // On targets without SIMD there is nothing to transpose, so this loop would save no time.
         let (Some(rows), 2..) = (rows, lanes) else { return 0 };
         let pass = Pass { level, run: *run, locals: *locals };
         let mut done = 0;
@@ -427,8 +427,8 @@ fn aligned<R: Scalar, M: bytemuck::Pod>(numbers: &mut [R], joints: usize) -> Opt
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// Computes the palette of as many instances as there are lanes, beginning with instance
-    /// `instance`. All models go through memory in the layout of registers, as in
+    /// Computes the palette of a group of as many instances as there are lanes, of which `instance`
+    /// is the first. All models go through memory in the layout of registers, as in
     /// [`instances`](Self::instances). Computed locals are first written to the memory of their
     /// models.
     #[cfg_attr(not(opt_level_0), inline(always))]

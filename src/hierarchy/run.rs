@@ -308,16 +308,16 @@ impl JointSlot {
         Self { joint, first, register, instance, stride: None, end: None }
     }
 
-    /// Returns the slot of a joint of as many instances as there are lanes. The instances have
-    /// `joints` elements each, and the first is `instance`.
+    /// Returns the slot of one joint in as many instances as there are lanes, of which `instance`
+    /// is the first. Each instance has `joints` elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: Some(joints), end: None }
     }
 
-    /// Returns the slot of as many joints of one instance as there are lanes, from `joint` on and
-    /// before the joint `end`. Each instance has `joints` elements.
+    /// Returns the slot of several joints of one instance, as many as there are lanes, beginning
+    /// with `joint` and ending before `end`. Each instance has `joints` elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joints(joint: usize, instance: usize, joints: usize, end: usize) -> Self {
         let first = instance * joints;
@@ -362,8 +362,8 @@ impl JointSlot {
         Tile { element: self.joint, register: self.register, stride: self.stride }
     }
 
-    /// Returns the part of `to` before the end of the range of joints if lanes are joints,
-    /// otherwise all of `to`.
+    /// If lanes are joints, returns the part of `to` before the end of the range of joints.
+    /// Otherwise returns all of `to`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn within<E>(self, to: &mut [E]) -> &mut [E] {
         match self.end {

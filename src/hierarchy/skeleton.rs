@@ -407,8 +407,8 @@ impl OwnedPlan {
     }
 }
 
-/// An integer that is the index of a parent. A root has −1, the largest value of the type or, if
-/// the type is an `Option` of an integer, `None`. The trait is sealed.
+/// The type of the index of a parent, an integer. The parent of a root is −1, the largest value
+/// of the type or, if the type is an `Option` of an integer, `None`. The trait is sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
     /// Returns the index as the caller wrote it; `None` if there is no parent.
     fn number(self) -> Option<i128>;

@@ -24,8 +24,8 @@ impl<R: Real> Line<R> {
         Self::from_point_direction(start, direction).orthogonal()
     }
 
-    /// Returns the line in which two planes n₁·x = d₁ and n₂·x = d₂ meet: l = n₁ ×
-    /// n₂ and m = d₂n₁ − d₁n₂, divided by |l|.
+    /// Returns the line in which two planes n₁·x = d₁ and n₂·x = d₂ intersect: l = n₁
+    /// × n₂ and m = d₂n₁ − d₁n₂, divided by |l|.
     ///
     /// For a point x of both planes, x × (n₁ × n₂) = n₁(x·n₂) − n₂(x·n₁). The
     /// error of the moment is the error of the offsets divided by the sine of the angle between the

@@ -62,7 +62,7 @@ errors! {
             /// The distance between the lines.
             distance: f64,
         } => "the lines are parallel, {distance} apart";
-        /// Two lines are skew: they do not meet.
+        /// Two lines are skew: they do not intersect and are not parallel.
         SkewLines {
             /// The distance between the lines.
             distance: f64,

@@ -82,8 +82,8 @@ impl<F: Number> Weights<F> {
 }
 
 /// Evaluates two polynomials with a row of coefficients for each power of x⁴. Fewer steps have to
-/// wait for each other than in Horner's scheme, but there are more steps in all. This is faster for
-/// polynomials with many terms.
+/// wait for each other than in Horner's scheme, but the number of steps is larger. This is faster
+/// for polynomials with many terms.
 #[inline(always)]
 fn long_polynomials<V: Four>([a, b]: [&[[V::Number; 4]]; 2], x: V::Number) -> V {
     let square = x * x;

@@ -105,7 +105,7 @@ impl<R: Real> DualQuat<R> {
         Some(sum.normalize())
     }
 
-    /// Returns σ or −σ, which are the same motion: the one nearer to `pivot`.
+    /// Returns whichever of σ and −σ is nearer to `pivot`. Both are the same motion.
     #[inline]
     pub(super) fn toward(self, pivot: Self) -> Self {
         if self.real().dot(pivot.real()) < R::ZERO { -self } else { self }

@@ -99,7 +99,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Normalizes a motion of any size by the textbook formulas. The function is not inlined,
-    /// because floats use the quicker form in place of it.
+    /// because `f32` and `f64` never need it: they use the quicker form.
     #[inline(never)]
     fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.real().norm();

@@ -7,7 +7,7 @@ use crate::quick;
 
 impl<R: Real> DualQuat<R> {
     /// Returns the screw of a unit σ (Jia §8.2), with an angle in [0, π]. σ and −σ are the
-    /// same motion, so the one with the [canonical](Self::canonical) sign is used.
+    /// same motion, and the screw is that of the motion with the [canonical](Self::canonical) sign.
     ///
     /// A pure translation has angle 0, its own direction as axis and moment 0, although Jia's
     /// moment is infinite for it. The identity has the axis (1, 0, 0).

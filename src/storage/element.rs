@@ -20,8 +20,8 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Returns the tile of one register of the block at index `element`, or of the plain records
-    /// from index `element` on, which adjoin.
+    /// Returns the tile of one register of the block at index `element`, or the tile of adjoining
+    /// plain records that begin at index `element`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn at(element: usize, register: usize) -> Self {
