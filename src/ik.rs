@@ -18,8 +18,8 @@ pub struct Limb<R> {
     /// The indices of the joint at the root, of its child, and of the child of that child.
     pub joints: [usize; 3],
     /// The axis of the hinge in the frame of the second joint, of any length. A positive turn about
-    /// it bends the limb. For a character that looks along z with y up, whose joints have these
-    /// axes too, the axis of a knee is x. A component along a bone is ignored.
+    /// it bends the limb. If a character looks along z with y up, and its joints have the same
+    /// axes, the axis of a knee is x. A component of the axis along a bone is ignored.
     pub hinge: [R; 3],
 }
 
@@ -41,11 +41,12 @@ impl<R: Real> Limb<R> {
     }
 }
 
-/// The roots, lengths of bones, targets and poles of limbs, with one limb in each lane.
+/// The root, the lengths of the two bones, the target and the pole of a limb, for one limb in each
+/// lane.
 pub(crate) type Asked<L> = ([L; 3], [L; 2], [L; 3], [L; 3]);
 
 /// Returns the error of the first limb that cannot be bent. `first` is the index of the limb in the
-/// first lane. The check on lanes finds out whether such a limb exists; only then are the limbs
+/// first lane. A check on lanes tells whether such a limb exists. Only if it exists are the limbs
 /// checked one by one to find the error.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn fault<L: Lanes<Real: Scalar>>(asked: Asked<L>, first: usize) -> Option<LimbsError> {
@@ -76,7 +77,8 @@ fn one_by_one<R: Real, A: AsRef<[R]>>(lanes: [A; 11], first: usize) -> Option<Li
 }
 
 errors! {
-    /// Limbs that cannot be bent, or slices whose lengths do not match. Nothing has been written.
+    /// The error of limbs that cannot be bent, or of slices whose lengths do not match. No output
+    /// has been written.
     #[derive(Clone, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     LimbsError {
@@ -84,7 +86,8 @@ errors! {
         Shape(error: ShapeError) => "{error}";
         /// A limb cannot be bent.
         Limb {
-            /// The index of the first such limb. In blocks, limbs are counted block after block.
+            /// The index of the first limb that cannot be bent. In blocks, limbs are counted block
+            /// after block.
             limb: usize,
             /// The reason.
             error: LimbError,

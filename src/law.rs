@@ -9,7 +9,7 @@ pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::S
     /// Interpolates from `a` (t = 0) to `b` (t = 1).
     #[must_use]
     fn between<L: Lanes>(self, a: [L; C], b: [L; C], t: L) -> [L; C];
-    /// Returns `base` changed by `weight` times the difference `delta`.
+    /// Returns the pose `base`, changed by the difference `delta` scaled by `weight`.
     #[must_use]
     fn add<L: Lanes>(self, base: [L; C], delta: [L; C], weight: L) -> [L; C];
     /// Returns the pose as a motion.
@@ -21,19 +21,20 @@ pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::S
     }
 }
 
-/// The law normalize((1−t)a ± tb), by the shorter way. It adds a difference as base · nlerp(1,
-/// delta, weight). See [`DualQuat::nlerp`](crate::DualQuat::nlerp).
+/// Normalized linear interpolation of motions: from a to ±b by the shorter way, normalize((1−t)a
+/// ± tb). A difference is added as base · nlerp(1, delta, weight). See
+/// [`DualQuat::nlerp`](crate::DualQuat::nlerp).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Nlerp;
 
-/// The law a(a*b)ᵗ, by the shorter way. It adds a difference as base · delta to the power of
-/// weight. See [`DualQuat::sclerp`](crate::DualQuat::sclerp).
+/// Screw linear interpolation of motions: from a to ±b by the shorter way, a(a*b)ᵗ. A difference
+/// is added as base · delta^weight. See [`DualQuat::sclerp`](crate::DualQuat::sclerp).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sclerp;
 
 /// The law of animation engines, which interpolates rotations and translations independently:
 /// rotations by normalize((1−t)a ± tb) by the shorter way, translations by (1−t)a + tb. A
-/// joint goes from one place to the other on a straight line, even while it turns.
+/// joint moves from one position to the other on a straight line, even while it turns.
 ///
 /// A difference is multiplied from the left, as in ozz-animation and Unreal: the rotation is
 /// nlerp(1, delta, weight) · base, the translation base + weight · delta.

@@ -1,9 +1,9 @@
 //! Rigid motions as dual quaternions, many at a time on SIMD lanes.
 //!
 //! A dual quaternion is eight floats that represent a rotation and a translation. This crate
-//! multiplies, blends and interpolates dual quaternions, moves points with them, and runs them down
-//! joint hierarchies. It does so for one motion at a time in a textbook reference, or for as many
-//! motions at a time as a SIMD register has lanes, with the same laws.
+//! multiplies, blends and interpolates dual quaternions, moves points with them, and computes the
+//! poses of joint hierarchies. It does so for one motion at a time in a textbook reference, or for
+//! as many motions at a time as a SIMD register has lanes. Both obey the same laws.
 //!
 //! ```
 //! use dq8::{Crowd, DualQuat, Hierarchy, Quat};
@@ -60,9 +60,9 @@
 //! | [firmware](guide::firmware) | no heap, no panic, sizes |
 //! | [migration](guide::migration) | coming from another library |
 //!
-//! [`Motion`] states the laws of motions, once for single motions and for lanes. Every operation is
-//! a method of the types, so no program needs to import this trait. The crate's root has the items
-//! that most programs need; all other items are in their modules.
+//! [`Motion`] states the laws of motions, for single motions and for lanes alike. Every operation
+//! is a method of the types, so no program needs to import this trait. The crate's root has the
+//! items that most programs need; all other items are in their modules.
 //!
 //! # Features
 //!
@@ -93,8 +93,8 @@
 //! # Not here
 //!
 //! Hierarchies have no scale and no shear: these are not rigid motions, and dual quaternions cannot
-//! hold them ([`Affine`](representation::Affine) has the reason). A skeleton that needs them stores
-//! them beside the motions; [`skinning`] reads them from there.
+//! represent them ([`Affine`](representation::Affine) explains why). A skeleton that needs scale
+//! and shear stores them beside the motions, and [`skinning`] applies them.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
@@ -116,7 +116,8 @@ pub mod geometry;
 mod quick;
 #[cfg(dq8_record)]
 pub mod quick;
-// The guide has pages of documentation and no code, so no other build needs it.
+// The guide has pages of documentation and no code, so only builds of documentation and of its
+// tests need it.
 #[cfg(any(doc, doctest))]
 pub mod guide;
 pub mod hierarchy;
@@ -137,10 +138,10 @@ pub mod storage;
 
 /// The version of the bits of [reproducible](crate::guide::reproducible) results. A minor release
 /// raises it if these bits change; a patch release never changes them. Machines that compute in
-/// lockstep compare this number.
+/// lockstep should compare it.
 pub const BITS: u32 = 2;
 
-/// The examples of the README are tested like those of the documentation.
+/// An item whose documentation is the README, so that its examples are tested, too.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,9 +1,9 @@
 //! Macros that write implementations from a list: errors, conversions, and a short `Debug`.
 
-/// Defines an enum of errors. The input lists the variants. Each has its documentation, its fields
-/// with theirs, and its message. A variant may have a source, which is either an error that it
-/// wraps, or the field that is named after the keyword `from`. A wrapped error converts into the
-/// enum.
+/// Defines an enum of errors. The input lists the variants, each with its documentation, its
+/// message, and its fields with their documentation. A variant may have a source, which is either
+/// an error that it wraps, or the field that is named after the keyword `from`. An error that a
+/// variant wraps can be converted into the enum by `From`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __errors {
@@ -49,8 +49,7 @@ macro_rules! __errors {
 }
 pub use __errors as errors;
 
-/// A count of things and the noun for one of them, which are written as "1 element" or "2
-/// elements".
+/// A number of things and the singular noun for them, written as "1 element" or "2 elements".
 pub(crate) struct Count(pub(crate) usize, pub(crate) &'static str);
 
 impl core::fmt::Display for Count {
@@ -75,7 +74,7 @@ macro_rules! conversions {
 }
 pub(crate) use conversions;
 
-/// Implements `Debug` for types that hold many values: it writes one line with the count and the
+/// Implements `Debug` for types that hold many values: it writes one line with the number and the
 /// kind of the values.
 #[doc(hidden)]
 #[macro_export]
@@ -93,7 +92,7 @@ macro_rules! __brief {
 }
 pub use __brief as brief;
 
-/// This macro implements `bytemuck::Pod` for structs that consist of numbers only. Its proof and
-/// its `unsafe` code are in `dq8_simd`; the modules with such structs import nothing else of that
-/// crate.
+/// The macro `pod` implements `bytemuck::Pod` for structs that consist of numbers only. The proof
+/// that this is sound, and the `unsafe` code, are in `dq8_simd`. Modules with such structs import
+/// the macro from here, so they need not name that crate.
 pub(crate) use dq8_simd::pod;

@@ -7,8 +7,8 @@ use crate::geometry::{DualVector, Mean};
 use dq8_simd::{Lanes, Mask};
 
 impl<L: Lanes> Quat<L> {
-    /// Returns (1−t)a ± tb divided by its norm, with a = `self`, b = `other` and the sign of the
-    /// shorter way; `t` may differ from lane to lane.
+    /// Returns (1−t)a ± tb divided by its norm, with a = `self` and b = `other`. The sign is
+    /// that of the shorter way from a to ±b; `t` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let away = other.dot(self).lt(t.constant(0.0));
@@ -18,8 +18,8 @@ impl<L: Lanes> Quat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// Returns (1−t)a ± tb divided by its dual norm, with a = `self`, b = `other` and the sign
-    /// of the shorter way; `t` may differ from lane to lane.
+    /// Returns (1−t)a ± tb divided by its dual norm, with a = `self` and b = `other`. The sign
+    /// is that of the shorter way from a to ±b; `t` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let weight = other.weight_toward(self, t);
@@ -27,8 +27,9 @@ impl<L: Lanes> DualQuat<L> {
         other.scale_onto(weight, start).normalize()
     }
 
-    /// Returns Σ ±wᵢσᵢ divided by its dual norm, for influences (σᵢ, wᵢ). Each sign
-    /// turns σᵢ toward the first motion. Returns `None` without influences.
+    /// Returns Σ ±wᵢσᵢ divided by its dual norm, for influences (σᵢ, wᵢ). Each sign is
+    /// chosen so that ±σᵢ is on the side of the first motion. Returns `None` if there are no
+    /// influences.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dlb(influences: &[(Self, L)]) -> Option<Self> {
@@ -40,8 +41,9 @@ impl<L: Lanes> DualQuat<L> {
         Some(sum.normalize())
     }
 
-    /// Returns Σ ±wᵢσᵢ divided by its dual norm, for influences (σᵢ, wᵢ). Each sign
-    /// turns σᵢ toward the sum of the influences before it. Returns `None` without influences.
+    /// Returns Σ ±wᵢσᵢ divided by its dual norm, for influences (σᵢ, wᵢ). Each sign is
+    /// chosen so that ±σᵢ is on the side of the sum of the earlier influences. Returns `None`
+    /// if there are no influences.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dlb_running(influences: &[(Self, L)]) -> Option<Self> {
@@ -72,13 +74,14 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 impl<L: Lanes> DualQuat<L> {
-    /// Returns the mean b, for which Σ wᵢ log(b*σᵢ) = 0. The iteration b ← b exp(Σ wᵢ
-    /// log(b*σᵢ) / Σ wᵢ) starts from [`dlb`](Self::dlb) and ends where a step is at most
-    /// `tolerance`. Returns `None` without influences.
+    /// Returns the intrinsic mean b of influences (σᵢ, wᵢ), for which Σ wᵢ log(b*σᵢ)
+    /// = 0. The iteration b ← b exp(Σ wᵢ log(b*σᵢ) / Σ wᵢ) starts from
+    /// [`dlb`](Self::dlb) and ends when a step is at most `tolerance`. Returns `None` if there are
+    /// no influences.
     ///
     /// A lane that has reached its mean keeps it while other lanes still iterate, and each lane
-    /// counts its own iterations. So neither the mean nor the count of a lane depends on other
-    /// lanes.
+    /// counts its own iterations. So neither the mean nor the number of iterations of a lane
+    /// depends on other lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dib(
@@ -101,8 +104,8 @@ impl<L: Lanes> DualQuat<L> {
             let half_turn = Length::of(step.real, one).value();
             let turn = half_turn + half_turn;
             let slide = Length::of(step.dual, one).value();
-            // `goes_on` is not the negation of `converged`: both are false in lanes that are NaN,
-            // which need no further step.
+            // `goes_on` is not the negation of `converged`: both are `false` in lanes that are NaN,
+            // where no further step can help.
             let goes_on = tolerance.lt(turn) | length_tolerance.lt(slide);
             if made == max_iterations || !goes_on.any() {
                 let converged = turn.le(tolerance) & slide.le(length_tolerance);

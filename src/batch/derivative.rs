@@ -59,8 +59,8 @@ impl<L: Lanes> DualQuat<L> {
         self.derivative_spatial(Twist { angular, linear: at_origin })
     }
 
-    /// Returns (ω, ṫ) of unit σ, both in fixed axes. With the spatial twist ω + εv, ṫ = v +
-    /// ω × t.
+    /// Returns the angular velocity ω and the velocity ṫ of the origin for unit σ, both in
+    /// fixed axes. ṫ is v + ω × t, where ω + εv is the spatial twist.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn velocity(self, derivative: Self) -> ([L; 3], [L; 3]) {
@@ -70,8 +70,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Returns exp(½ξ), the motion that a constant twist ξ makes in unit time. The result is NaN
-    /// where |ω| is beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶). The same holds for the
-    /// angle |ω| dt in the two methods that integrate.
+    /// where |ω| is beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶). In `integrate_spatial` and
+    /// `integrate_body` the same limit holds for the angle |ω| dt.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_twist(twist: Twist<L>) -> Self {
         Self::exp(half(twist))

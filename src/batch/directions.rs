@@ -27,7 +27,7 @@ impl<L: Lanes> Quat<L> {
         let still = sine.value().eq(zero);
         let axis = vector::select(still, [one, zero, zero], sine.divide_all(short.xyz()));
         let turn = short.half_angle_over_sine() * sine.value();
-        // The angle is zero if there is no turn, and NaN if w is NaN.
+        // In `still` lanes the vector part is zero, so the angle is zero, or NaN if w is NaN.
         (axis, L::select(still, zero * short.w(), turn + turn))
     }
 
@@ -76,8 +76,8 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// Returns the smallest turns that take the direction of `from` to the direction of `to`, two
-    /// vectors of any length. Between opposite directions the turn is about an axis orthogonal to
-    /// `from`, next to the coordinate axis that is farthest from `from`. A zero vector gives NaN.
+    /// vectors of any length. Between opposite directions the turn is about the axis orthogonal to
+    /// `from` that is nearest to the coordinate axis farthest from `from`. A zero vector gives NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_rotation_arc(from: [L; 3], to: [L; 3]) -> Self {
         let one = from[0].constant(1.0);
@@ -85,8 +85,9 @@ impl<L: Lanes> Quat<L> {
         let (sum, difference) = (vector::add(a, b), vector::sub(b, a));
         let across = vector::cross(sum, difference);
         let length = Length::of(across, one);
-        // The directions are opposite or equal. Any axis across turns a direction into its
-        // opposite, and for equal directions the sine is zero, so the axis has no effect.
+        // In `straight` lanes the directions are opposite or equal. A turn about any axis
+        // orthogonal to a direction takes it to its opposite. For equal directions the sine is
+        // zero, so the axis has no effect.
         let straight = length.value().eq(one.constant(0.0));
         let axis = vector::select(straight, vector::any_across(a), length.divide_all(across));
         let (cosine, sine) = (Length::of(sum, one).value(), Length::of(difference, one).value());

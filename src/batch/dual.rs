@@ -25,7 +25,7 @@ impl<L: Lanes> Dual<L> {
         Self::new(value, self.dual * derivative)
     }
 
-    /// Returns s(a + εb) for a real number s.
+    /// Returns s(a + εb) for the real number s = `factor`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real * factor, self.dual * factor)
@@ -42,13 +42,13 @@ impl<L: Lanes> Dual<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
-        // The dual part is multiplied by 1/a twice, because 1/a² may overflow or become zero where
-        // b/a² does neither.
+        // The dual part is multiplied by 1/a twice, because 1/a² may overflow or vanish although
+        // b/a² does not.
         Self::new(recip, -(self.dual * recip) * recip)
     }
 
     /// Returns [`recip`](Self::recip), and the mask of the lanes without an inverse, in which a is
-    /// zero or not finite. These lanes are NaN.
+    /// zero or not finite. In these lanes the result is NaN.
     ///
     /// ```
     /// use dq8::{batch::Dual, simd::{Mask, f32x4}};

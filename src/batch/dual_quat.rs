@@ -94,8 +94,8 @@ impl<L: Lanes> DualQuat<L> {
         Dual::new(self.real.w(), self.dual.w())
     }
 
-    /// Returns the three dual components of the vector part, which
-    /// [`dual_scalar`](Self::dual_scalar) leaves out.
+    /// Returns the vector part of σ, a dual vector. The scalar part is
+    /// [`dual_scalar`](Self::dual_scalar).
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn dual_vector(self) -> DualVector<L> {
         DualVector { real: self.real.xyz(), dual: self.dual.xyz() }
@@ -120,20 +120,20 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(self.real.conjugate(), Quat::from_xyzw(x, y, z, -w))
     }
 
-    /// Returns sσ for one real number s per lane.
+    /// Returns sσ, with one real number s = `factor` per lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real.scale(factor), self.dual.scale(factor))
     }
 
-    /// Returns (a + εb)σ for one dual number a + εb per lane.
+    /// Returns (a + εb)σ, with one dual number a + εb = `factor` per lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale_dual(self, factor: Dual<L>) -> Self {
         let dual = self.real.scale_onto(factor.dual, self.dual.scale(factor.real));
         Self::new(self.real.scale(factor.real), dual)
     }
 
-    /// Returns (a + εb)σ + onto for one dual number a + εb per lane.
+    /// Returns (a + εb)σ + onto, with one dual number a + εb = `factor` per lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scale_dual_onto(self, factor: Dual<L>, onto: Self) -> Self {
         let turned = self.dual.scale_onto(factor.real, onto.dual);
@@ -170,8 +170,8 @@ impl<L: Lanes> DualQuat<L> {
         super::vector::are_finite(self.to_array())
     }
 
-    /// Returns σ or −σ, of which the first component that is not zero, in the order p_w, p_x,
-    /// p_y, p_z, is positive.
+    /// Returns whichever of σ and −σ has a positive first component, where components that are
+    /// zero are skipped, in the order p_w, p_x, p_y, p_z.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn canonical(self) -> Self {
         self.negate_where(self.real.points_back())
@@ -211,8 +211,8 @@ sums_by_part! {
     [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] DualQuat<L>: (real) (dual)
 }
 
-/// The product p₁p₂ + ε(p₁q₂ + q₁p₂) takes 48 multiplications, of which 40 are fused
-/// with the additions.
+/// Returns the product p₁p₂ + ε(p₁q₂ + q₁p₂). It takes 48 multiplications, of which 40
+/// are fused with additions.
 impl<L: Lanes> Mul for DualQuat<L> {
     type Output = Self;
     #[cfg_attr(not(opt_level_0), inline(always))]

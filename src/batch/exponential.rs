@@ -1,8 +1,8 @@
 //! The functions eˣ and ln x.
 //!
-//! Lanes have no integer operations. So a power of two is multiplied together from the powers with
-//! the exponents 1, 2, 4, 8 and so on, with one comparison each, and is taken apart in the same
-//! way. Both are exact.
+//! Lanes have no integer operations. So a power of two is computed as a product of powers with the
+//! exponents 1, 2, 4, 8 and so on, with one comparison for each. The logarithm divides by such
+//! powers in the same way. Both are exact.
 
 use super::Dual;
 use super::even::round;
@@ -25,8 +25,8 @@ impl<L: Lanes> Dual<L> {
     }
 }
 
-/// Returns the exponents of two that are tried, the largest first. Their sums reach every exponent
-/// of a float.
+/// Returns the exponents of the powers of two that are tried as factors, the largest first. Every
+/// exponent of a float is a sum of them.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn exponents<L: Lanes>() -> &'static [i64] {
     const ALL: [i64; 10] = [512, 256, 128, 64, 32, 16, 8, 4, 2, 1];
@@ -61,7 +61,7 @@ fn two_to_the<L: Lanes>(k: L) -> L {
 /// Returns eˣ = 2ᵏeʳ with |r| ≤ ½ ln 2, where eʳ is computed by its power series.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn exp<L: Lanes>(x: L) -> L {
-    // Beyond ±`end`, eˣ is infinite or zero in this precision.
+    // For x beyond ±`end`, eˣ is infinite or zero in this precision.
     let (end, terms) = if L::Real::SINGLE { (105.0, 8) } else { (746.0, 14) };
     let end = x.constant(end);
     let x = L::select(end.lt(x), end, L::select(x.lt(-end), -end, x));
@@ -78,14 +78,14 @@ fn exp<L: Lanes>(x: L) -> L {
         factorial /= f64::from(n);
         sum = sum.mul_add(rest, x.constant(1.0 / factorial));
     }
-    // The factor 2ᵏ is applied in two steps, because 2ᵏ may be out of range although the result
-    // is not.
+    // The factor 2ᵏ is applied as two factors, because 2ᵏ may be out of range although the
+    // result is not.
     let first = round(k * x.constant(0.5));
     sum * two_to_the(first) * two_to_the(k - first)
 }
 
 /// Returns ln x = k ln 2 + 2 artanh((m − 1)/(m + 1)) for x = 2ᵏm with m in [1/√2, √2],
-/// where artanh is computed by its power series. The result is −∞ at 0 and NaN below.
+/// where artanh is computed by its power series. The result is −∞ for x = 0 and NaN for x < 0.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn ln<L: Lanes>(x: L) -> L {
     let (zero, one) = (x.constant(0.0), x.constant(1.0));

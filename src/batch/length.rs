@@ -5,15 +5,17 @@ use dq8_simd::{Float, Lanes, Mask};
 /// The length of a vector in each lane, and division by it.
 ///
 /// In `f32`, squares overflow for components beyond about 2⁶⁴ and vanish below 2⁻⁶⁴. So
-/// if the length of any lane is extreme, all vectors are first multiplied by a power of two, their
-/// stretch. The stretch is 1 in lanes of ordinary length.
+/// if a length in any lane is so large or so small, each vector is first multiplied by a power of
+/// two, its *stretch*. The stretch is 1 in lanes whose squares are in range.
 #[derive(Clone, Copy)]
 pub(super) struct Length<L> {
-    /// The length of the vector after stretching.
+    /// The length of the vector times its stretch.
     root: L,
-    /// The reciprocal of `root`. If any lane is stretched, it is multiplied by a power of two.
+    /// The first factor of a division by the length: the reciprocal of `root`, times a power of two
+    /// if any lane is stretched.
     first: L,
-    /// The second factor of a division by the length, and the stretch, if any lane is stretched.
+    /// The second factor of a division by the length, and the stretch; `None` if no lane is
+    /// stretched.
     stretched: Option<(L, L)>,
 }
 
@@ -30,8 +32,8 @@ impl<L: Lanes> Length<L> {
     }
 
     /// Returns the vector divided by its length, with the same bits as [`of`](Self::of) and
-    /// [`divide_all`](Self::divide_all). The branch for ordinary vectors, and the branch that first
-    /// scales a vector whose squares overflow or underflow, share the last multiplication. With a
+    /// [`divide_all`](Self::divide_all). The branch for vectors whose squares are in range, and the
+    /// branch for the others, which first scales the vector, share the last multiplication. With a
     /// multiplication in each branch, the compiler would compute both products for each component
     /// and select one.
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -53,14 +55,15 @@ impl<L: Lanes> Length<L> {
         let root = sum_of_squares(scaled(vector, stretch), one).sqrt();
         // A component is divided by the length in two multiplications. For short vectors both
         // factors are at least 1, and for long vectors at most 1. So the first product lies between
-        // the component and the quotient, and it overflows or vanishes only if one of the two does.
+        // the component and the quotient, and it overflows or vanishes only if the component or the
+        // quotient does.
         let balance = power_by_size(small, fits, one, up - half, down + half);
         let first = one / root * balance;
         let second = power_by_size(small, fits, one, half, -half);
         Self { root, first, stretched: Some((second, stretch)) }
     }
 
-    /// Returns the length itself.
+    /// Returns the length of the vector, without the stretch.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn value(self) -> L {
         match self.stretched {
@@ -98,8 +101,8 @@ fn scaled<L: Lanes, const N: usize>(mut vector: [L; N], factor: L) -> [L; N] {
     vector
 }
 
-/// Holds the squared lengths if all are within the safe range. Otherwise it holds two masks of
-/// lanes: a squared length is too `small`, or it `fits` because it is not too large.
+/// The squared lengths, if all are within the safe range. Otherwise two masks of lanes: `small` if
+/// the squared length is too small, and `fits` if it is not too large.
 enum Squared<L: Lanes> {
     Fits(L),
     Beyond { small: L::Mask, fits: L::Mask },
@@ -116,9 +119,9 @@ impl<L: Lanes> Squared<L> {
     }
 }
 
-/// Returns three exponents of two. Lengths from 2 to the negative first to 2 to the first need no
-/// stretch. Short vectors are multiplied by 2 to the second and long vectors by 2 to the third.
-/// Then all squares are within range, and so are the intermediate quotients.
+/// Returns three exponents (a, b, c) of two. Lengths from 2⁻ᵃ to 2ᵃ need no stretch. Shorter
+/// vectors are multiplied by 2 to the power b, longer vectors by 2 to the power c. Then all squares
+/// are within range, and so are the intermediate quotients.
 const fn bounds<L: Lanes>() -> (i64, i64, i64) {
     if L::Real::SINGLE { (40, 88, -66) } else { (400, 564, -514) }
 }

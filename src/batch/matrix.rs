@@ -19,8 +19,9 @@ impl<L: Lanes> Quat<L> {
         ]
     }
 
-    /// Returns the unit quaternions of rotation matrices, with w ≥ 0 (Shepperd 1978). Each lane
-    /// takes the one of four formulas that divides by its largest component.
+    /// Returns the unit quaternions of rotation matrices, with w ≥ 0 (Shepperd 1978). There are
+    /// four formulas, each with a division by another component of the quaternion. Each lane uses
+    /// the formula of its largest component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3(rows: [[L; 3]; 3]) -> Self {
         let rotation = Self::some_of_matrix3(rows).normalize();
@@ -29,8 +30,8 @@ impl<L: Lanes> Quat<L> {
         rotation.scale(L::select(turned_over, -one, one))
     }
 
-    /// Returns the quaternion of a rotation matrix times a factor between 2 and 4, with either
-    /// sign.
+    /// Returns the quaternion of a rotation matrix, multiplied by a positive or negative factor of
+    /// size 2 to 4.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn some_of_matrix3(rows: [[L; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
@@ -50,7 +51,8 @@ impl<L: Lanes> Quat<L> {
     /// Returns [`from_matrix3`](Self::from_matrix3), and the mask of the lanes whose matrix is no
     /// rotation. In such a lane an element is not finite, the determinant is negative, or a scalar
     /// product of two rows differs from its value for a rotation, 0 or 1, by more than `tolerance`.
-    /// So the matrix scales, shears or mirrors. These lanes are NaN.
+    /// In the last two cases the matrix scales, shears or mirrors. In lanes of the mask the result
+    /// is NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_matrix3_checked(rows: [[L; 3]; 3], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c] = rows;
@@ -96,8 +98,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Returns [`from_matrix3x4`](Self::from_matrix3x4), and the mask of the lanes whose matrix is
-    /// no rigid motion: [`Quat::from_matrix3_checked`] rejects its left part, or its translation is
-    /// not finite. These lanes are NaN.
+    /// no rigid motion: [`Quat::from_matrix3_checked`] rejects its left 3×3 part, or its
+    /// translation is not finite. In these lanes the result is NaN.
     ///
     /// ```
     /// use dq8::{batch::DualQuat, simd::{Mask, f32x4}};
@@ -133,8 +135,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// Returns `true` if a difference is within a tolerance. An infinite tolerance accepts every finite
-/// difference.
+/// Returns `true` in the lanes where a difference is within a tolerance. An infinite tolerance
+/// accepts every finite difference.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn is_close<L: Lanes>(difference: L, tolerance: L) -> L::Mask {
     vector::is_finite(difference) & difference.abs().le(tolerance)

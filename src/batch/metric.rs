@@ -14,8 +14,8 @@ impl<L: Lanes> Quat<L> {
         let (one, pi) = (self.w().constant(1.0), self.w().constant(core::f64::consts::PI));
         let between = between.negate_where(between.real().w().lt(one.constant(0.0)));
         let sine = Length::of(between.real().xyz(), one).value();
-        // The angle is θ = 2 sin Θ · Θ/sin Θ with Θ = θ/2. Rounding may make it larger than
-        // π.
+        // The angle is θ = 2 sin Θ · Θ/sin Θ with Θ = θ/2. Rounding may make it a little
+        // larger than π.
         let angle = (sine + sine) * HalfAngle::of(between).over_sine().real;
         L::select(pi.lt(angle), pi, angle)
     }
@@ -50,8 +50,8 @@ impl<L: Lanes> DualQuat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn point_error(self, other: Self, point: [L; 3]) -> L {
-        // The point v is a summand of both images and cancels. It is not added, so it adds no
-        // rounding.
+        // Both images contain the summand v, which cancels in the difference. It is left out, so it
+        // adds no rounding error.
         let half = between(self.half_displacement(point), other.half_displacement(point));
         half + half
     }
@@ -67,7 +67,7 @@ impl<L: Lanes> DualQuat<L> {
         (radius + radius).mul_add(sine, self.distance_to(other))
     }
 
-    /// Returns the opposite of [`is_unit`](Self::is_unit).
+    /// Returns the negation of [`is_unit`](Self::is_unit).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn needs_renormalization(self, tolerance: L) -> L::Mask {

@@ -1,9 +1,10 @@
 //! Many motions at a time: the operations of the scalar reference on SIMD lanes.
 //!
-//! Everything is written once, generic over [`Lanes`](dq8_simd::Lanes), and computes every lane
-//! alike: where a formula has cases, all cases are computed and [`select`](dq8_simd::Lanes::select)
-//! picks one per lane. Where a case is rare and expensive, a branch first tests if *any* lane needs
-//! it. The value of a lane never depends on the other lanes.
+//! Everything is written once, generic over [`Lanes`](dq8_simd::Lanes), and every lane is computed
+//! by the same operations: if a formula has cases, all cases are computed and
+//! [`select`](dq8_simd::Lanes::select) picks one case per lane. If a case is rare and expensive, a
+//! branch first tests whether *any* lane needs it. The value of a lane never depends on the other
+//! lanes.
 //!
 //! ```
 //! use dq8::batch::{DualQuat, Quat};

@@ -12,7 +12,7 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// Returns q/|q|, and the mask of the lanes that cannot be normalized: q is zero, or a
-    /// component of q or its length is not finite. These lanes are NaN.
+    /// component of q or its length is not finite. In these lanes the result is NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         let length = self.length();

@@ -10,14 +10,14 @@ use dq8_simd::Lanes;
 pub struct Quat<L>([L; 4]);
 
 impl<L: Lanes> Quat<L> {
-    /// Returns 1 in every lane.
+    /// Returns the identity 1 in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::from(0.0));
         Self([zero, zero, zero, zero.constant(1.0)])
     }
 
-    /// Makes quaternions from their components, in the order in which memory holds them.
+    /// Makes quaternions from their components, in the order of memory.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_xyzw(x: L, y: L, z: L, w: L) -> Self {
         Self([x, y, z, w])
@@ -116,7 +116,8 @@ impl<L: Lanes> Quat<L> {
         self.length().value()
     }
 
-    /// Returns `true` in the lanes where each component differs by at most `tolerance`.
+    /// Returns `true` in the lanes where each component of `self` differs from that of `other` by
+    /// at most `tolerance`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {
@@ -145,7 +146,7 @@ impl<L: Lanes> Quat<L> {
         Length::of(self.0, self.w().constant(1.0))
     }
 
-    /// Returns q times a real number.
+    /// Returns sq, with one real number s = `factor` per lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: L) -> Self {
         let [x, y, z, w] = self.0;
@@ -192,8 +193,8 @@ impl<L: Lanes> Quat<L> {
         self.twice_across(v, v, two)
     }
 
-    /// Returns r v r* − v + onto for unit r. The rotated vector is v + 2 r × (r × v + w v), and
-    /// `onto` takes the place of its first summand.
+    /// Returns r v r* − v + onto for unit r. With the vector part u and the scalar part w of r,
+    /// the rotated vector is v + 2 u × (u × v + w v); here `onto` takes the place of the first v.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
@@ -230,7 +231,7 @@ impl<L: Lanes> Sub for Quat<L> {
     }
 }
 
-/// Hamilton's product takes 16 multiplications, of which 12 are fused with additions.
+/// Returns Hamilton's product. It takes 16 multiplications, of which 12 are fused with additions.
 impl<L: Lanes> Mul for Quat<L> {
     type Output = Self;
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -42,7 +42,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Returns σ(r + ½εtr) = (p + ε(q + ½pt))r, in 47 operations. Making a motion of r and t
-    /// first takes 15 operations, and the product of motions 48 more.
+    /// first would take 15 operations, and the product of motions 48 more.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn mul_rotation_translation(self, rotation: Quat<L>, translation: [L; 3]) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));
@@ -70,8 +70,8 @@ impl<L: Lanes> DualQuat<L> {
         vector::add(half, half)
     }
 
-    /// Returns the vector part of qp*, half a translation for unit σ: w_p q − w_q p + p × q
-    /// with the vector parts of p and q.
+    /// Returns the vector part of qp*, which is half the translation of a unit σ. It is w_p q −
+    /// w_q p + p × q, where p and q stand for the vector parts.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn half_translation(self) -> [L; 3] {
         let (p, q) = (self.real(), self.dual());

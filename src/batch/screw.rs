@@ -1,8 +1,8 @@
 //! Screws: parameters, logarithm, exponential, powers and screw interpolation.
 //!
-//! The logarithm, the powers and the interpolation of a motion depend on half its dual angle, Θ,
-//! only through functions that are even in Θ. As functions of a *square* these are analytic at
-//! Θ = 0. With the squared chord of Θ, C = 4 sin²(Θ/2), and the ratio of the arc to the chord,
+//! The logarithm, the powers and the interpolation of a motion depend on Θ, half its dual angle,
+//! only through even functions of Θ. As functions of a *square* these are analytic at Θ = 0. The
+//! square used here is the squared chord C = 4 sin²(Θ/2). With the ratio of the arc to the chord,
 //! K(C) = arcsin(√C/2)/(√C/2) for C in [0, 2],
 //!
 //! ```text
@@ -10,23 +10,23 @@
 //! ```
 //!
 //! All are dual numbers with f(a + εb) = f(a) + ε b f′(a), where one polynomial gives both f
-//! and f′ ([`even`](super::even)). So there is no axis, no branch on the angle and no division by
-//! a sine. The usual alternative are the weights of slerp with the dual cosine X = ⟨a, b⟩ of
+//! and f′ ([`even`](super::even)). So no axis, no branch on the angle and no division by a sine
+//! is needed. The usual alternative is slerp with weights from the dual cosine X = ⟨a, b⟩ of
 //! the poses a and b. The form here is better in two ways:
 //!
 //! - **C is not computed from 1 − X.** For poses that almost agree, 1 − X has lost the digits
-//!   of the angle. Between the poses this does no harm, but it ruins extrapolation (t = 1000 along
-//!   a tiny screw). `log` and `pow` take C from the vector part, and ScLERP takes C from the
-//!   difference b − a, which is exact for such poses.
+//!   of the angle. This does no harm to interpolation between the poses, but it ruins extrapolation
+//!   (t = 1000 along a tiny screw). `log` and `pow` take C from the vector part, and ScLERP takes C
+//!   from the difference b − a, which is exact for such poses.
 //! - **ScLERP is centred on the midpoint.** With m = (a+b)/2 and h = (b−a)/2, which are
 //!   orthogonal, and τ = 2t − 1, σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h.
-//!   Outside [0, 1] a weighted sum of a and b cancels; this sum of m and h does not, and its angles
-//!   are half as large.
+//!   Outside [0, 1] a weighted sum of a and b loses digits by cancellation. This sum of m and h
+//!   does not, and its angles are half as large.
 //!
 //! If v in cos √v is beyond (π/2)², the angle is reduced, but only if some lane needs it; the
 //! other lanes keep their bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad
-//! (`f64`). A larger float is known to no more than 2⁻⁸ rad, so every component is then NaN,
-//! because the motion would not be unit.
+//! (`f64`). For larger half angles every component is NaN, because their rounding error is 2⁻⁸
+//! rad or more, and the motion would not be unit.
 
 use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;
@@ -72,9 +72,9 @@ impl<L: Lanes> DualQuat<L> {
     /// the direction l and the moment m of its axis. The direction must have length 1.
     ///
     /// The result is NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`:
-    /// 2⁴⁵), because a larger angle is known to no more than a 256th of a radian. The same
-    /// limit holds for [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and all
-    /// operations that call them.
+    /// 2⁴⁵), because the rounding error of a larger angle is 2⁻⁸ of a radian or more. The
+    /// same limit holds for [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and
+    /// all operations that call them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_screw(screw: Screw<L>) -> Self {
         let half = screw.angle.constant(0.5);
@@ -132,15 +132,15 @@ impl<L: Lanes> DualQuat<L> {
     /// overflows. Outside [0, 1] an error of the norm of a or b is multiplied by |2t − 1|, as
     /// long as the turn is less than a radian.
     ///
-    /// The formula is slerp about the middle of the arc. With m = (a+b)/2 and h = (b−a)/2, which
-    /// are orthogonal for unit a and b, and τ = 2t − 1:
+    /// The formula is slerp written as an angle from the middle of the arc. With m = (a+b)/2 and
+    /// h = (b−a)/2, which are orthogonal for unit a and b, and τ = 2t − 1:
     ///
     /// ```text
     /// σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h
     /// ```
     ///
     /// For poses that almost agree the difference b − a is exact, whereas their cosine has lost
-    /// it.
+    /// the digits of the difference.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn sclerp(self, other: Self, t: L) -> Self {
         let opposite = self.real().dot(other.real()).lt(t.constant(0.0));
@@ -158,9 +158,10 @@ impl<L: Lanes> DualQuat<L> {
         let short = arc.at(t);
 
         // The longer way has half the dual angle π − Θ, if Θ is that of the shorter way. Its m
-        // and h are −h and −m of the shorter way, and its cos(Θ/2) and sin(Θ/2) are sin(Θ/2)
-        // and cos(Θ/2) of the shorter way. The quotient of h and its dual norm is a motion however
-        // short h is, so `back` is normalized: the reciprocal of the norm alone might be infinite.
+        // is −h of the shorter way, its h is −m, and its cos(Θ/2) and sin(Θ/2) are those of
+        // the shorter way exchanged. `back` is normalized, not multiplied by the reciprocal of its
+        // norm: however short h is, its quotient by the norm is a motion, but the reciprocal might
+        // be infinite.
         let half_sine = arc.back.norm().scale(t.constant(0.5));
         let right_angle = Dual::new(t.constant(core::f64::consts::FRAC_PI_2), zero);
         let tau = t + t - t.constant(1.0);
@@ -182,8 +183,8 @@ impl<L: Lanes> Quat<L> {
     }
 }
 
-/// The functions of Θ, half the dual angle, from which logarithms and powers of motions with p_w
-/// ≥ 0 are computed.
+/// Functions of Θ, half the dual angle of a motion with p_w ≥ 0, from which its logarithm and
+/// its powers are computed.
 pub(super) struct HalfAngle<L> {
     /// The squared chord C = 4 sin²(Θ/2).
     chord_squared: Dual<L>,
@@ -194,9 +195,9 @@ pub(super) struct HalfAngle<L> {
 }
 
 impl<L: Lanes> HalfAngle<L> {
-    /// Computes C as sin²Θ/cos²(Θ/2) with cos²(Θ/2) = (1 + w)/2. The formula 2(1 − w) would
-    /// be all rounding for small angles, where the vector part still has its full relative
-    /// precision.
+    /// Computes C as sin²Θ/cos²(Θ/2) with cos²(Θ/2) = (1 + w)/2, where sin Θ is the length
+    /// of the vector part. For small angles, 2(1 − w) would consist of rounding errors, while the
+    /// vector part still has its full relative precision.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of(sigma: DualQuat<L>) -> Self {
         let w = sigma.dual_scalar();
@@ -204,8 +205,8 @@ impl<L: Lanes> HalfAngle<L> {
         let cosine_squared = Dual::new(w.real.mul_add(half, half), w.dual * half);
         let v = sigma.dual_vector();
         let across = vector::dot(v.real, v.dual);
-        // Division by an infinite w would make C zero, as if there were no turn. Adding 0·w makes
-        // C NaN.
+        // Division by an infinite w would make C zero, as if there were no turn. Adding 0·w, which
+        // is NaN for an infinite w, makes C NaN.
         let squared = w.real.mul_add(w.real.constant(0.0), vector::dot(v.real, v.real));
         let sine_squared = Dual::new(squared, across + across);
         let chord_squared = sine_squared / cosine_squared;
@@ -230,7 +231,8 @@ impl<L: Lanes> HalfAngle<L> {
 }
 
 /// The shorter arc from a to ±b. It holds 2m and −2h in place of m = (a ± b)/2 and h = (±b −
-/// a)/2, because each is then eight fused operations. The weights contain the factors ½.
+/// a)/2, because each of these takes only eight fused operations. The weights contain the missing
+/// factors ½.
 struct Arc<L> {
     /// The sum 2m = a ± b.
     sum: DualQuat<L>,
@@ -266,11 +268,12 @@ impl<L: Lanes> Arc<L> {
     /// 2t − 1 and sinc x = sin(x)/x.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn at(&self, t: L) -> DualQuat<L> {
-        // The weight is −τK/2, because `back` is −2h. Its square times C is (τΘ/2)².
+        // The weight of `back`, which is −2h, is −τK/2. The square of this weight times C is
+        // (τΘ/2)².
         let weight = self.arc_over_chord.scale(t.constant(0.5) - t);
-        // The weight is squared before it is multiplied by C. If t is so large that a subnormal C,
-        // which has lost digits, would give an angle of notable size, the square overflows and the
-        // result is NaN.
+        // The weight is squared before it is multiplied by C. A subnormal C has lost digits. If t
+        // is so large that such a C would give an angle that is not small, the square of the weight
+        // overflows and the result is NaN.
         let (cos, sinc) = cos_sinc(self.chord_squared * (weight * weight));
         let middle = self.sum.scale_dual(cos * self.half_secant);
         self.back.scale_dual_onto(weight * sinc, middle)

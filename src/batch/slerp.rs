@@ -1,15 +1,17 @@
-//! Interpolation of rotations by slerp; interpolation of rotation and translation apart; squad, a
-//! smooth motion through key poses.
+//! Interpolation of rotations by slerp; interpolation of rotation and translation independently;
+//! squad, a smooth motion through key poses.
 
 use super::{DualQuat, Quat, vector};
 use crate::geometry::DualVector;
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
-    /// Turns from `self` to ±`other` about one axis at constant speed, by the shorter way; `t` may
-    /// differ from lane to lane. The result is NaN where that of [`sclerp`](DualQuat::sclerp) is.
+    /// Interpolates from `self` to ±`other` by a turn about one axis at constant speed, by the
+    /// shorter way; `t` may differ from lane to lane. The result is NaN where that of
+    /// [`sclerp`](DualQuat::sclerp) is NaN.
     ///
-    /// It is [`sclerp`](DualQuat::sclerp) of pure rotations, whose dual part is discarded.
+    /// It is computed as [`sclerp`](DualQuat::sclerp) of pure rotations, and the dual part is
+    /// discarded.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn slerp(self, other: Self, t: L) -> Self {
         DualQuat::from_rotation(self).sclerp(DualQuat::from_rotation(other), t).real()

@@ -1,4 +1,4 @@
-//! Points, directions, lines and planes, moved by unit dual quaternions.
+//! Transformation of points, directions, lines and planes by unit dual quaternions.
 
 use super::{DualQuat, Quat, vector};
 use crate::geometry::{Line, Plane};
@@ -25,8 +25,8 @@ impl<L: Lanes> DualQuat<L> {
         let (p, q) = (self.real(), self.dual());
         // With the vector parts r of p and u of q, t = 2(w_p u + r × u − w_q r) and Rv − v =
         // 2(w_p(r × v) + r × (r × v)). The second formula is the first with r × v in place of u
-        // and 0 in place of w_q. So half the sum is `half_translation` of p and a q with the vector
-        // part u + r × v.
+        // and 0 in place of w_q. So half the sum of both is the `half_translation` of a motion with
+        // the real part p and a dual part with the vector part u + r × v.
         let q = Quat::from_parts(vector::cross_onto(p.xyz(), point, q.xyz()), q.w());
         Self::new(p, q).half_translation()
     }
@@ -38,16 +38,16 @@ impl<L: Lanes> DualQuat<L> {
         self.real().rotate(vector)
     }
 
-    /// Returns the line moved by unit σ, with the direction l′ = Rl and the moment m′ = Rm + t
-    /// × l′.
+    /// Returns the line moved by unit σ (with rotation R and translation t), with the direction
+    /// l′ = Rl and the moment m′ = Rm + t × l′.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn transform_line(self, line: Line<L>) -> Line<L> {
         let (direction, moment) = self.carry(line.direction, line.moment);
         Line { direction, moment }
     }
 
-    /// Returns the plane moved by unit σ, with the normal n′ = Rn and the offset d′ = d +
-    /// n′·t.
+    /// Returns the plane moved by unit σ (with rotation R and translation t), with the normal
+    /// n′ = Rn and the offset d′ = d + n′·t.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn transform_plane(self, plane: Plane<L>) -> Plane<L> {
         let normal = self.real().rotate(plane.normal);
@@ -55,7 +55,8 @@ impl<L: Lanes> DualQuat<L> {
         Plane { normal, offset }
     }
 
-    /// Returns Ra and Rb + t × Ra: the images of a vector a and of its moment b.
+    /// Returns Ra and Rb + t × Ra, the images of a vector a and of its moment b under the motion
+    /// with rotation R and translation t.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn carry(self, a: [L; 3], b: [L; 3]) -> ([L; 3], [L; 3]) {
         let (a, b) = (self.real().rotate(a), self.real().rotate(b));

@@ -35,21 +35,21 @@ impl<L: Lanes> Dual<L> {
         self.apply(tan, tan.mul_add(tan, tan.constant(1.0)))
     }
 
-    /// Returns arcsin a + ε b/√(1 − a²), radians. The result is NaN for |a| > 1, and the
+    /// Returns arcsin a + ε b/√(1 − a²), in radians. The result is NaN for |a| > 1, and the
     /// derivative is infinite at ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn asin(self) -> Self {
         self.apply(asin(self.real), self.real.constant(1.0) / cathetus(self.real))
     }
 
-    /// Returns arccos a − ε b/√(1 − a²), radians. The result is NaN for |a| > 1, and the
+    /// Returns arccos a − ε b/√(1 − a²), in radians. The result is NaN for |a| > 1, and the
     /// derivative is infinite at ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn acos(self) -> Self {
         self.apply(acos(self.real), self.real.constant(-1.0) / cathetus(self.real))
     }
 
-    /// Returns arctan a + ε b/(1 + a²), radians.
+    /// Returns arctan a + ε b/(1 + a²), in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn atan(self) -> Self {
         let one = self.real.constant(1.0);
@@ -57,8 +57,8 @@ impl<L: Lanes> Dual<L> {
     }
 
     /// Returns the angle of the point (`x`, `self`), in radians. Its dual part is the derivative (x
-    /// dy − y dx)/(x² + y²). It is computed with x and y divided by the larger of the two,
-    /// because their squares might vanish.
+    /// dy − y dx)/(x² + y²). x and y are first divided by the larger of |x| and |y|, because
+    /// their squares might underflow to zero.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn atan2(self, x: Self) -> Self {
         let (up, along) = (self.real.abs(), x.real.abs());
@@ -70,9 +70,9 @@ impl<L: Lanes> Dual<L> {
     }
 }
 
-/// Returns sin x and cos x, x in radians; NaN beyond [`farthest`]. Both keep their relative
-/// precision near their zeros (in `f64` up to 2²⁶ quarter turns): whole quarter turns are
-/// subtracted from x, so near a zero the result is always the sine of a small remainder.
+/// Returns sin x and cos x for x in radians; both are NaN for |x| beyond [`farthest`]. Both keep
+/// their relative precision near their zeros (in `f64` up to 2²⁶ quarter turns): whole quarter
+/// turns are subtracted from x, so near a zero the result is always the sine of a small remainder.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let near = x.abs().le(x.constant(farthest::<L>()));
@@ -94,8 +94,8 @@ fn sin_cos<L: Lanes>(x: L) -> (L, L) {
 
 /// Returns x − kπ/2, where π/2 is the sum of five parts. The products of k with all parts but
 /// the last are exact (Cody and Waite 1980). The parts have eight bits in `f32`, for k up to
-/// 2¹⁶, and 27 bits in `f64`, for k up to 2²⁶. Fewer parts do not suffice, because one
-/// multiple of a quarter turn has an `f32` only 2·10⁻⁸ away.
+/// 2¹⁶, and 27 bits in `f64`, for k up to 2²⁶. Fewer parts do not suffice, because there is
+/// an `f32` that differs from a multiple of a quarter turn by only 2·10⁻⁸.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn without_quarters<L: Lanes>(x: L, k: L) -> L {
     let [first, second, third, fourth, fifth] = if L::Real::SINGLE {
@@ -115,18 +115,19 @@ fn without_quarters<L: Lanes>(x: L, k: L) -> L {
             4.665_590_917_179_985e-33,
         ]
     };
-    // All bits of these differences are representable, so they are exact.
+    // These two differences have no more bits than a float holds, so they are exact.
     let before = k.neg_mul_add(x.constant(second), k.neg_mul_add(x.constant(first), x));
     // The next difference is exact if the remainder is small. If it is large, the rounding error of
     // the difference is added to the last part.
     let third = x.constant(third);
     let rest = k.neg_mul_add(third, before);
     let added = k.mul_add(third, rest - before);
-    // Zeros keep their sign, because no part is negative and zero is subtracted.
+    // A zero x keeps its sign: k is then +0 and all parts are positive, so every step subtracts +0,
+    // and −0 − (+0) is −0.
     k.neg_mul_add(x.constant(fourth), rest) - k.mul_add(x.constant(fifth), added)
 }
 
-/// Returns arcsin of a sine in [0, 1/√2].
+/// Returns the arcsine of `sine`, which must be in [0, 1/√2].
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn small_arc<L: Lanes>(sine: L) -> L {
     let chord_squared = sine * sine * sine.constant(4.0);
@@ -177,8 +178,8 @@ pub fn atan2<L: Lanes>(y: L, x: L) -> L {
     let (zero, one) = (x.constant(0.0), x.constant(1.0));
     let is_steep = along.lt(up);
     let ratio = L::select(is_steep, along, up) / L::select(is_steep, up, along);
-    // Where both coordinates are zero or both are infinite, their quotient would be NaN, so the
-    // ratio is set to 0 or 1.
+    // If both coordinates are zero, or both are infinite, their quotient would be NaN. So the ratio
+    // is set to 0 for zeros and to 1 for infinities.
     let equal = L::select(up.eq(zero), zero, one);
     let ratio = L::select(up.eq(along), equal, ratio);
     let arc = small_arc(ratio / ratio.mul_add(ratio, one).sqrt());

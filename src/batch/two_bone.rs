@@ -11,7 +11,8 @@ pub struct TwoBone<L> {
     /// The rotation of the bone at the root, in the frame in which the root and the target are
     /// given.
     pub upper: Quat<L>,
-    /// The rotation of the bone at the end, in the same frame.
+    /// The rotation of the bone at the end, in the frame in which the root and the target are
+    /// given.
     pub lower: Quat<L>,
     /// The angle of the hinge in radians, 0 for a stretched limb and π for a folded limb.
     pub bend: L,
@@ -22,12 +23,12 @@ pub struct TwoBone<L> {
 
 impl<L: Lanes> TwoBone<L> {
     /// Returns the limbs whose end is at the target, or as near to it as the bones allow. The
-    /// parameters are those of [`ik::TwoBone::reach`](crate::ik::TwoBone::reach). Lanes that it
-    /// would refuse have no meaningful result.
+    /// parameters are those of [`ik::TwoBone::reach`](crate::ik::TwoBone::reach). In lanes for
+    /// which that function would return an error, the result has no meaning.
     ///
     /// No angle is needed for the rotations. Let a and b be the lengths of the bones, D the
     /// distance from the root to the target, and S = a + b + D. The differences p = D + a − b,
-    /// q = D − a + b and r = a + b − D are computed without avoidable cancellation (Kahan
+    /// q = D − a + b and r = a + b − D are computed in an order that avoids cancellation (Kahan
     /// 2014). Then half the angles at the root and at the end have the tangents √(qr/(Sp)) and
     /// √(pr/(Sq)). So square roots alone give a quaternion of the right direction, which is then
     /// normalized.
@@ -63,8 +64,8 @@ impl<L: Lanes> TwoBone<L> {
         }
     }
 
-    /// Returns [`reach`](Self::reach), and the mask of the lanes that
-    /// [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) would refuse.
+    /// Returns [`reach`](Self::reach), and the mask of the lanes for which
+    /// [`ik::TwoBone::reach`](crate::ik::TwoBone::reach) would return an error.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn reach_checked(
         root: [L; 3],
@@ -92,8 +93,8 @@ impl<L: Lanes> TwoBone<L> {
     }
 }
 
-/// Returns (d + side − other)/sum. The result is 1 in the lanes where the limb is straight, and 0
-/// where rounding makes the difference negative.
+/// Returns (d + side − other)/sum. The result is 1 in the lanes of `straight`, where the limb is
+/// stretched, and 0 where rounding makes the numerator negative.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn share<L: Lanes>(d: L, side: L, other: L, sum: L, straight: L::Mask) -> L {
     let (zero, one) = (d.constant(0.0), d.constant(1.0));
@@ -105,7 +106,7 @@ fn share<L: Lanes>(d: L, side: L, other: L, sum: L, straight: L::Mask) -> L {
 
 /// Returns a multiple of the quaternion that turns the x axis to the unit vector `along`, and the
 /// −y axis to the side of the pole. In the lanes of `at_root` the target is at the root, so
-/// `along` has no meaning and another vector takes its place.
+/// `along` has no meaning and is replaced by another vector.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Mask) -> Quat<L> {
     let (zero, one) = (along[0].constant(0.0), along[0].constant(1.0));
@@ -114,16 +115,16 @@ fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Ma
     let pole = select(has_pole, length.divide_all(pole), [zero; 3]);
     let mut along = along;
     if at_root.any() {
-        // A limb folded onto its root has its knee on the line of `along`, on the negative side if
-        // the bone at the root is the shorter one. This `along` puts the knee on the side of the
-        // pole.
+        // If the target is at the root, the knee is on the line of `along`, on its negative side if
+        // the bone at the root is the shorter bone. This choice of `along` puts the knee on the
+        // side of the pole.
         let knee = select(has_pole, pole, [one, zero, zero]);
         along = select(at_root, scale(knee, L::select(shorter, -one, one)), along);
     }
     let normal = cross(pole, along);
-    // The part of `normal` along `along` is removed: for a pole nearly parallel to `along`, the
-    // rounding of the cross product is not small beside its length. For a parallel pole only
-    // rounding is left, and `clear` is false.
+    // The component of `normal` along `along` is removed. If the pole is nearly parallel to
+    // `along`, the cross product is so short that its rounding errors matter. If the pole is
+    // parallel, only rounding errors are left, and `clear` is `false`.
     let normal = scale_onto(along, -dot(along, normal), normal);
     let size = Length::of(normal, one);
     let clear = one.constant(16.0 * epsilon::<L>()).lt(size.value()) & !at_root;
@@ -134,7 +135,7 @@ fn frame<L: Lanes>(along: [L; 3], pole: [L; 3], at_root: L::Mask, shorter: L::Ma
     frame_of(along, z)
 }
 
-/// Returns a multiple of the quaternion that turns the x and z axes to these unit vectors, with w
+/// Returns a multiple of the quaternion that turns the x axis to `x` and the z axis to `z`, with w
 /// ≥ 0.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn frame_of<L: Lanes>(x: [L; 3], z: [L; 3]) -> Quat<L> {
@@ -189,8 +190,8 @@ pub(crate) fn locals<L: Lanes>(
 ) -> [DualQuat<L>; 3] {
     let found = TwoBone::reach(root, lengths, target, pole);
     let (thigh, shin) = (knee.translation(), foot.translation());
-    // The component of the hinge axis along the shin is dropped for both bones. Turned by the old
-    // rotation of the knee into the frame of the thigh, it would roll the thigh.
+    // The component of the hinge axis along the shin is removed first, for both bones. If it were
+    // turned into the frame of the thigh by the old rotation of the knee, it would roll the thigh.
     let (x, hinge) = axes_of_bone(shin, hinge);
     let of_shin = frame_of(x, hinge);
     let (x, hinge) = axes_of_bone(thigh, knee.real().rotate(hinge));

@@ -1,5 +1,5 @@
-//! Vectors on lanes as plain arrays, mostly of three components, for kernels that users write.
-//! Products and sums are fused.
+//! Vectors on lanes as arrays, mostly of three components, for kernels that users write.
+//! Multiplications are fused with additions.
 
 use super::length::Length;
 use dq8_simd::{Float, Lanes};
@@ -95,7 +95,8 @@ pub fn is_finite<L: Lanes>(number: L) -> L::Mask {
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
     let zero = numbers[0].constant(0.0);
-    // The product 0·c is 0 for finite c and NaN otherwise.
+    // The product 0·c is 0 if c is finite and NaN otherwise, so the sum is 0 only if all values
+    // are finite.
     let mut sum = zero;
     for number in numbers {
         sum = number.mul_add(zero, sum);
@@ -110,14 +111,14 @@ pub fn epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }
 
-/// Returns the component of `vector` orthogonal to the unit vector `along`.
+/// Returns the part of `vector` that is orthogonal to the unit vector `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn across<L: Lanes>(along: [L; 3], vector: [L; 3]) -> [L; 3] {
     scale_onto(along, -dot(along, vector), vector)
 }
 
-/// Returns a unit vector orthogonal to the unit vector `along`: the direction of the component,
-/// orthogonal to `along`, of the coordinate axis that is farthest from `along`.
+/// Returns a unit vector orthogonal to the unit vector `along`: it takes the coordinate axis
+/// farthest from `along`, and removes its component along `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn any_across<L: Lanes>(along: [L; 3]) -> [L; 3] {
     let [x, y, z] = [along[0].abs(), along[1].abs(), along[2].abs()];

@@ -46,7 +46,7 @@ shared_trait! {
         fn new(real: Self::Real, dual: Self::Real) -> Self;
         /// Returns f(a) + εb f′(a), given f(a) and f′(a).
         fn apply(self, value: Self::Real, derivative: Self::Real) -> Self;
-        /// Returns s(a + εb) for a real number s.
+        /// Returns s(a + εb) for the real number s = `factor`.
         fn scale(self, factor: Self::Real) -> Self;
         /// Returns 1/(a + εb), which is infinite or NaN for a = 0.
         fn recip(self) -> Self;
@@ -85,8 +85,7 @@ pub(crate) fn power<D: DualNumber>(x: D, one: D, n: i32) -> D {
             power = power * square;
         }
         left /= 2;
-        // The square is not needed after the last step. It might overflow, and a later product
-        // ∞·0 would be NaN.
+        // The square is not needed after the last step, where it might overflow.
         if left > 0 {
             square = square * square;
         }

@@ -30,7 +30,7 @@ shared_trait! {
     /// # Laws
     ///
     /// The laws hold up to rounding for finite values; the tests have a table of the tolerances.
-    /// The names are those of the methods, and *unit* means that the motions must be unit.
+    /// Names in the table are those of methods, and *unit* means that the motions must be unit.
     ///
     /// | law | for |
     /// |---|---|
@@ -66,12 +66,12 @@ shared_trait! {
     ///
     /// # Where unit length is a precondition
     ///
-    /// The laws above for *unit* σ hold only if |p| = 1 and p·q = 0 within rounding. They concern
-    /// rotation and translation, matrices, screws, `log`, `pow`, `sclerp`, points, directions,
-    /// lines, planes, twists, distances, and `conjugate` as an inverse. `from_axis_angle` needs a
-    /// unit axis, and `from_rotation` and other methods that take a rotation need a unit rotation.
-    /// Products, sums, conjugates, `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ
-    /// with p ≠ 0.
+    /// The laws above for *unit* σ hold only if |p| = 1 and p·q = 0 within rounding. They are the
+    /// laws of rotation and translation, matrices, screws, `log`, `pow`, `sclerp`, points,
+    /// directions, lines, planes, twists, distances, and `conjugate` as an inverse.
+    /// `from_axis_angle` needs a unit axis, and `from_rotation` and other methods that take a
+    /// rotation need a unit rotation. Products, sums, conjugates, `norm`, `normalize`, `inverse`,
+    /// `nlerp` and `dlb` take any σ with p ≠ 0.
     ///
     /// By default no build checks that motions are unit: a kernel never panics, and a check of
     /// every motion would cost more than most operations. Debug builds with
@@ -95,8 +95,8 @@ shared_trait! {
     delegate by delegate_motion;
 
     types {
-        /// The value from which constants are made. It is `()` for scalars. For lanes it is the
-        /// proof that the CPU has their instructions.
+        /// The type of the value that functions need to make constants. It is `()` for scalars. For
+        /// lanes it is a level, the proof that the CPU has their instructions.
         type Level: Copy;
         /// A real number, or a vector with a real number per lane.
         type Real: Copy
@@ -116,11 +116,11 @@ shared_trait! {
     by_hand {
         /// Returns the identity motion, 1 + ε0.
         fn identity(level: Self::Level) -> Self;
-        /// Returns σ/√(σσ*), and `true` where it does not exist because p is zero or a
-        /// component is not finite. There the result is NaN.
+        /// Returns σ/√(σσ*), and a mask that is `true` where this quotient does not exist,
+        /// because p is zero or a component is not finite. There the first result is NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
-        /// Returns σ⁻¹, and `true` where it does not exist because p is zero or a component is
-        /// not finite. There the result is NaN.
+        /// Returns σ⁻¹, and a mask that is `true` where the inverse does not exist, because p
+        /// is zero or a component is not finite. There the first result is NaN.
         fn inverse_checked(self) -> (Self, Self::Mask);
     }
 
@@ -133,7 +133,7 @@ shared_trait! {
         fn from_rotation_translation(rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
         /// Returns r + ½εrt, which translates by t, then rotates by r.
         fn from_translation_rotation(translation: [Self::Real; 3], rotation: Self::Quat) -> Self;
-        /// Returns the product σ(r + ½εtr).
+        /// Returns the product σ(r + ½εtr) with the motion of a rotation r and a translation t.
         fn mul_rotation_translation(self, rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
         /// Returns the motion of a rigid matrix, with p_w ≥ 0.
         fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
@@ -157,47 +157,53 @@ shared_trait! {
         fn conjugate(self) -> Self;
         /// Returns σ⋄ = p* − εq*.
         fn conjugate_both(self) -> Self;
-        /// Returns σ or −σ, of which the first component that is not zero, in the order p_w,
-        /// p_x, p_y, p_z, is positive.
+        /// Returns whichever of σ and −σ has a positive first component, where components that
+        /// are zero are skipped, in the order p_w, p_x, p_y, p_z.
         fn canonical(self) -> Self;
-        /// Returns sσ for a real number s.
+        /// Returns sσ for the real number s = `factor`.
         fn scale(self, factor: Self::Real) -> Self;
-        /// Returns (a + εb)σ for a dual number a + εb.
+        /// Returns (a + εb)σ for the dual number a + εb = `factor`.
         fn scale_dual(self, factor: Self::Dual) -> Self;
         /// Returns the scalar product p_a·p_b + ε(p_a·q_b + q_a·p_b) of the motions a and b.
         fn dot(self, other: Self) -> Self::Dual;
 
         /// Returns the dual norm √(σσ*).
         fn norm(self) -> Self::Dual;
-        /// Returns σ/√(σσ*), or NaN where it does not exist.
+        /// Returns σ/√(σσ*), or NaN where this quotient does not exist.
         fn normalize(self) -> Self;
         /// Returns `true` where ||p| − 1| ≤ `tolerance` and |p·q| ≤
         /// `tolerance`·max(1, |q|).
         fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
         /// Returns σ⁻¹; some component is NaN or infinite where σ⁻¹ does not exist.
         fn inverse(self) -> Self;
-        /// Returns `true` where every component differs by at most `tolerance`.
+        /// Returns `true` where every component of `self` differs from that of `other` by at most
+        /// `tolerance`.
         fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
 
         /// Returns the point Rv + t, with the rotation R and the translation t of σ.
         fn transform_point(self, point: [Self::Real; 3]) -> [Self::Real; 3];
         /// Returns the direction Rv, with the rotation R of σ.
         fn transform_vector(self, vector: [Self::Real; 3]) -> [Self::Real; 3];
-        /// Returns the moved line Rl + ε(Rm + t × Rl).
+        /// Returns the moved line Rl + ε(Rm + t × Rl), with the rotation R and the translation t
+        /// of σ.
         fn transform_line(self, line: Line<Self::Real>) -> Line<Self::Real>;
-        /// Returns the moved plane, with the normal n′ = Rn and the offset d′ = d + n′·t.
+        /// Returns the moved plane, with the normal n′ = Rn and the offset d′ = d + n′·t (R
+        /// and t are the rotation and the translation of σ).
         fn transform_plane(self, plane: Plane<Self::Real>) -> Plane<Self::Real>;
 
-        /// Returns normalize((1−t)a ± tb), with the sign of the shorter way.
+        /// Returns normalize((1−t)a ± tb) with a = `self` and b = `other`, and the sign for
+        /// which the way is shorter.
         fn nlerp(self, other: Self, t: Self::Real) -> Self;
-        /// Returns normalize(Σ ±wᵢσᵢ) for influences (σᵢ, wᵢ), where each sign turns
-        /// σᵢ toward the first motion; `None` without influences.
+        /// Returns normalize(Σ ±wᵢσᵢ) for influences (σᵢ, wᵢ), where each sign puts
+        /// ±σᵢ on the side of the first motion; `None` if there are no influences.
         fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
-        /// Returns normalize(Σ ±wᵢσᵢ) for influences (σᵢ, wᵢ), where each sign turns
-        /// σᵢ toward the sum of the influences before it; `None` without influences.
+        /// Returns normalize(Σ ±wᵢσᵢ) for influences (σᵢ, wᵢ), where each sign puts
+        /// ±σᵢ on the side of the sum of the earlier influences; `None` if there are no
+        /// influences.
         fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
-        /// Returns b with Σ wᵢ log(b*σᵢ) = 0, by an iteration that ends where a step is at
-        /// most `tolerance`; `None` without influences.
+        /// Returns the intrinsic mean b of influences (σᵢ, wᵢ), with Σ wᵢ log(b*σᵢ) = 0,
+        /// by an iteration that ends when a step is at most `tolerance`; `None` if there are no
+        /// influences.
         fn dib(
             influences: &[(Self, Self::Real)],
             tolerance: Self::Real,
@@ -212,7 +218,7 @@ shared_trait! {
         fn log(self) -> DualVector<Self::Real>;
         /// Returns cos ĥ + sin ĥ (l + εm) for the logarithm ĥ(l + εm). On lanes, and for `f32`
         /// and `f64`, the result is NaN beyond a half angle of 2¹⁶ rad (`f32`) or 2⁴⁵ rad
-        /// (`f64`). Powers and interpolations that go so far are NaN too.
+        /// (`f64`). Powers and interpolations that reach such angles are NaN too.
         fn exp(log: DualVector<Self::Real>) -> Self;
         /// Returns the power σᵗ.
         fn pow(self, t: Self::Real) -> Self;
@@ -220,28 +226,31 @@ shared_trait! {
         fn sqrt(self) -> Self;
         /// Returns a(a*b)ᵗ, from a = `self` to b = `other` by the shorter way.
         fn sclerp(self, other: Self, t: Self::Real) -> Self;
-        /// Returns a(a*b)ᵗ from a = `self` to b = `other`, without turning b to −b where the
-        /// way is then shorter.
+        /// Returns a(a*b)ᵗ from a = `self` to b = `other`, and does not replace b by −b if the
+        /// way to −b is shorter.
         fn sclerp_long(self, other: Self, t: Self::Real) -> Self;
         /// Returns sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from σ₀ =
         /// `self` to σ₁ = `end`, with the control poses s₀ and s₁.
         fn squad(self, control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
         /// Returns the control pose σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4) of the key σ =
-        /// `current` between the keys σ₋ and σ₊.
+        /// `current` between the keys σ₋ = `previous` and σ₊ = `next`.
         fn squad_control(previous: Self, current: Self, next: Self) -> Self;
 
-        /// Returns θ, the angle of p_a*p_b, in [0, π] radians.
+        /// Returns θ, the angle in [0, π] radians of the rotation p_a*p_b from a = `self` to b =
+        /// `other`.
         fn angle_to(self, other: Self) -> Self::Real;
         /// Returns d = |t_a − t_b|, the distance between the translations.
         fn distance_to(self, other: Self) -> Self::Real;
-        /// Returns √((λθ)² + d²) with λ = `length_per_radian`.
+        /// Returns √((λθ)² + d²) with θ from `angle_to`, d from `distance_to` and λ =
+        /// `length_per_radian`.
         fn distance_weighted(self, other: Self, length_per_radian: Self::Real) -> Self::Real;
-        /// Returns |av − bv| for a point v.
+        /// Returns |av − bv|, the distance between the images of a point v under a = `self` and
+        /// b = `other`.
         fn point_error(self, other: Self, point: [Self::Real; 3]) -> Self::Real;
-        /// Returns d + 2 r sin(θ/2), which is at least |av − bv| for every point v with |v| ≤
-        /// r.
+        /// Returns d + 2 r sin(θ/2) with r = `radius`, which is at least |av − bv| for every
+        /// point v with |v| ≤ r.
         fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
-        /// Returns the opposite of `is_unit` with this tolerance.
+        /// Returns the negation of `is_unit` with this tolerance.
         fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
 
         /// Returns the derivative σ̇ = ½ξσ for the spatial twist ξ.
@@ -255,7 +264,8 @@ shared_trait! {
         /// Returns the derivative σ̇ = ½ωr + ½ε(ṫr + ½tωr) for the velocities ω =
         /// `angular` and ṫ = `linear`.
         fn derivative_from_velocity(self, angular: [Self::Real; 3], linear: [Self::Real; 3]) -> Self;
-        /// Returns the velocities (ω, ṫ) for the derivative σ̇.
+        /// Returns the velocities (ω, ṫ) for the derivative σ̇ = `derivative`: the angular
+        /// velocity and the velocity of the origin.
         fn velocity(self, derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
         /// Returns exp(½ξ), the motion of a constant twist ξ in unit time.
         fn from_twist(twist: Twist<Self::Real>) -> Self;
@@ -268,19 +278,23 @@ shared_trait! {
         fn integrate_spatial(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
         /// Returns σ exp(½ξ dt) for a constant body twist ξ.
         fn integrate_body(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
-        /// Returns the moved twist, ω′ = Rω and v′ = Rv + t × ω′.
+        /// Returns the moved twist, ω′ = Rω and v′ = Rv + t × ω′, with the rotation R and
+        /// the translation t of σ.
         fn adjoint(self, twist: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// Returns the moved wrench, f′ = Rf and τ′ = Rτ + t × f′.
+        /// Returns the moved wrench, f′ = Rf and τ′ = Rτ + t × f′, with the rotation R and
+        /// the translation t of σ.
         fn coadjoint(self, wrench: Wrench<Self::Real>) -> Wrench<Self::Real>;
-        /// Returns J_l(x) y, with exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) for small δ.
+        /// Returns the left Jacobian J_l(x) applied to y, with x = `at`, y = `along` and exp(½(x +
+        /// δy)) ≈ exp(½δ J_l(x) y) exp(½x) for small δ.
         fn left_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// Returns J_r(x) y, with exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y) for small δ.
+        /// Returns the right Jacobian J_r(x) applied to y, with x = `at`, y = `along` and
+        /// exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y) for small δ.
         fn right_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// Returns J_l⁻¹(x) y, which is infinite at |ω| = 2π for the twist x with the angular
-        /// part ω.
+        /// Returns the inverse left Jacobian J_l⁻¹(x) applied to y, with x = `at` = ω + εv and
+        /// y = `along`. It is infinite at |ω| = 2π.
         fn left_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-        /// Returns J_r⁻¹(x) y, which is infinite at |ω| = 2π for the twist x with the angular
-        /// part ω.
+        /// Returns the inverse right Jacobian J_r⁻¹(x) applied to y, with x = `at` = ω + εv
+        /// and y = `along`. It is infinite at |ω| = 2π.
         fn right_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>)
         -> Twist<Self::Real>;
     }

@@ -34,8 +34,8 @@ shared_trait! {
     delegate by delegate_quaternion;
 
     types {
-        /// The value from which constants are made. It is `()` for scalars. For lanes it is the
-        /// proof that the CPU has their instructions.
+        /// The type of the value that functions need to make constants. It is `()` for scalars. For
+        /// lanes it is a level, the proof that the CPU has their instructions.
         type Level: Copy;
         /// A real number, or a vector with a real number per lane.
         type Real: Copy + Debug;
@@ -44,10 +44,10 @@ shared_trait! {
     }
 
     by_hand {
-        /// Returns 1, the rotation by no angle.
+        /// Returns the identity 1, the rotation by the angle 0.
         fn identity(level: Self::Level) -> Self;
-        /// Returns q/|q|, and `true` where it does not exist because q is zero or a component is
-        /// not finite. There the result is NaN.
+        /// Returns q/|q|, and a mask that is `true` where this quotient does not exist, because q
+        /// is zero or a component is not finite. There the first result is NaN.
         fn normalize_checked(self) -> (Self, Self::Mask);
     }
 
@@ -69,7 +69,7 @@ shared_trait! {
         fn to_axis_angle(self) -> ([Self::Real; 3], Self::Real);
         /// Returns the turn by |v| radians about v.
         fn from_scaled_axis(v: [Self::Real; 3]) -> Self;
-        /// Returns θn, the axis n times the angle θ.
+        /// Returns θn, the axis n times the angle θ in radians.
         fn to_scaled_axis(self) -> [Self::Real; 3];
         /// Returns cos(θ/2) + i sin(θ/2), the turn by θ = `angle` about the x axis.
         fn from_rotation_x(angle: Self::Real) -> Self;
@@ -86,26 +86,28 @@ shared_trait! {
 
         /// Returns the conjugate w − xi − yj − zk.
         fn conjugate(self) -> Self;
-        /// Returns sq for a real number s.
+        /// Returns sq for the real number s = `factor`.
         fn scale(self, factor: Self::Real) -> Self;
         /// Returns the scalar product of two quaternions as 4-vectors.
         fn dot(self, other: Self) -> Self::Real;
         /// Returns the norm |q|.
         fn norm(self) -> Self::Real;
-        /// Returns q/|q|, or NaN where it does not exist.
+        /// Returns q/|q|, or NaN where this quotient does not exist.
         fn normalize(self) -> Self;
         /// Returns q*/|q|²; some component is NaN or infinite where q is zero or not finite.
         fn inverse(self) -> Self;
         /// Returns `true` where ||q| − 1| ≤ `tolerance`.
         fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
-        /// Returns `true` where every component differs by at most `tolerance`.
+        /// Returns `true` where every component of `self` differs from that of `other` by at most
+        /// `tolerance`.
         fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
 
         /// Returns r v r*, the vector v turned by unit r.
         fn rotate(self, v: [Self::Real; 3]) -> [Self::Real; 3];
-        /// Returns the angle of a*b, in [0, π] radians.
+        /// Returns the angle in [0, π] radians of the rotation a*b from a = `self` to b = `other`.
         fn angle_to(self, other: Self) -> Self::Real;
-        /// Returns normalize((1−t)a ± tb), with the sign of the shorter way.
+        /// Returns normalize((1−t)a ± tb) with a = `self` and b = `other`, and the sign for
+        /// which the way is shorter.
         fn nlerp(self, other: Self, t: Self::Real) -> Self;
         /// Returns a(a*b)ᵗ, from a = `self` to b = `other` by the shorter way.
         fn slerp(self, other: Self, t: Self::Real) -> Self;

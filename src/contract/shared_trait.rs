@@ -1,6 +1,6 @@
-//! The macro that defines a trait which scalars and lanes share. One list of methods makes two
-//! things: the trait, and a macro that writes the `impl` of the trait for a type, by calls of the
-//! inherent methods of the type.
+//! The macro that defines a trait which scalars and lanes share. From one list of methods it makes
+//! the trait, and a macro that writes the `impl` of the trait for a type by calls of the type's
+//! inherent methods.
 
 /// Defines the trait, and the macro `$delegate` that implements it for a type. The type must have
 /// every method of the list `inherent` as an inherent method: in the `impl`, `Self::name` resolves
@@ -25,7 +25,7 @@ macro_rules! shared_trait {
         pub trait $Trait: crate::contract::sealed::Sealed $(+ $bound)* {
             $($types)*
 
-            /// The names of all methods, in the order of the definition.
+            /// The names of all methods of the trait, in the order of the definition.
             const METHODS: &'static [&'static str] =
                 &[$(stringify!($of_each),)* $(stringify!($name)),*];
 
@@ -62,7 +62,8 @@ pub(crate) mod sealed {
     pub trait Sealed {}
 }
 
-/// Implements sums, differences and negation for types with a real and a dual part, part by part.
+/// Implements sums, differences and negation for types with a real and a dual part. The operators
+/// act on each part.
 macro_rules! sums_by_part {
     ($(#[$of_sum:meta])* [$($number:tt)+] #[$inlined:meta] $Thing:ty: ($($real:tt)+) ($($dual:tt)+)) => {
         $(#[$of_sum])*

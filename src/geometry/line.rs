@@ -7,13 +7,14 @@ crate::macros::pod! {
     /// A line in Plücker coordinates l + εm: every point x on the line satisfies x × l = m.
     ///
     /// The vector l may have any length. With |l| = 1, |m| is the distance from the origin, and l
-    /// × m is the point closest to the origin (Jia, *Dual Quaternions*, §8.1). Lines have a
-    /// sense: −l − εm has the same points in the opposite sense.
+    /// × m is the point closest to the origin (Jia, *Dual Quaternions*, §8.1). A line has a sense
+    /// (one of its two directions): −l − εm has the same points and the opposite sense.
     ///
-    /// The methods here need no division and serve floats and lanes alike. Methods that may fail or
-    /// that measure are for [`Real`](crate::Real) numbers only: [`from_points`](Line::from_points),
-    /// [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
-    /// [`common_perpendicular`](Line::common_perpendicular) and others.
+    /// The methods here need no division and serve floats and lanes alike. Methods that may fail,
+    /// and methods that measure angles or distances, are for [`Real`](crate::Real) numbers only:
+    /// [`from_points`](Line::from_points), [`from_planes`](Line::from_planes),
+    /// [`dual_angle`](Line::dual_angle), [`common_perpendicular`](Line::common_perpendicular) and
+    /// others.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[must_use]
@@ -26,8 +27,9 @@ crate::macros::pod! {
 }
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
-    /// Makes the line l + ε(p × l) (Jia §8.1). The direction l is not normalized. A direction of
-    /// zero makes no line, which [`try_normalize`](Line::try_normalize) reports.
+    /// Makes the line l + ε(p × l) (Jia §8.1). The direction l is not normalized. If the
+    /// direction is zero, the result is not a line, and [`try_normalize`](Line::try_normalize)
+    /// returns an error.
     ///
     /// ```
     /// use dq8::Line;
@@ -60,9 +62,9 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
         vector::add(self.closest_point_to_origin(), along)
     }
 
-    /// Returns l₁·m₂ + m₁·l₂, the dual part of the inner product. It is zero if and only
-    /// if the lines lie in one plane, so that they meet or are parallel. For unit lines with the
-    /// angle θ and the distance d between them it is −d sin θ.
+    /// Returns l₁·m₂ + m₁·l₂, the dual part of the inner product of two lines. It is zero
+    /// if and only if the lines lie in one plane, so that they intersect or are parallel. For unit
+    /// lines with the angle θ and the distance d between them it is −d sin θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn reciprocal_product(self, other: Self) -> T {
@@ -78,14 +80,14 @@ crate::macros::pod! {
     pub struct Plane<T> {
         /// The normal n.
         pub normal: [T; 3],
-        /// The distance d from the origin along n, in units of |n|.
+        /// The offset d. It is |n| times the signed distance from the origin along n.
         pub offset: T,
     }
 }
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Plane<T> {
-    /// Makes the plane n·x = n·p. The normal n is not normalized. A normal of zero makes no
-    /// plane, which [`try_normalize`](Plane::try_normalize) reports.
+    /// Makes the plane n·x = n·p. The normal n is not normalized. If the normal is zero, the
+    /// result is not a plane, and [`try_normalize`](Plane::try_normalize) returns an error.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn from_point_normal(point: [T; 3], normal: [T; 3]) -> Self {
         Self { normal, offset: vector::dot(normal, point) }

@@ -1,8 +1,9 @@
-//! Plain data that motions act on or that describe motions. `T` is a float for one motion, or a
-//! vector of lanes for many. Points and directions are plain `[T; 3]`.
+//! Types of data that motions act on or that describe motions. `T` is a float for one motion, or a
+//! vector of lanes for many motions. Points and directions are arrays `[T; 3]`.
 
-/// Implements sums, differences and negation for types that consist of two vectors. Vectors are
-/// arrays without operators; `contract::sums_by_part` is for parts with operators.
+/// Implements sums, differences and negation for types that consist of two vectors. These vectors
+/// are arrays, which have no operators; for parts that have operators there is
+/// `contract::sums_by_part`.
 macro_rules! sums_of_vectors {
     ($Pair:ident { $first:ident, $second:ident }) => {
         impl<T: Copy + Add<Output = T>> Add for $Pair<T> {
@@ -49,8 +50,9 @@ pub use twist::{Twist, Wrench};
 pub struct Mean<M, T, B> {
     /// The mean, or the last approximation to it.
     pub motion: M,
-    /// The number of steps, a whole number. With 0 steps, `motion` is the linear blend unchanged.
+    /// The number of steps of the iteration, a whole number. With 0 steps, `motion` is the linear
+    /// blend unchanged.
     pub iterations: T,
-    /// `true` if the next step would have been within the tolerance.
+    /// `true` if the iteration ended because its next step would have been within the tolerance.
     pub converged: B,
 }

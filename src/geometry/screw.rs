@@ -1,4 +1,4 @@
-//! Screws, and dual vectors, which are the logarithms of motions.
+//! Screws, and dual vectors, for instance the logarithms of motions.
 
 use super::{Line, vector};
 use core::ops::{Add, Mul, Neg, Sub};
@@ -11,7 +11,7 @@ crate::macros::pod! {
     /// θ̂ = θ + εd: `real` = l·θ/2 and `dual` = m·θ/2 + l·d/2.
     ///
     /// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4). The products of
-    /// dual vectors are the products of vectors over dual numbers and obey the same laws.
+    /// dual vectors are those of vectors whose components are dual numbers, and obey the same laws.
     ///
     /// ```
     /// use dq8::{Line, geometry::DualVector};
@@ -35,7 +35,7 @@ crate::macros::pod! {
 }
 
 impl<T: Copy> DualVector<T> {
-    /// s(a + εb) for a real number s.
+    /// Returns s(a + εb) for the real number s = `factor`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: T) -> Self
     where
@@ -95,8 +95,8 @@ impl<T> From<Line<T>> for DualVector<T> {
     }
 }
 
-/// Converts a dual vector to the line l + εm. It is a line only if l·m = 0. Other dual vectors
-/// are screws: l·m/l·l is the pitch, and [`Line::try_normalize`] gives the axis.
+/// Converts a dual vector to the line l + εm. The result is a line only if l·m = 0. Any other
+/// dual vector is a screw: its pitch is l·m/l·l, and [`Line::try_normalize`] gives its axis.
 impl<T> From<DualVector<T>> for Line<T> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(vector: DualVector<T>) -> Self {
@@ -116,7 +116,8 @@ crate::macros::pod! {
     pub struct Screw<T> {
         /// The screw axis l + εm with |l| = 1.
         pub axis: Line<T>,
-        /// The angle θ in radians. Results of dq8 are in [0, π]; input may have any angle.
+        /// The angle θ in radians. In results of dq8 it is in [0, π]; in input it may be any
+        /// angle.
         pub angle: T,
         /// The slide d, the translation along the axis, in the user's unit of length.
         pub slide: T,
@@ -124,7 +125,7 @@ crate::macros::pod! {
 }
 
 impl<T: Copy + core::ops::Div<Output = T>> Screw<T> {
-    /// Returns the pitch d / θ, length per radian (Jia §8.2). It is infinite for a pure
+    /// Returns the pitch d / θ, a length per radian (Jia §8.2). It is infinite for a pure
     /// translation and NaN for the identity.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]

@@ -14,7 +14,7 @@ crate::macros::pod! {
     ///   ½ξσ;
     /// - *body*: ω and v are in the axes and about the origin of the moving frame, σ̇ = ½σξ.
     ///
-    /// A motion takes the body twist to the spatial twist: spatial = σ body σ*, which is
+    /// A motion σ converts the body twist to the spatial twist: spatial = σ body σ*, which is
     /// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
     ///
     /// The logarithm of a motion is half the twist that makes the motion in unit time, because a
@@ -57,7 +57,8 @@ impl<T: Copy> Twist<T> {
         [wx, wy, wz, vx, vy, vz]
     }
 
-    /// Returns the twist times a number, such as the screw of a joint times the joint's rate.
+    /// Returns the twist times `factor`, for example the unit twist of a joint times the joint's
+    /// rate.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn scale(self, factor: T) -> Self
     where
@@ -88,7 +89,7 @@ crate::macros::pod! {
     ///
     /// `torque` is taken about the origin of the frame, and both vectors are in its axes. As with
     /// twists, the frame is *spatial* (fixed) or *body* (moving).
-    /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes a body wrench to the spatial
+    /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) converts a body wrench to the spatial
     /// wrench.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

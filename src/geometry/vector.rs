@@ -1,29 +1,29 @@
-//! Three-vectors as plain arrays, of floats or of lanes.
+//! Three-vectors as arrays of floats or of lanes.
 
 use core::ops::{Add, Mul, Sub};
 
-/// a + b
+/// Returns a + b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn add<T: Copy + Add<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// a − b
+/// Returns a − b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn sub<T: Copy + Sub<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// a·s
+/// Returns a·s.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn scale<T: Copy + Mul<Output = T>>(a: [T; 3], s: T) -> [T; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
-/// a · b
+/// Returns the scalar product a · b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn dot<T>(a: [T; 3], b: [T; 3]) -> T
@@ -33,7 +33,7 @@ where
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// a × b
+/// Returns the cross product a × b.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn cross<T>(a: [T; 3], b: [T; 3]) -> [T; 3]

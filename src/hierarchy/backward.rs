@@ -59,8 +59,8 @@ impl<E: Element<8>> Backward<'_, '_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
-    /// Computes the locals of one block, whose lanes are instances, or, on targets without SIMD, of
-    /// one plain instance.
+    /// Computes the locals of one block, whose lanes are instances. On targets without SIMD it
+    /// computes the locals of one instance in a plain slice.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn locals_of_block<V: Level>(
         &self,
@@ -75,8 +75,8 @@ impl<E: Element<8>> Run<'_, E> {
                 let models = models.or(locals);
                 let Some(&parent) = self.parents.get(joint) else { return };
                 let Some(mut local) = motions(level, models, tile) else { return };
-                // The parent of a root is `ROOT`, which is beyond all models: loading it gives
-                // `None`.
+                // The parent of a root is `ROOT`. This index is beyond all models, so the load
+                // returns `None`.
                 let parent = motions(level, models, Tile::at(parent as usize, register));
                 let parent = match parent {
                     Some(parent) => Some(parent),
@@ -90,8 +90,8 @@ impl<E: Element<8>> Run<'_, E> {
         }
     }
 
-    /// Computes the locals of one plain instance. Lanes are joints, whose parents are gathered one
-    /// by one.
+    /// Computes the locals of one instance in a plain slice. Lanes are joints; the models of their
+    /// parents are gathered one by one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn locals_of_plain<V: Level>(
         &self,
@@ -103,15 +103,17 @@ impl<E: Element<8>> Run<'_, E> {
         let root = self.root_of(instance);
         let lanes = E::Layout::records::<V>();
         let nothing = root.unwrap_or(identity());
-        // Both copies are halves of one array. If they were two arrays with the same initial
-        // values, the compiler would initialise the second by a call of `memcpy` from the first.
+        // The models of the joints and of their parents are copied to the two halves of one array.
+        // If they were two arrays with the same initial values, the compiler would call `memcpy` to
+        // initialise the second from the first.
         let mut both = [nothing; 2 * MAX_LANES];
         let (own, parents) = both.split_at_mut(MAX_LANES);
         let mut end = self.joints.end;
         while end > self.joints.start {
             let start = end.saturating_sub(lanes).max(self.joints.start);
             // The models of the joints and of their parents are copied before any local is written,
-            // because in place a local overwrites the model of a joint that may be a parent here.
+            // because in place each local overwrites the model of its joint, which may be the
+            // parent of another of these joints.
             let Some(from) = E::plain(models.or(locals)) else { return };
             for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut *parents)) {
                 let (Some(model), Some(&of)) = (from.get(joint), self.parents.get(joint)) else {
@@ -134,12 +136,13 @@ impl<E: Element<8>> Run<'_, E> {
     }
 }
 
-/// The loop that writes locals as motions: poses(j) = local(j). In blocks, and for plain instances
-/// whose locals are computed, lanes are instances. This is because clips and layers compute a batch
-/// of joints at a time, and because the joints of a small skeleton would fill few registers, the
-/// last one only partly. For locals in memory, and for the last instances, which do not fill all
-/// lanes, lanes are joints of one instance. No joint waits for another here, and joints that adjoin
-/// need no strided access. Both ways give the same bits.
+/// The loop that writes locals as motions: poses(j) = local(j). In blocks, and in plain slices if
+/// the locals are computed, lanes are instances. There are two reasons: clips and layers compute a
+/// batch of joints at a time, and the joints of a small skeleton would fill few registers, the last
+/// of them only partly. For locals in memory, and for the last instances, which do not fill all
+/// lanes, lanes are joints of one instance. This is possible because no joint waits for another
+/// here, and quick because the joints of one instance adjoin in memory. Both ways give the same
+/// bits.
 pub(super) struct Write<'r, 's, E: Element<8>, L> {
     pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
@@ -149,8 +152,9 @@ pub(super) struct Write<'r, 's, E: Element<8>, L> {
 impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE || L::COMPUTED;
-    // On CPUs that shuffle 512 bits as quickly as 256 bits, AVX-512 takes a fifth to a quarter less
-    // time than AVX2.
+    // If the locals are computed and the motions are plain, the loop transposes. On CPUs that
+    // shuffle 512 bits as quickly as 256 bits, AVX-512 then takes a fifth to a quarter less time
+    // than AVX2.
     const SHUFFLES: bool = !E::Layout::WIDE && L::COMPUTED;
 
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -13,23 +13,23 @@ use dq8_simd::{Lanes, Level};
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
 
-/// The number of bytes that the models of two blocks, computed in turns, may fill. It is at most
-/// the size of the first-level cache.
+/// The number of bytes that the models of two blocks may fill if both blocks are computed in turns.
+/// It is at most the size of the first-level cache.
 const CACHE: usize = 32 << 10;
 
-/// The number of joints that the loop prefetches ahead. With it, 1024 skeletons of 64 joints in
-/// place take a tenth less time with AVX2, and a twentieth less with AVX-512. One block of 16
-/// lanes, which stays in the first-level cache, takes a twentieth more. A greater distance is not
-/// faster, and from 8 joints on it is slower.
+/// The number of joints that the loop prefetches ahead. With it, 1024 skeletons of 64 joints,
+/// computed in place, take a tenth less time with AVX2, and a twentieth less with AVX-512. One
+/// block of 16 lanes, which stays in the first-level cache, takes a twentieth more. A greater
+/// distance is not faster, and from 8 joints on it is slower.
 const PREFETCH_DISTANCE: usize = 2;
 
 /// The loop over blocks, parents first. Three measures keep it at the speed of its multiplications:
 ///
-/// - A child waits for its parent's product, in the time of which eight independent products could
-///   begin. So two instance blocks, or the registers of one block, are computed in turns: while the
-///   product of the first waits for a parent, the second multiplies. Two blocks that do not fit
-///   into the first-level cache together would evict each other's models, so they are computed one
-///   after the other.
+/// - A child waits for its parent's product. In this time eight independent products could begin.
+///   So two instance blocks, or the registers of one block, are computed in turns: while a product
+///   of the first waits for a parent, a product of the second is computed. Two blocks that do not
+///   fit into the first-level cache together would evict each other's models, so they are computed
+///   one after the other.
 /// - Compiler fences keep the turns apart. Without them the compiler interleaves the instructions
 ///   of two products and spills registers.
 /// - The loop prefetches the joint that it computes two steps later.
@@ -49,8 +49,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Blocks<'_, '_, E, L
         let one_at_a_time = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
         let side_by_side = if OVERLAPS && !one_at_a_time { 2 } else { 1 };
         // `models` holds whole instances, so `joints` is not 0 where there is a model. The compiler
-        // does not know that: `chunks_mut(0)`, or `split_at_mut` without a check, would be a path
-        // to a panic in the machine code.
+        // does not know this. Without `max(1)`, or with `split_at_mut` without a check, the machine
+        // code would contain a path to a panic.
         let sets = models.chunks_mut(joints.saturating_mul(side_by_side).max(1));
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
@@ -88,7 +88,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     }
                 }
             }
-            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
+            // The parent of a root is `ROOT`. This index is beyond all models, so the load returns
+            // `None`.
             let Some(&parent) = run.parents.get(joint) else { return };
             let renormalize = run.renormalize.applies_to(joint);
             for (block, models) in &mut blocks {
@@ -98,8 +99,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                 for register in 0..E::Layout::registers::<V>() {
                     let slot = slot(joint, *block, register);
                     // The bounds check of this load also tells roots from children, so that the
-                    // loop compares once. Both paths store the model, and the code below reads it
-                    // back (*One source*, docs/measured.md).
+                    // loop makes one comparison only. Both branches store the model, and the code
+                    // after them reads it back (*One source*, docs/measured.md).
                     let parent = Tile::at(parent as usize, register);
                     if let Some(parent) = motions(level, models, parent) {
                         let Some(local) = self.local_of_block(models, slot) else { return };
@@ -107,15 +108,15 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     } else {
                         self.root_of_block(*block, models, slot);
                     }
-                    // The turn of this register ends: the fence keeps the compiler from beginning
-                    // the next turn before this store.
+                    // The turn of this register ends here. The fence keeps the compiler from moving
+                    // instructions of the next turn before this store.
                     compiler_fence(Ordering::SeqCst);
                     if !renormalize && const { !X::ACTIVE } {
                         continue;
                     }
-                    // The model is read back from memory, where both paths have stored it (*One
-                    // source*, docs/measured.md). Otherwise the compiler would move registers to
-                    // join the paths.
+                    // The model is read back from memory, where both branches have stored it (*One
+                    // source*, docs/measured.md). Otherwise the compiler would move values between
+                    // registers where the branches join.
                     let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
                     if renormalize {
                         model = model.normalize();
@@ -129,8 +130,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         }
     }
 
-    /// Computes the model of a joint without a parent. The function is not inlined, because it
-    /// would take registers from the loop over children (*Kept apart*, docs/measured.md).
+    /// Computes the model of a joint without a parent. The function is not inlined, because inlined
+    /// code would take registers from the loop over children (*Kept apart*, docs/measured.md).
     #[cold]
     #[inline(never)]
     fn root_of_block(self, block: usize, models: &mut [E], slot: JointSlot) {

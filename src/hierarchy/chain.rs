@@ -1,6 +1,6 @@
-//! Products of chains: for each link, the product of all links up to it. Also the product of two
-//! motions for all loops over a hierarchy, with one motion in a register ([`packed_product`]) or
-//! one motion in each lane ([`product_in_lanes`]).
+//! Products of chains: for each link, the product of all links up to it. The module also has the
+//! product of two motions that all loops over a hierarchy use, with one motion in a register
+//! ([`packed_product`]) or one motion in each lane ([`product_in_lanes`]).
 
 use crate::backend::{Backend, Kernel};
 use crate::batch;
@@ -10,7 +10,7 @@ use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, ident
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat};
 
-/// The greatest number of segments of a chain: the lanes of the widest block.
+/// The greatest number of segments of a chain, which is the number of lanes of the widest block.
 const MAX_SEGMENTS: usize = 16;
 
 impl Backend {
@@ -18,13 +18,13 @@ impl Backend {
     /// `products[i] = links[0] · links[1] ⋯ links[i]`.
     ///
     /// Each product needs the product before it, so a loop over the links has one motion at a time
-    /// and no work for other lanes. But products are associative, so the chain is cut into segments
-    /// of equal length, one in each lane. The first pass computes the products of whole segments,
-    /// on all lanes at once. The second pass multiplies these totals, so that each segment knows
-    /// the product of all links before it. The third pass computes every product, on all lanes
-    /// again. This takes two multiplications for each link, and is still twice as fast as a loop
-    /// over the links. Its results differ from those of the loop in the last bits, because the
-    /// multiplications are in another order.
+    /// and no work for other lanes. But products are associative, so the chain is divided into
+    /// segments of equal length, one in each lane. The first pass computes the products of whole
+    /// segments, on all lanes at once. The second pass multiplies these totals, so that each
+    /// segment knows the product of all links before it. The third pass computes every product, on
+    /// all lanes again. This takes two multiplications for each link, and is still twice as fast as
+    /// a loop over the links. Its results differ from those of the loop in the last bits, because
+    /// the multiplications are in another order.
     ///
     /// Links are `[DualQuat<R>]` in order, or `[Block<R, N>]` with a segment in each lane, which is
     /// the fastest way; see [`pack_chain`](crate::storage::pack_chain).
@@ -77,8 +77,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
-        // A chain in blocks was cut into segments when it was packed, and the last segment was
-        // filled with identities.
+        // A chain in blocks was divided into segments when it was packed, and the last segment was
+        // filled up with identities.
         if const { E::Layout::THINGS > 1 } {
             scan(InBlocks { level, links, products });
             return;
@@ -88,7 +88,7 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
             Source::Output => Some(Source::Output),
         };
         // The loop may work in place: the third pass overwrites a link with its product just after
-        // it has read the link, and the first pass, which reads all links, ends before.
+        // it has read the link, and the first pass, which reads all links, has then ended.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
             // On targets without SIMD, where a register holds a single value, segments are computed
@@ -105,7 +105,8 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
                     level, steps, links, products,
                 ))
             };
-            // The links that remain after eight segments of equal length are multiplied one by one.
+            // The links that remain after the eight segments of equal length are multiplied one by
+            // one.
             for index in PLAIN_SEGMENTS * steps..products.len() {
                 let Some(link) = links.or(products).get(index) else { return };
                 before = packed_product(before, link);
@@ -116,17 +117,17 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     }
 }
 
-/// A chain in segments, with a segment in each lane. If the segments need several registers, a part
-/// is the segments of one register.
+/// A chain in segments, with a segment in each lane. If the segments need several registers, a
+/// *part* consists of the segments in the lanes of one register.
 trait Segments {
     type Lanes: Lanes<Real: Scalar>;
     fn level(&self) -> <Self::Lanes as Lanes>::Level;
     fn parts(&self) -> usize;
     /// Returns the number of links of a segment.
     fn steps(&self) -> usize;
-    /// Loads link `step` of each segment of a part.
+    /// Loads link `step` of every segment in a part.
     fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>>;
-    /// Stores product `step` of each segment of a part.
+    /// Stores product `step` of every segment in a part.
     fn store(&mut self, product: batch::DualQuat<Self::Lanes>, part: usize, step: usize);
 }
 
@@ -137,7 +138,8 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
     // First pass, on all lanes: the product of each segment.
     //
-    // Totals to which no segment belongs stay at the identity, which changes no product.
+    // An element of `totals` to which no segment belongs stays at the identity, which changes no
+    // product.
     let mut totals = [identity(); MAX_SEGMENTS];
     for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
         let mut total = batch::DualQuat::identity(level);
@@ -214,10 +216,10 @@ impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
     }
 }
 
-/// The number of segments of a chain of plain motions.
+/// The number of segments of a chain in a plain slice.
 const PLAIN_SEGMENTS: usize = 8;
 
-/// A chain of plain motions. Its eight segments lie one after the other in memory, so links are
+/// A chain in a plain slice. Its eight segments lie one after the other in memory, so links are
 /// loaded at a stride and transposed in registers.
 struct Strided<'s, V, R, L> {
     level: V,
@@ -233,8 +235,8 @@ impl<'s, V, R, L> Strided<'s, V, R, L> {
         Self { level, steps, links, products, lanes: PhantomData }
     }
 
-    /// Returns the tile of link `step` of each segment of a part; its stride is the length of a
-    /// segment.
+    /// Returns the tile that holds link `step` of every segment in a part. Its stride is the length
+    /// of a segment.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn tile(&self, part: usize, step: usize) -> Tile
     where
@@ -277,13 +279,14 @@ impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_
 ///
 /// With right = p + εq, the result is left · p + ε(left · q), where terms with ε² are
 /// dropped. This takes eight multiplications of vectors. The last sum adds −0 to the real part,
-/// which keeps its bits. Adding +0 would turn −0 into +0, and the result would differ from that
-/// of [`product_in_lanes`].
+/// so the bits of the real part do not change. Adding +0 would turn −0 into +0, and the result
+/// would differ from that of [`product_in_lanes`].
 ///
-/// Three other ways were measured on a skeleton of 64 joints and are slower. Signs by alternating
-/// multiply-adds and subtractions take a sixth longer, although they save three instructions.
-/// Broadcasting the components of the left factor takes a sixth longer. Joints of equal depth in
-/// the lanes, gathered and scattered, take a twentieth longer.
+/// Three other ways were measured on a skeleton of 64 joints and are slower. Alternating
+/// multiply-adds and subtractions, in place of a change of signs, take a sixth longer, although
+/// they save three instructions. Broadcasting the components of the left factor takes a sixth
+/// longer. Computing joints of equal depth in the lanes, with gathers and scatters, takes a
+/// twentieth longer.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();

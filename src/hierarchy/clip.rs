@@ -1,6 +1,6 @@
-//! [`Clip`]: key frames that are plain floats. [`Sampled`] plays a clip, or any other [`Keys`], for
-//! many instances. [`Clip::pose`] and [`Clip::between`] sample a single joint, such as the root of
-//! a character for its root motion.
+//! [`Clip`]: key frames stored as floats, not packed. [`Sampled`] plays a clip, or any other
+//! [`Keys`], for many instances. [`Clip::pose`] and [`Clip::between`] sample a single joint, such
+//! as the root of a character for its root motion.
 
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
@@ -22,8 +22,8 @@ use dq8_simd::internal::Gather;
 use dq8_simd::{Lanes, Level, Portable, Records, Unfused};
 
 /// Key frames at equal distances in time, `[frame][joint]`. A key of type `K` is a motion, or a
-/// rotation with a translation `[x, y, z, w, tx, ty, tz]`. The last frame of a clip that loops is
-/// its first frame again.
+/// rotation with a translation `[x, y, z, w, tx, ty, tz]`. In a clip that loops, the last frame is
+/// the same moment as the first frame of the next round.
 #[derive(Clone, Copy)]
 #[must_use]
 #[doc(alias("animation"))]
@@ -57,7 +57,7 @@ impl<'c, K> Clip<'c, K> {
     }
 
     /// Makes the clip begin again after its end. A time outside of the clip then lies in an earlier
-    /// or later round.
+    /// or later round of the clip.
     pub fn looping(self) -> Self {
         Self { timing: self.timing.looping(), ..self }
     }
@@ -110,8 +110,8 @@ impl<'c, K> Clip<'c, K> {
 }
 
 /// The timing of a clip: the number of its frames, its rate in frames a second, and `loops`, which
-/// is `true` if it begins again after its end. Times are computed in the type `T`, which is `f64`
-/// for a [`Clip`]. For packed clips it is the caller's type, because `f64` is slow on
+/// is `true` if the clip begins again after its end. Times are computed in the type `T`. For a
+/// [`Clip`] this is `f64`; for packed clips it is the caller's type, because `f64` is slow on
 /// microcontrollers.
 #[derive(Clone, Copy)]
 pub(super) struct Timing<T> {
@@ -133,7 +133,7 @@ impl<T: Scalar> Timing<T> {
         self.steps() / self.rate
     }
 
-    /// Returns the number of steps from one frame to the next.
+    /// Returns the number of steps of the clip; a step leads from one frame to the next.
     fn steps(self) -> T {
         T::from_i32(i32::try_from(self.frames.saturating_sub(1)).unwrap_or(i32::MAX))
     }
@@ -163,7 +163,7 @@ impl<T: Scalar> Timing<T> {
     /// Returns the frame before a time in frames, and the part of the way to the next frame.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     fn place_in_round<R: Scalar>(self, time: R) -> (u32, R) {
-        // No frame follows the last one, so the frame before a time is at most the last but one.
+        // No frame follows the last frame, so the frame before a time is at most the last but one.
         let last = self.frames.saturating_sub(2).min(i32::MAX as usize) as u32;
         let before = if R::SINGLE {
             bytemuck::cast::<R, f32>(time) as u32
@@ -197,8 +197,8 @@ impl<T: Scalar> Timing<T> {
     }
 }
 
-/// Rounds toward zero, because the method `trunc` needs std. All `f32` from 2²³ on, and all `f64`
-/// from 2⁵² on, are integers already.
+/// Rounds toward zero, in place of the method `trunc`, which needs std. All `f32` from 2²³ on,
+/// and all `f64` from 2⁵² on, are integers already.
 #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "in range")]
 fn truncate<R: Scalar>(number: R) -> R {
     if R::SINGLE {
@@ -228,8 +228,8 @@ where
     }
 }
 
-/// A clip, and the index of a frame for each instance. Each index is less than that of the last
-/// frame, because the next frame is read, too.
+/// A clip, and the index of a frame for each instance. No index is that of the last frame, because
+/// the frame after each index is also read.
 #[derive(Clone, Copy)]
 pub struct Frames<'s, K, R> {
     clip: Clip<'s, K>,
@@ -318,8 +318,8 @@ where
     note = "a `Clip` has 7 for `NlerpLerp`, or 8, a motion, for `Nlerp` and `Sclerp`"
 )]
 pub trait Keys<'s, R, const C: usize>: Copy + Sealed {
-    /// The place of an instance in the keys: the index of a frame for a clip, or a clip and its
-    /// frame for packed clips.
+    /// The place of an instance in the keys. For a clip it is the index of a frame; for packed
+    /// clips it is a clip and one of its frames.
     type Place;
     /// The type of these keys with a checked place for each instance.
     #[doc(hidden)]
@@ -418,8 +418,8 @@ impl<'s, W: Law<C>, P: KeysAt<R, C>, R: Scalar, const C: usize> Sampled<'s, W, P
     /// poses of NaN.
     ///
     /// # Errors
-    /// If `places` and `t` differ in length, a frame is not in the clip or is its last, which no
-    /// frame follows, or a place was made by other packed clips.
+    /// If `places` and `t` differ in length, if a frame is not in the clip or is its last frame
+    /// (after which there is none), or if a place was made by other packed clips.
     pub fn new<K: Keys<'s, R, C, Placed = P>>(
         law: W,
         clip: K,
@@ -479,9 +479,9 @@ locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |po
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}
 
 impl<K> Clip<'_, K> {
-    /// Returns the local pose of a joint at the time `at`, which counts as in
-    /// [`place`](Self::place), by the law `law`; `None` if there is no such joint. For whole
-    /// skeletons use [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
+    /// Returns the local pose of a joint at the time `at` (in the unit of [`place`](Self::place))
+    /// by the law `law`, or `None` if there is no such joint. For whole skeletons use
+    /// [`Sampled`](super::Sampled) and [`Job::locals`](super::Job::locals).
     #[must_use]
     pub fn pose<W, R: Scalar, const C: usize>(
         &self,
@@ -541,7 +541,7 @@ impl<K> Clip<'_, K> {
         W: Law<C>,
         K: Element<C, Layout = Aos<R>>,
     {
-        // In a clip of one frame, this frame is also the next frame.
+        // In a clip of one frame, the only frame is also the next frame.
         let last = self.timing.frames.saturating_sub(1);
         let key = |frame: usize| {
             let keys = K::plain(self.keys)?.get(frame.min(last) * self.joints..)?;
@@ -553,11 +553,12 @@ impl<K> Clip<'_, K> {
     }
 }
 
-/// The level for single poses. Its lanes do not fuse, so poses have the same bits on every target.
+/// The level for single poses. Its lanes fuse no multiplication with an addition, so poses have the
+/// same bits on every target.
 pub(super) type Single = Unfused<Portable>;
 pub(super) const SINGLE: Single = Unfused(Portable);
 
-/// Returns the motion in the first lane of a pose.
+/// Converts the pose in the first lane to a motion.
 pub(super) fn first<L: Lanes<Real: Scalar>, W: Law<C>, const C: usize>(
     law: W,
     pose: [L; C],

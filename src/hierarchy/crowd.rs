@@ -176,7 +176,7 @@ where
         let mut crowd = Self::new(joints, instances);
         for instance in 0..instances {
             for joint in 0..joints {
-                // The instance and the joint exist, so there is no error.
+                // The instance and the joint exist, so `set` returns no error.
                 let _ = crowd.set(instance, joint, pose(instance, joint));
             }
         }
@@ -253,7 +253,7 @@ where
 }
 
 /// Crowds are equal if their numbers of joints and instances and their records are equal. Lanes
-/// without an instance do not count.
+/// without an instance are not compared.
 impl<R: Scalar, const N: usize, const C: usize> PartialEq for Crowd<R, N, C>
 where
     [R; N]: Row<Real = R>,

@@ -13,7 +13,8 @@ use crate::backend::Outputs;
 use crate::storage::{Element, Layout};
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
-    /// Computes the models, in the order of `plan` if it has one and there is one whole instance.
+    /// Computes the models. If `plan` has an order and the run has one whole instance, it computes
+    /// them in this order.
     #[inline]
     pub(super) fn run<P: Plans>(self, plan: &P) {
         match plan.plan() {
@@ -26,8 +27,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
 
     #[inline]
     fn on_this_thread(self) {
-        // The condition is a constant, so that a program compiles the loops for its layout alone,
-        // which is half of the code.
+        // The condition is a constant, so only the loops for the layout `E::Layout` are compiled.
+        // That is half of the code.
         if const { E::Layout::THINGS > 1 } {
             self.run.backend.run(Blocks(self));
         } else {

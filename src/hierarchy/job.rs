@@ -1,4 +1,4 @@
-//! [`Job`]: the options of a run over a hierarchy, and the methods that run it. These compute
+//! [`Job`]: the options of a run over a hierarchy, and the methods that run it. The methods compute
 //! models or palettes from locals, locals from models, or motions from locals of any form.
 
 use super::Hierarchy;
@@ -264,8 +264,8 @@ impl<S, P: Plans> Job<'_, S, P> {
     }
 
     /// Checks that the range of joints, the plan and the roots fit the hierarchy, that `length`
-    /// elements of the slice `what` are whole instances, and that there are `length` models.
-    /// Returns the data that all loops read.
+    /// elements of the slice with the name `what` are whole instances, and that there are `length`
+    /// models. Returns the [`Run`] that all loops read.
     #[inline]
     pub(super) fn check<E: Element<8>>(
         &self,
@@ -277,8 +277,8 @@ impl<S, P: Plans> Job<'_, S, P> {
     {
         let joints = self.parents.len();
         joints_within(&self.joints, joints)?;
-        // A skeleton's plan was made for the same slice of parents. Then the pointers are equal,
-        // and no parents are compared.
+        // The plan of a skeleton was made for the same slice of parents. In this case the pointers
+        // are equal, and the parents need not be compared.
         if let Some(plan) = self.plan.plan()
             && !core::ptr::eq(plan.parents, self.parents)
             && plan.parents != self.parents
@@ -349,9 +349,10 @@ impl<S, P: Plans> Job<'_, S, P> {
 
     /// Computes the skinning palette without models;
     /// [`palette_and_models`](Self::palette_and_models) keeps them. `scratch` has memory for the
-    /// models of some whole instances, which the run reuses for later instances. Memory for 16
-    /// plain instances, or for two blocks, for each thread is fastest: it fills the lanes and stays
-    /// in the first-level cache. After the call the contents of `scratch` have no meaning.
+    /// models of some whole instances, which the run reuses for later instances. For each thread,
+    /// memory for 16 instances in a plain slice, or for two blocks, is fastest: so many instances
+    /// fill the lanes, and their models stay in the first-level cache. After the call the contents
+    /// of `scratch` have no meaning.
     ///
     /// # Errors
     /// If lengths or the range of joints do not fit, `scratch` is too small for one instance, or a
@@ -385,8 +386,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         M: PaletteEntry<C, Layout = E::Layout>,
     {
         // The order is copied before the checks get a reference to the job (*Settled*,
-        // docs/measured.md). So a compiler that sees which order the caller has set compiles the
-        // stores for that order only.
+        // docs/measured.md). Then a compiler that knows the caller's order compiles only the stores
+        // for this order.
         let order = self.order;
         let run = self.check(locals.shape(self.parents.len(), palette.len())?, palette.len())?;
         let joints = run.parents.len();

@@ -1,5 +1,5 @@
-//! [`PoseSource`]: local poses of joints, which are stored or computed. Sources nest: [`Layered`]
-//! blends the poses of two sources, and [`Either`] holds one of two types of sources.
+//! [`PoseSource`]: local poses of joints, which are stored or computed. Sources can be nested:
+//! [`Layered`] blends the poses of two sources, and [`Either`] holds one of two types of sources.
 
 use super::locals::sealed::Sealed;
 use super::locals::{
@@ -28,8 +28,8 @@ use dq8_simd::{Lanes, Level};
     note = "all are of one precision, and lie in the layout of the models: plain slices, or blocks"
 )]
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
-    /// Returns the name of the poses for error texts, and the number of elements of the layout that
-    /// they fill.
+    /// Returns the name of the poses for error texts, and the number of elements (plain records or
+    /// blocks) that they fill.
     ///
     /// # Errors
     /// If the poses do not fit a skeleton of `joints` joints, or the parts of the source do not fit
@@ -48,9 +48,9 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// Loads or computes the poses of a slot.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
-    /// Loads or computes the poses of a slot and of the slots after it, at most a batch, into the
-    /// first `C` rows of each element of `to`. The function is not inlined, so that all registers
-    /// are free for it.
+    /// Loads or computes the poses of a slot and of the slots after it into `to`, which has an
+    /// element for each slot. A pose fills the first `C` rows of its element. The function is not
+    /// inlined, so that it can use all registers.
     #[doc(hidden)]
     #[inline(never)]
     fn load_batch<V: Level>(
@@ -77,8 +77,8 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
-/// Implements [`Locals`] for a source of poses by its [`Law`], which converts each pose to a
-/// motion, and multiplies it onto the model of the parent.
+/// Implements [`Locals`] for a source of poses. Its [`Law`] converts each pose to a motion, or
+/// multiplies the pose onto the model of the parent.
 macro_rules! locals_by_law {
     ([$($generics:tt)*] $Poses:ty, $C:tt, |$poses:ident| $law:expr; $($bounds:tt)*) => {
         impl<E: Element<8>, $($generics)*> Locals<E> for $Poses
@@ -279,8 +279,8 @@ where
         if let Some(mask) = self.mask {
             same_length("mask", mask.len(), joints)?;
         }
-        // There may be fewer weights than lanes in all blocks, because some lanes of the last block
-        // may hold no instance.
+        // There may be fewer weights than all blocks together have lanes, because some lanes of the
+        // last block may hold no instance.
         let blocks = length.checked_div(joints).unwrap_or(0);
         if self.weights.len().div_ceil(M::THINGS) != blocks {
             same_length("weights", self.weights.len(), blocks.saturating_mul(M::THINGS))?;
@@ -370,7 +370,7 @@ pub enum Either<A, B> {
     Other(B),
 }
 
-/// Evaluates an expression for the locals that `$either` holds, of either type.
+/// Evaluates the expression `$made` with `$locals` bound to the locals that `$either` holds.
 macro_rules! match_either {
     ($either:ident, $locals:ident => $made:expr) => {
         match $either {

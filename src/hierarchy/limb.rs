@@ -68,8 +68,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         let parent =
             |joint: usize| run.parents.get(joint).filter(|&&parent| parent != Hierarchy::ROOT);
         limb.check(|joint| parent(joint).map(|&parent| parent as usize))?;
-        // A limb has at least three joints, so `max` changes nothing. It shows the compiler that no
-        // division by zero, which would panic, is possible.
+        // A limb has three joints, so a hierarchy with a limb is not empty, and `max` changes
+        // nothing. It shows the compiler that no division by zero, which would panic, is possible.
         let joints = run.parents.len().max(1);
         same_length("locals", locals.len(), models.len())?;
         for (what, length) in [("targets", targets.len()), ("poles", poles.len())] {
@@ -110,7 +110,7 @@ impl<E: Element<8>, T> Copy for Limbs<'_, E, T> {}
 type Loaded<L> = (Option<batch::DualQuat<L>>, [batch::DualQuat<L>; 3], Asked<L>);
 
 impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
-    /// Loads the limbs of a tile of targets.
+    /// Loads the limbs of the instances in a tile.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(
         &self,
@@ -137,7 +137,7 @@ impl<E: Element<8>, T: Element<3, Layout = E::Layout>> Limbs<'_, E, T> {
         Some((parent, locals, (root, lengths, target, pole)))
     }
 
-    /// Loads a joint of each instance of a tile.
+    /// Loads the motion of a joint in each instance of a tile.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<V: Level>(
         &self,

@@ -13,7 +13,7 @@ use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 /// The local poses of all lanes, with a register for each component. A motion has eight components.
-/// A rotation with a translation has seven, and then the last register is not read.
+/// A rotation with a translation has seven components, and the last register is then not read.
 pub(super) type Registers<E, V> = [Register<E, V, 8>; 8];
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
@@ -37,18 +37,20 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
     /// Loads the locals of a slot. `models` holds the models of the slot's instances, which have
-    /// been computed for all earlier joints. Locals in place are read from there.
+    /// been computed for all earlier joints. If the run is in place, the locals are read from
+    /// `models`.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Registers<E, V>>;
 
     /// `true` if the locals are computed, such as the poses of a clip. A kernel then calls
     /// [`load_batch`](Self::load_batch) for several joints at once. If the computation were inlined
-    /// into the kernel, it would take registers from the kernel, and would repeat the work that all
-    /// joints share for each joint.
+    /// into the kernel, it would take registers from the kernel, and would repeat for each joint
+    /// the work that all joints share.
     #[doc(hidden)]
     const COMPUTED: bool = false;
 
-    /// Computes the locals of a slot and of the slots after it, at most a batch, into `to`.
+    /// Computes the locals of a slot and of the slots after it into `to`, one slot for each
+    /// element.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_batch<V: Level>(
@@ -79,7 +81,8 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
         parent * self.motion(local)
     }
 
-    /// Returns the locals if they are motions in memory, otherwise `None`.
+    /// Returns the locals if they are stored motions, and `None` if they have another form or are
+    /// computed.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
@@ -117,7 +120,7 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     }
 }
 
-/// Locals that are motions in the memory of the models, which overwrite them.
+/// Locals that are motions in the memory of the models. Each model overwrites its local.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InPlace;
 
@@ -139,7 +142,7 @@ impl<E: Element<8>> Locals<E> for InPlace {
 }
 
 /// Rotations r with translations t, which stand for the motions r + ½εtr. They take an eighth
-/// less memory than motions, and models take no more operations.
+/// less memory than motions, and computing models from them takes no more operations.
 #[derive(Clone, Copy)]
 pub struct RotationsTranslations<'s, T>(
     /// One element for each joint of each instance:
@@ -216,7 +219,7 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
 }
 
 /// Returns the elements of a range of instances in a slice with `count` elements for each instance.
-/// If the slice ends within the range, the result ends there too.
+/// If the slice ends within the range, the result ends with the slice.
 pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
     let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
     slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()
@@ -232,12 +235,12 @@ pub(super) mod sealed {
     impl<Q: Element<4>> Sealed for Bones<'_, Q> {}
 }
 
-/// The poses or motions of all lanes in memory, not transposed: a row of lanes for each component.
-/// Poses of seven components leave the last row unchanged.
+/// The poses or motions of all lanes in memory, with a row of lanes for each component, as in
+/// registers. Poses of seven components leave the last row unchanged.
 pub(super) type Stored<L> = [<L as Lanes>::Array; 8];
 
-/// The number of slots in a batch. It is large enough that the calls of sources take little time,
-/// and small enough that the batch stays in the first-level cache.
+/// The number of slots ([`JointSlot`]) in a batch. The batch is so large that the calls of a source
+/// take little of the time, and small enough to stay in the first-level cache.
 pub(super) const BATCH: usize = 16;
 
 /// `true` if computed locals are computed in batches. Firmware has little memory for code and
@@ -288,7 +291,7 @@ pub(super) fn resized<L: Lanes, const A: usize, const B: usize>(from: [L; A]) ->
     to
 }
 
-/// Memory for a batch of computed locals, or `None` if the locals are loaded from memory.
+/// Memory for a batch of computed locals. It is `None` if the locals are not computed but stored.
 pub(super) struct LocalBatch<E: Element<8>, V: Level>(Option<[Stored<Register<E, V, 8>>; BATCH]>);
 
 /// The data that every loop over joints reads. Each loop is a method, which copies the fields that
@@ -339,8 +342,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         Some(load(level, rows.get(at % BATCH)?))
     }
 
-    /// Computes the locals of a slot and of the joints after it, no more than a batch, and stores
-    /// them in the memory of their models.
+    /// Computes the locals of a slot and of the joints after it, at most [`BATCH`] joints, and
+    /// stores them in the memory of their models.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(
         &self,

@@ -60,14 +60,15 @@ brief!([] PackedClip: PackedClip |it| {
     joints: it.clips().joints(), clips: it.clips().clips(), bytes: it.as_bytes().len(),
 });
 
-/// The change of a track within a clip up to which packing keeps the track as a single key.
+/// The limits of packing: a track that changes within a clip by no more than its limit is kept as a
+/// single key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// The angle of a rotation track in radians, by default 2·10⁻⁵, which is less than the
-    /// error of a key of 16 bits.
+    /// The limit for a rotation track, an angle in radians. The default is 2·10⁻⁵, which is
+    /// less than the error of a key of 16 bits.
     pub angle: f32,
-    /// The length of a translation track in the unit of translations, by default 10⁻⁵. In
-    /// metres this is a hundredth of a millimetre.
+    /// The limit for a translation track, a length in the unit of translations. The default is
+    /// 10⁻⁵; in metres this is a hundredth of a millimetre.
     pub length: f32,
 }
 
@@ -81,16 +82,16 @@ impl Default for Tolerance {
 /// fixed to joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
-    /// The greatest of these distances.
+    /// The greatest distance of all points.
     pub worst: f64,
-    /// The distance that 99 of 100 points do not exceed.
+    /// The distance that 99 of 100 points do not exceed (the 99th percentile).
     pub p99: f64,
 }
 
 impl PackedClip {
     /// Packs one clip of rotations and translations, which are
     /// [`RotationTranslation`](crate::representation::RotationTranslation) or
-    /// `[x, y, z, w, tx, ty, tz]`, and takes over the clip's rate and its looping. If a joint turns
+    /// `[x, y, z, w, tx, ty, tz]`, and keeps the clip's rate and its looping. If a joint turns
     /// by 60° or more from one frame to the next, each step of the clip is divided by inserted
     /// frames, at most three, so that no joint turns by 60° in one step. The inserted frames are
     /// those that [`NlerpLerp`] plays.
@@ -110,7 +111,7 @@ impl PackedClip {
     /// A root that walks far is better left out of the clips and given as the root of a job.
     ///
     /// # Errors
-    /// The errors of [`new`](Self::new); if there is no clip, or a clip has another number of
+    /// The errors of [`new`](Self::new); if `clips` is empty, or a clip has another number of
     /// joints than the first; or if there are more keys or joints than the format can count.
     pub fn library<K: Element<7, Layout = Aos<f32>>>(
         clips: &[Clip<'_, K>],
@@ -139,15 +140,16 @@ impl PackedClip {
             let tracks = (0..2 * joints)
                 .map(|column| track(frames, joints, column, &rests, tolerance))
                 .collect::<Vec<_>>();
-            // The order of keys: first the tracks with one key; then, frame by frame, the keys of
-            // the moving tracks, joint by joint as the sampler reads them, so that a frame is read
-            // from end to end.
+            // The tracks with one key come first. Then, frame by frame, come the keys of the moving
+            // tracks, joint by joint as the sampler reads them, so that it reads each frame from
+            // end to end.
             let ordered = || (0..joints).flat_map(|joint| [joint, joints + joint]);
             let long = |&column: &usize| tracks[column].len() > 1;
             let moving: Vec<_> = ordered().filter(long).collect();
             let still: Vec<_> = ordered().filter(|&column| tracks[column].len() == 1).collect();
-            // A joint that no clip translates has no key, and its entry stays 0. The key that is
-            // read by this entry is multiplied by the joint's step, which is 0.
+            // A joint that no clip translates has no key for its translation, and its entry
+            // stays 0. The sampler reads some key by this entry, and multiplies it by the joint's
+            // step, which is 0.
             let mut row = vec![0; 2 * joints];
             for (place, &column) in still.iter().chain(&moving).enumerate() {
                 let entry = u16::try_from(2 * place + usize::from(long(&column)));
@@ -219,8 +221,9 @@ impl PackedClip {
     }
 
     /// Measures the error of packing a clip. Three points are fixed to each joint, one on each axis
-    /// at the distance `distance`; their distances in model space from the points that the given
-    /// `frames` yield are measured, at the frames but not between them.
+    /// at the distance `distance` from the joint. The function compares the positions in model
+    /// space that the packed clip gives to these points with those that `frames` gives, at the
+    /// frames but not between them.
     ///
     /// # Errors
     /// If there is no such clip, or it was packed from another number of frames, or the hierarchy
@@ -268,7 +271,7 @@ impl PackedClip {
 }
 
 /// Encodes the timing of a clip for [`PackedClips`]: its rate in frames a second, whether it loops,
-/// and the number of pieces that each of its steps is cut into.
+/// and the number of pieces into which each of its steps is divided.
 fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     let single = <f32 as Real>::from_f64(rate);
     let rest = <f32 as Real>::from_f64(rate - f64::from(single));
@@ -276,15 +279,15 @@ fn packed_timing(rate: f64, loops: bool, pieces: u16) -> PackedTiming {
     bytemuck::must_cast(words.map(u32::to_le_bytes))
 }
 
-/// The number of pieces into which a turn is cut, with the least cosine of half the turn's angle:
-/// one piece up to 59.8°, two up to 119.6°, three up to 154.6°, otherwise four. So each piece
-/// turns by less than 60°. Normalized means turn fastest in the middle, so a middle piece is the
-/// longest of n pieces. If φ is the angle between the quaternions, this piece has the angle 2
-/// atan(tan(φ/2)/n) if n is odd, and atan(2 tan(φ/2)/n) if n is even.
+/// The numbers of pieces into which packing divides a turn, each with the least cosine of half the
+/// turn's angle: one piece up to 59.8°, two up to 119.6°, three up to 154.6°, otherwise four. So
+/// each piece turns by less than 60°. Normalized means turn fastest in the middle, so a middle
+/// piece is the longest of n pieces. If φ is the angle between the quaternions, this piece has the
+/// angle 2 atan(tan(φ/2)/n) if n is odd, and atan(2 tan(φ/2)/n) if n is even.
 const PIECES: [(u16, f64); 3] = [(1, 0.8669), (2, 0.5031), (3, 0.2199)];
 
-/// Returns the number of pieces into which every step of a clip is cut, so that no joint turns by
-/// 60° or more in one piece.
+/// Returns the number of pieces into which every step of a clip must be divided so that no joint
+/// turns by 60° or more in one piece.
 fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError> {
     let mut most = 1;
     for joint in 0..joints {
@@ -305,7 +308,7 @@ fn pieces(clip: usize, frames: &[Key], joints: usize) -> Result<u16, PackedError
     Ok(most)
 }
 
-/// Cuts each step between frames into `pieces` pieces, by inserting frames that [`NlerpLerp`]
+/// Divides each step between frames into `pieces` pieces, by inserting frames that [`NlerpLerp`]
 /// interpolates.
 fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
     if pieces == 1 {
@@ -324,8 +327,8 @@ fn finer_frames(frames: &[Key], joints: usize, pieces: u16) -> Cow<'_, [Key]> {
 }
 
 /// Returns the middle of the box in which a joint moves in all clips, and 2⁻¹⁴ times the step
-/// of its translations, the unit in which keys count. The step is 0 if no side of the box is longer
-/// than the tolerance.
+/// of its translations (the step is the length that 1 in a key stands for). The step is 0 if no
+/// side of the box is longer than the tolerance.
 fn rest(
     clips: &[&[Key]],
     joints: usize,
@@ -388,7 +391,7 @@ fn track(
     for &[x, y, z, w, ..] in own() {
         let exact = [x, y, z, w].map(f64::from);
         let norm = Real::sqrt(dot(exact, exact));
-        // The sign is chosen so that the key lies in the hemisphere of the key before.
+        // The sign is chosen so that the key has no negative scalar product with the key before it.
         let dots = keys.last().map_or(1.0, |last| dot(last.map(f64::from), exact));
         let unit = exact.map(|c| c.copysign(c * dots) / norm);
         // The distance between two unit quaternions is about half of the angle between their
@@ -402,8 +405,8 @@ fn track(
     keys
 }
 
-/// Returns the key whose direction is nearest to that of a unit quaternion. It tries several
-/// lengths a little below 32767: the length of a key has no meaning, and the best of them has half
+/// Returns the key whose direction is nearest to that of a unit quaternion. The length of a key has
+/// no meaning, so the function tries several lengths a little below 32767. The best of them halves
 /// the rounding error of the direction.
 fn nearest(unit: [f64; 4]) -> [i16; 4] {
     let key = |turn: u8| unit.map(|c| round((ONE - 0.1875 * f64::from(turn)) * c));
@@ -418,8 +421,8 @@ fn nearest(unit: [f64; 4]) -> [i16; 4] {
 
 #[allow(clippy::cast_possible_truncation, reason = "saturates")]
 fn round(number: f64) -> i16 {
-    // The conversion truncates, so adding half rounds to nearest, away from zero in a tie. No
-    // function of the standard library is needed.
+    // The conversion truncates, so adding a half rounds to the nearest integer, and ties away from
+    // zero. The method `round` would need std.
     (number + 0.5_f64.copysign(number)) as i16
 }
 

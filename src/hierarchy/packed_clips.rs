@@ -15,30 +15,31 @@ use core::ops::Range;
 use dq8_simd::internal::{PlacedTracks, TrackError, TrackPlace, Tracks};
 use dq8_simd::{Lanes, MAX_LANES, Mask, Records};
 
-/// The integer that stands for 1 in a key of a rotation.
+/// The integer that stands for the value 1 in a key of a rotation.
 pub(super) const ONE: f64 = 32767.0;
 /// 32767² cos 30°, the least dot product of the rotation keys of neighbouring frames: rotations
 /// less than 60° apart have quaternions less than 30° apart.
 const NEAREST: i64 = 929_830_942;
 
-/// The rest record of a joint: the position x, y, z in its parent from which keys of translations
-/// count, and 2⁻¹⁴ times the step, the unit in which these keys count. The step is 0 if no
-/// clip translates the joint. The record is four `f32` with the lowest byte first.
+/// The rest record of a joint: the position x, y, z in its parent to which keys of translations are
+/// added, and 2⁻¹⁴ times the step, which is the length of one unit of these keys. The step is
+/// 0 if no clip translates the joint. The record is four `f32` with the lowest byte first.
 pub(super) type Rest = [u8; 16];
 
-/// The timing of a clip as bytes: its rate in frames a second as a sum of two `f32`; 1 if it loops;
-/// and the number of pieces, 1 to 4, into which packing has cut each step between its frames.
+/// The timing of a clip as bytes: its rate in frames a second as a sum of two `f32`; then 1 if the
+/// clip loops, otherwise 0; and the number of pieces, 1 to 4, into which packing has divided each
+/// step between its frames.
 pub(super) type PackedTiming = [u8; 12];
 
-/// Clips of one skeleton, borrowed from their bytes (of a mapped file or of flash, for instance),
-/// which are checked once. Each clip has any number of frames at equal distances in time.
-/// [`Sampled`](super::Sampled) plays them, and each instance may play another clip.
+/// Clips of one skeleton, borrowed from their bytes, for instance those of a mapped file or of
+/// flash memory. The bytes are checked once. Each clip has any number of frames at equal distances
+/// in time. [`Sampled`](super::Sampled) plays them, and each instance may play a clip of its own.
 ///
 /// A key is four integers of 16 bits. A track is the rotation or the translation of one joint in
 /// one clip. A track that does not change has one key; any other track has a key for each frame.
 /// The translation of a joint that no clip translates has no key. [The guide](crate::guide::clips)
-/// tells its cost in memory and time, and its errors. [`PackedClip`](super::PackedClip) packs
-/// clips.
+/// tells the cost of packed clips in memory and time, and their errors.
+/// [`PackedClip`](super::PackedClip) packs clips.
 ///
 /// # Bytes
 ///
@@ -55,13 +56,13 @@ pub(super) type PackedTiming = [u8; 12];
 /// | N · (`f32`, `f32`, `u16`, `u16`) | the rate, its rounding error, loops, pieces |
 /// | R · 2J · `u16` | places of keys: J rotations, then J translations |
 ///
-/// The rest of a joint is the position from which its keys of translations count, in units of the
-/// step. The rate of a clip is the sum of two `f32`, the rounded rate in frames a second and its
-/// rounding error; it is 1 if times are in frames. The first `u16` after the rate is 1 for a clip
-/// that loops, otherwise 0. The second is the number of pieces, 1 to 4, into which packing has cut
-/// each step between frames of the clip. A place of keys is twice the distance from the first key
-/// of the clip to the first key of the track, plus 1 if the track has a key for each frame. Clips
-/// in which the same tracks move share one row of places.
+/// The rest of a joint is a position. The keys of its translations are displacements from this
+/// position, in units of the step. The rate of a clip is the sum of two `f32`, the rounded rate in
+/// frames a second and its rounding error; it is 1 if times are in frames. The first `u16` after
+/// the rate is 1 for a clip that loops, otherwise 0. The second `u16` is the number of pieces, 1 to
+/// 4, into which packing has divided each step between frames of the clip. A place of keys is twice
+/// the distance from the first key of the clip to the first key of the track, plus 1 if the track
+/// has a key for each frame. Clips in which the same tracks move share one row of places.
 #[derive(Clone, Copy)]
 pub struct PackedClips<'a> {
     pub(super) tracks: Tracks<'a>,
@@ -118,13 +119,13 @@ pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
     let dot = |a: [i16; 4], b: [i16; 4]| -> i64 {
         a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum()
     };
-    // The bounds of a squared length are 32767 ± 4, squared; rounding a unit rotation changes its
-    // length by at most 1.
+    // The bounds of the squared length are (32767 − 4)² and (32767 + 4)². Rounding a unit
+    // rotation to integers changes its length by at most 1.
     let unit = |key| (1_073_414_169..=1_073_938_441).contains(&dot(key, key));
     unit(a) && unit(b) && dot(a, b) >= NEAREST
 }
 
-/// The error text for bytes in which several tracks share keys.
+/// The error text for bytes with too few keys, in which several tracks would have to share keys.
 const SHARED: &str = "clips have more tracks and frames than there are keys";
 
 impl<'a> PackedClips<'a> {
@@ -152,8 +153,8 @@ impl<'a> PackedClips<'a> {
         Ok(packed)
     }
 
-    /// Checks that the file has as many keys as its clips refer to, and that no key belongs to two
-    /// clips. So later checks read each key once.
+    /// Checks that the file has enough keys for each clip to have keys of its own. Then the later
+    /// checks, which read the keys of every clip, read no more keys than the file has.
     fn check_counts(&self, ranges: &[Range<usize>; 5], keys: usize) -> Result<(), PackedError> {
         let mut left = keys;
         for clip in 0..self.clips() {
@@ -230,11 +231,11 @@ impl<'a> PackedClips<'a> {
         self.tracks.frames(clip).map(|frames| frames as usize)
     }
 
-    /// The number of pieces into which packing has cut each step between frames of the clip.
+    /// The number of pieces into which packing has divided each step between frames of the clip.
     pub(super) fn pieces(&self, clip: usize) -> Option<usize> {
         let [_, pieces] = loops_and_pieces(self.timings.get(clip)?);
-        // The number was checked to be at least 1. `max` shows this to the compiler, which then
-        // needs no code for a division by zero.
+        // The number of pieces was checked to be at least 1. `max` shows this to the compiler,
+        // which then compiles no code for a division by zero.
         Some(pieces.max(1) as usize)
     }
 
@@ -259,7 +260,8 @@ impl<'a> PackedClips<'a> {
         Some(rate + rest)
     }
 
-    /// Returns `true` if a clip begins again after its end. `None` if there is no such clip.
+    /// Returns `Some(true)` if a clip begins again after its end, `Some(false)` if it stops there,
+    /// and `None` if there is no such clip.
     #[must_use]
     pub fn loops(&self, clip: usize) -> Option<bool> {
         Some(self.timing::<f32>(clip)?.loops)
@@ -275,8 +277,8 @@ impl<'a> PackedClips<'a> {
     /// Returns the frame of a clip before the time `at`, and the part of the way to the next frame,
     /// from 0 to 1, like [`Clip::place`](super::Clip::place). Times are in seconds if the clip has
     /// a rate; in a clip that loops, `at` may lie in any round. The place is computed in the type
-    /// `R`: after an hour, an `f32` is wrong by half a hundredth of a frame. For NaN the part is
-    /// NaN. `None` if there is no such clip.
+    /// `R`: with `f32` and a time of one hour, it is wrong by half a hundredth of a frame. For NaN
+    /// the part is NaN. `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
         let (frame, t) = self.timing::<R>(clip)?.place(at);
@@ -295,8 +297,8 @@ impl<'a> PackedClips<'a> {
 }
 
 impl PackedClips<'_> {
-    /// Returns the local pose of a joint of a clip at the time `at`, which counts as in
-    /// [`place`](Self::place); `None` if there is no such clip or joint. See
+    /// Returns the local pose of a joint of a clip at the time `at` (in the unit of
+    /// [`place`](Self::place)), or `None` if there is no such clip or joint. See
     /// [`Clip::pose`](super::Clip::pose).
     #[must_use]
     pub fn pose<R: Scalar>(&self, clip: usize, joint: usize, at: R) -> Option<DualQuat<R>> {
@@ -360,8 +362,8 @@ pub(super) fn beyond([_, _, clips, _, rows]: &[Range<usize>; 5], error: TrackErr
     PackedError::Bytes { offset, what }
 }
 
-/// Returns 1 if the clip loops, otherwise 0; and the number of pieces into which packing has cut
-/// each step between its frames.
+/// Returns 1 if the clip loops, otherwise 0; and the number of pieces into which packing has
+/// divided each step between its frames.
 fn loops_and_pieces(timing: &PackedTiming) -> [u32; 2] {
     let both = word(timing, 2).unwrap_or_default();
     [both & 0xffff, both >> 16]
@@ -371,7 +373,8 @@ fn loops_and_pieces(timing: &PackedTiming) -> [u32; 2] {
 fn is_timing(timing: &PackedTiming, frames: u32) -> bool {
     let ([rate, rest], [loops, pieces]) = (rate(timing), loops_and_pieces(timing));
     let whole = matches!(pieces, 1..=4) && frames.wrapping_sub(1).is_multiple_of(pieces);
-    // The rounding error is so small that adding it to the rounded rate changes nothing.
+    // In a valid file the rounding error is so small that adding it to the rounded rate changes
+    // nothing.
     is_rate(rate) && rate + rest == rate && loops < 2 && whole
 }
 
@@ -448,15 +451,15 @@ impl Playback<'_> {
     }
 }
 
-/// Returns rests (x, y, z and a step) as arrays of `R` without a copy. Returns `None` if `R` is not
-/// `f32`, the target is not little-endian, or the bytes are not aligned.
+/// Returns rest records (x, y, z and a step) as arrays of `R` without a copy. Returns `None` if `R`
+/// is not `f32`, the target is not little-endian, or the bytes are not aligned.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn as_they_lie<R: Scalar>(rests: &[Rest]) -> Option<&[[R; 4]]> {
     let same = R::SINGLE && cfg!(target_endian = "little");
     if same { bytemuck::try_cast_slice(rests).ok() } else { None }
 }
 
-/// Converts the rests of at most as many joints as there are lanes to arrays of `R`.
+/// Converts rest records to arrays of `R`, for at most as many joints as there are lanes.
 #[cold]
 #[inline(never)]
 fn copy<R: Scalar>(rests: &[Rest]) -> [[R; 4]; MAX_LANES] {
@@ -500,10 +503,10 @@ impl<R: Scalar> KeysAt<R, 7> for Playback<'_> {
 }
 
 /// Normalizes the mean of two keys of rotations. Neighbouring keys are less than 60° apart, so the
-/// squared length 1 − e of the mean is near 1, and (1 − e)^(−½) is a polynomial of e without
-/// root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on [−0.0005,
-/// 0.068]). The result is NaN if `t` is NaN. This needs code of its own, because the weights of the
-/// mean are integers.
+/// squared length 1 − e of the mean is near 1, and a polynomial of e gives (1 − e)^(−½)
+/// without root and division, with a relative error of 5.5·10⁻⁸ (minimax of degree 3 on
+/// [−0.0005, 0.068]). The result is NaN if `t` is NaN. The other interpolations cannot share this
+/// code, because here the weights of the mean are integers.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>([x, y, z, w]: [L; 4], t: L) -> [L; 4] {
     const SCALE: f64 = 1.0 / (ONE * 16384.0);

@@ -30,7 +30,8 @@ pub struct Hierarchy<'a> {
 brief!([] Hierarchy<'_>: Hierarchy |it| { joints: it.joints() });
 
 impl<'a> Hierarchy<'a> {
-    /// The parent of a root, which has no parent: −1 as a `u32`.
+    /// The value that marks a root in a parent array, because a root has no parent: −1 as a
+    /// `u32`.
     pub const ROOT: u32 = u32::MAX;
 
     /// Checks `parents`: `parents[j]` is the parent of joint `j`, or [`ROOT`](Self::ROOT). A
@@ -67,7 +68,7 @@ impl<'a> Hierarchy<'a> {
         Ok(Self { parents })
     }
 
-    /// Makes a hierarchy of parents that [`new`](Self::new) has checked before.
+    /// Makes a hierarchy of parents that [`new`](Self::new) has already checked.
     #[cfg(feature = "alloc")]
     pub(super) const fn of_checked(parents: &'a [u32]) -> Self {
         Self { parents }
@@ -101,8 +102,9 @@ impl<'a> Hierarchy<'a> {
 
     /// Lists the joints whose parent is `joint`, in rising order.
     pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
-        // `ROOT` is no joint, although root joints have it as their parent. For `ROOT`, and for
-        // larger indices, the search begins behind the last joint, so that it finds no children.
+        // `ROOT` is no joint, although root joints have it as their parent. For `joint` = `ROOT`,
+        // and for larger indices, the search begins behind the last joint, so that it finds no
+        // children.
         let parent = u32::try_from(joint).unwrap_or(Self::ROOT);
         let after = if parent == Self::ROOT { usize::MAX } else { joint.saturating_add(1) };
         of_parent(self.parents(), after, parent)
@@ -193,8 +195,8 @@ fn of_parent(parents: &[u32], first: usize, parent: u32) -> impl Iterator<Item =
     joints.filter(move |&(_, &of)| of == parent).map(|(joint, _)| joint)
 }
 
-/// Writes a line for each joint, with two spaces for each of its ancestors, and ` (of 3)` where the
-/// lines do not show that its parent is joint 3.
+/// Writes a line for each joint, with two spaces for each of its ancestors, and with ` (of 3)`
+/// where the indents do not show that its parent is joint 3.
 impl fmt::Display for Hierarchy<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write(f, |_| None)

@@ -3,11 +3,11 @@
 //!
 //! # The algorithm
 //!
-//! The loop takes as many instances as there are lanes. For each joint, parents first, it loads the
-//! local poses of all these instances (a transpose), multiplies them onto the models of the joint's
-//! parent, and stores the products (another transpose). Instances that do not fill the lanes, and
-//! single instances, are computed one by one, with the eight components of a motion in one
-//! register.
+//! The loop takes as many instances at a time as there are lanes. For each joint, parents first, it
+//! loads the local poses of all these instances (a transpose), multiplies them onto the models of
+//! the joint's parent, and stores the products (another transpose). Instances that do not fill the
+//! lanes, and single instances, are computed one by one, with the eight components of a motion in
+//! one register.
 //!
 //! # Reasons
 //!
@@ -34,9 +34,9 @@ use crate::storage::{Element, Layout, Motions, Register, Source, Tile, identity,
 use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
-/// The number of recent models that stay in memory without a transpose, for their children. Parents
-/// farther back are transposed again. More models would fill the first-level cache, which also
-/// holds the locals and models of the instances.
+/// The number of recent models that are kept for their children in the layout of registers, so that
+/// they need no transpose. Parents farther back are transposed again. More models would fill the
+/// first-level cache, which also holds the locals and models of the instances.
 const RECENT: usize = 16;
 
 /// `true` if the loop over many plain instances is compiled. Firmware has few instances and little
@@ -45,8 +45,8 @@ pub(super) const MANY: bool = cfg!(not(target_os = "none"));
 
 /// The size of the second-level cache in bytes. Models that exceed it are prefetched before they
 /// are written. That saves a tenth of the time of models, and a sixth of the time of palettes with
-/// models. With fewer models, prefetching costs a twentieth. Models written in place of their
-/// locals gain nothing from it.
+/// models. With fewer models, prefetching costs a twentieth. If models are written in place of
+/// their locals, prefetching saves nothing.
 const NEAR: usize = 1 << 20;
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
@@ -103,7 +103,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, '
     }
 }
 
-/// The recent models, which their children will read, and the batch of computed locals.
+/// The recent models, which the products of their children will read, and the batch of computed
+/// locals.
 struct Waiting<E: Element<8>, V: Level> {
     ring: Ring<E, V>,
     batch: LocalBatch<E, V>,
@@ -122,9 +123,9 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
         Self([Motions::<E, V>::identity(level).to_array(); RECENT + 1])
     }
 
-    /// Loads the model of a joint, which is no longer in the ring, from `models` into the last
-    /// element of the ring. It was stored to `models` when it was in the ring, so it has the same
-    /// bits.
+    /// Loads the model of a joint from `models` into the last element of the ring, because the ring
+    /// no longer holds it. The model was written both to the ring and to `models`, so it has the
+    /// same bits.
     #[cold]
     #[inline(never)]
     fn fetch(&mut self, level: V, models: &[E], slot: JointSlot) {
@@ -154,9 +155,9 @@ impl<E: Element<8>, V: Level> Ring<E, V> {
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// Computes the models of as many instances as there are lanes, beginning with instance
-    /// `instance`. Every product reads the parent's model from the ring, which is memory in the
-    /// first-level cache, so that the paths of recent and of other parents join without moves
+    /// Computes the models of a group of as many instances as there are lanes, of which `instance`
+    /// is the first. Every product reads the parent's model from the ring, which is memory in the
+    /// first-level cache, so that the branches for recent and for far parents join without moves
     /// between registers (*One source*, docs/measured.md).
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn instances<X: Epilogue<E>>(
@@ -227,9 +228,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
     }
 
     /// Computes the models of one instance on targets without SIMD, where a register holds a single
-    /// value. Models go through memory, because the eight components would not stay in registers
-    /// anyway. The product is the same as in all other loops and on targets with wider registers,
-    /// so results have the same bits.
+    /// value. Models go through memory, because the eight components of a model, one in each
+    /// register, would not stay in registers anyway. The product is the same as in all other loops
+    /// and on targets with wider registers, so results have the same bits.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn one_instance<X: Epilogue<E>>(
         self,
@@ -243,9 +244,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         for joint in run.joints.clone() {
             let Some(&parent) = run.parents.get(joint) else { return };
             let slot = JointSlot::of_instances(joint, instance, joints);
-            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
-            // Any other parent comes before its joint, so its model has been written already, also
-            // if the run is in place.
+            // The parent of a root is `ROOT`. This index is beyond all models, so the load returns
+            // `None`. Any other parent comes before its joint, so its model has been written
+            // already, also if the run is in place.
             let parent = match models.get(parent as usize) {
                 Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
                 None => run.root.load(level, instance, 0),
@@ -310,9 +311,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         let root = run.root_of(instance);
         // The loop has three stages, each for as many joints as there are lanes. First their locals
         // are made, with a joint in each lane. Then each joint is multiplied onto its parent, with
-        // the components of one product in the lanes. Last the epilogue runs, again with a joint in
-        // each lane. Motions that lie in memory skip the first stage, and the products read them
-        // there.
+        // the components of one product in the lanes. At the end the epilogue runs, again with a
+        // joint in each lane. For locals that are stored motions there is no first stage: the
+        // products read them where they are.
         let in_memory = locals.motions();
         let mut made = [identity(); MAX_LANES];
         for start in run.joints.clone().step_by(lanes) {
@@ -331,8 +332,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
                     None => made.get(joint - start),
                 };
                 let (Some(local), Some(&parent)) = (local, run.parents.get(joint)) else { return };
-                // The parent of a root is `ROOT`, which is beyond all models: loading it gives
-                // `None`.
+                // The parent of a root is `ROOT`. This index is beyond all models, so the load
+                // returns `None`.
                 let model = match (plain.get(parent as usize), &root) {
                     (Some(parent), _) | (None, Some(parent)) => product(level, parent, local),
                     (None, None) => *local,
@@ -375,12 +376,13 @@ type Models<E, V> = Stored<Register<E, V, 8>>;
 const LINE: usize = 64;
 
 /// The loop for palettes without models: the caller wants the palette alone, so the models stay in
-/// the caller's scratch memory without a transpose. Transposing and storing them would take two
-/// fifths of all shuffles and stores of a palette. No parent is transposed again either.
+/// the caller's scratch memory in the layout of registers, without a transpose. Transposing and
+/// storing them would take two fifths of all shuffles and stores of a palette. No parent is
+/// transposed again either.
 ///
 /// Lanes are instances, which lie at a stride in memory. The loop computes groups of as many
-/// instances as there are lanes, and returns the number of instances in these groups; 0 if the
-/// scratch does not hold one group.
+/// instances as there are lanes, and returns the number of instances in these groups. It returns 0
+/// if the scratch memory does not hold one group.
 pub(super) struct PaletteInstances<'f, 'r, 's, E: Element<8>, L, X>(
     pub(super) &'f mut PaletteOnly<'r, 's, E, L, X>,
 );
@@ -398,7 +400,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
         let joints = run.parents.len();
         let rows =
             E::plain_mut(scratch).and_then(|plain| aligned(plain.as_flattened_mut(), joints));
-        // On targets without SIMD there is nothing to transpose, so this loop would gain nothing.
+        // On targets without SIMD there is nothing to transpose, so this loop would save no time.
         let (Some(rows), 2..) = (rows, lanes) else { return 0 };
         let pass = Pass { level, run: *run, locals: *locals };
         let mut done = 0;
@@ -411,24 +413,24 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for PaletteInstances<'_
 }
 
 /// Casts `numbers`, the floats of the caller's scratch memory, to one `M` for each joint. Returns
-/// `None` if there are too few. If there are enough more than needed, the result begins at a cache
-/// line.
+/// `None` if there are too few. If there is room to spare, the result begins at a cache line.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn aligned<R: Scalar, M: bytemuck::Pod>(numbers: &mut [R], joints: usize) -> Option<&mut [M]> {
     let needed = joints.checked_mul(size_of::<M>() / size_of::<R>())?;
     let spare = numbers.len().checked_sub(needed)?;
     // A row across two cache lines takes two accesses. The caller's memory is aligned to one float
-    // only, so the result begins at the next cache line if there is room. The start does not change
-    // the results.
+    // only, so the result begins at the next cache line if there is room. The place where it begins
+    // does not change any result.
     let aligned = numbers.as_ptr().align_offset(LINE);
     let start = if aligned <= spare { aligned } else { 0 };
     bytemuck::try_cast_slice_mut(numbers.get_mut(start..start + needed)?).ok()
 }
 
 impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
-    /// Computes the palette of as many instances as there are lanes, beginning with instance
-    /// `instance`. All models go through memory, as in [`instances`](Self::instances). Computed
-    /// locals are first written to the memory of their models.
+    /// Computes the palette of a group of as many instances as there are lanes, of which `instance`
+    /// is the first. All models go through memory in the layout of registers, as in
+    /// [`instances`](Self::instances). Computed locals are first written to the memory of their
+    /// models.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn palette<X: Epilogue<E>>(
         self,
@@ -440,8 +442,8 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
         let joints = run.joints.clone();
         let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
         // The base of roots is stored to memory, so that products read it in the same way as the
-        // models of parents, and no registers are moved to join two paths (*One source*,
-        // docs/measured.md).
+        // models of parents, and no values are moved between registers where two branches join
+        // (*One source*, docs/measured.md).
         let mut base = Models::<E, V>::zeroed();
         let base = if let Some(root) = run.root.load(level, instance, 0) {
             store(root.to_array(), &mut base);
@@ -467,9 +469,9 @@ impl<E: Element<8>, L: Locals<E>, V: Level> Pass<'_, E, L, V> {
             let Some(local) = local else { return };
             let local = locals.motion(local).to_array();
             let Some(&parent) = run.parents.get(joint) else { return };
-            // The parent of a root is `ROOT`, which is beyond all models: loading it gives `None`.
-            // Both paths have a store of their own, so that no registers are moved to join them
-            // (*Kept apart*, docs/measured.md).
+            // The parent of a root is `ROOT`. This index is beyond all models, so the load returns
+            // `None`. Each branch has its own store, so that the compiler moves no values between
+            // registers where the branches join (*Kept apart*, docs/measured.md).
             if let Some(parent) = models.get(parent as usize).or(base) {
                 let model = product_in_lanes(load(level, parent), local);
                 let Some(place) = models.get_mut(joint) else { return };

@@ -16,10 +16,10 @@ use core::cmp::Reverse;
 use dq8_simd::Level;
 use dq8_simd::internal::CheckedSchedule;
 
-/// The number of joints from which a chain is cut into segments. It is the same on every target,
-/// because the order of products, and so the bits of the results, depend on it. (With AVX-512,
-/// chains of 16, 24 and 32 joints take 4.9, 5.6 and 6.0 nanoseconds per joint one by one, and 6.7,
-/// 5.3 and 4.7 in segments. Without AVX2, segments are never faster.)
+/// The least number of joints of a chain that is divided into segments. It is the same on every
+/// target, because the order of products, and so the bits of the results, depend on it. (With
+/// AVX-512, chains of 16, 24 and 32 joints take 4.9, 5.6 and 6.0 nanoseconds per joint one by one,
+/// and 6.7, 5.3 and 4.7 in segments. Without AVX2, segments are never faster.)
 const MIN_CHAIN: usize = 24;
 
 /// The order in which the joints of one instance are computed, found once and kept in the caller's
@@ -61,7 +61,7 @@ brief!([] Plan<'_>: Plan |it| { joints: it.parents.len() });
 pub struct NoPlan;
 
 /// The order in which a job computes one instance: the order of a [`Plan`], or with [`NoPlan`] the
-/// order of joints. The trait is sealed.
+/// order of the joint indices. The trait is sealed.
 pub trait Plans: sealed::Sealed {
     #[doc(hidden)]
     fn plan(&self) -> Option<Plan<'_>>;
@@ -112,7 +112,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Makes a plan of an order that [`new`](Self::new) wrote for the same parents. So a program
-    /// can keep an order in a constant in flash, for example.
+    /// can keep an order as a constant in flash memory, for example.
     ///
     /// The check has no memory in which to mark joints, so it does not find every fault. It accepts
     /// an order in which a child comes before its parent, or in which a joint is missing and
@@ -197,7 +197,7 @@ impl<R: Scalar> Kernel for InOrder<'_, '_, R> {
                     |parent, local| product(level, parent, local),
                 );
             }
-            // In place, the model of a root is its local, which is already there.
+            // In place, the model of a root is its local, which is already in the output.
             Source::Output => {
                 order.others.run_in_place(
                     models,
@@ -221,10 +221,10 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Forward<'_, '_, E, L, X> {
             && self.run.renormalize == Renormalize::Never
     }
 
-    /// Computes the models in the order of the plan: stores the locals as motions in place of the
-    /// models, multiplies roots onto their base, then each joint onto its parent, and runs the
-    /// epilogue. The product is the same as in all other runs, so the models of a tree have the
-    /// same bits.
+    /// Computes the models in the order of the plan. It stores the locals, as motions, in the
+    /// memory of the models, multiplies roots onto their base, then multiplies each joint onto its
+    /// parent, and runs the epilogue. The product is the same as in all other runs, so the models
+    /// of a tree have the same bits.
     #[inline]
     pub(super) fn in_order_of(self, plan: Plan<'_>) {
         let Self { run, locals, models, mut epilogue } = self;
@@ -305,8 +305,9 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        // The epilogue runs after all models are computed, in the order of joints: joints that
-        // follow each other in the plan do not adjoin in memory, as loads into lanes need.
+        // The epilogue runs after all models are computed, in the order of joints. Joints that
+        // follow each other in the plan do not adjoin in memory, but loads into lanes need joints
+        // that do.
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {
             let slot = JointSlot::of_joints(start, 0, models.len(), models.len());
@@ -316,20 +317,21 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     }
 }
 
-/// The number of products of other joints that begin between the product of a parent and that of
-/// its child. A product takes about four times as long as the interval after which the next
-/// independent product can begin.
+/// The number of products of other joints that begin between the product of a parent and the
+/// product of its child. A product takes about four times as long as a time step, after which the
+/// next independent product can begin.
 ///
 /// Measured by `cargo bench --bench hierarchy -- one-instance` on skeletons of 21 and 64 joints,
 /// with other values of this constant: 3 to 6 are the same within a few hundredths. Computing level
-/// by level takes a twentieth longer, and depth first half as long again.
+/// by level takes a twentieth longer, and depth first takes half as long again.
 const BETWEEN: u32 = 4;
 
 /// The value that marks the end of a list of children.
 const NONE: u32 = Hierarchy::ROOT;
 
-/// The scratch memory of the search for an order: an element of four arrays, of facts about joints
-/// (`height`, `first_child`, `next_sibling`), a heap (`ready`) and a queue (`pending`, `ready_at`).
+/// An element of the scratch memory of the search for an order. Its fields belong to several
+/// arrays: facts about each joint (`height`, `first_child`, `next_sibling`), a heap (`ready`) and a
+/// queue (`pending`, `ready_at`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct PlanScratch {
@@ -344,7 +346,7 @@ pub struct PlanScratch {
     ready: u32,
     /// An element of a queue of joints whose parents have begun, but are not done.
     pending: u32,
-    /// The time step at which the parent of `pending` is done.
+    /// The time step at which the product of the parent of `pending` is done.
     ready_at: u32,
 }
 
@@ -380,9 +382,9 @@ impl Default for PlanScratch {
 ///     pending += its children, BETWEEN steps from now
 /// ```
 ///
-/// Times only rise, so `pending` is a queue that needs no sorting. A time step at which no joint
-/// can begin is skipped. All memory is the caller's, so that microcontrollers can have plans;
-/// nothing here can panic.
+/// Children enter `pending` in the order of their times, so it is a queue that needs no sorting. A
+/// time step at which no joint can begin is skipped. All memory is the caller's, so that
+/// microcontrollers can have plans; nothing here can panic.
 pub(super) fn schedule(
     hierarchy: &Hierarchy<'_>,
     order: &mut [[u32; 2]],
@@ -394,9 +396,9 @@ pub(super) fn schedule(
     // Parents come before their children, so one pass from the last joint to the first finds all
     // heights.
     for (joint, &parent) in hierarchy.parents().iter().enumerate().rev() {
-        // Each joint is inserted at the front of its parent's list. The pass goes from last to
-        // first, so children end in rising order. The parent of a root is `ROOT`, which is beyond
-        // `scratch`: `change` then does nothing.
+        // Each joint is inserted at the front of its parent's list. The pass goes from the last
+        // joint to the first, so each list is in rising order at the end. The parent of a root is
+        // `ROOT`, which is beyond `scratch`: `change` then does nothing.
         let (of, above) = (search.at(joint), search.at(parent as usize));
         search.change(joint, |of| of.next_sibling = above.first_child);
         search.change(parent as usize, |above| {
@@ -415,8 +417,8 @@ pub(super) fn schedule(
     // joint is pushed when the product of its parent is done.
     while search.ready > 0 || search.begin < search.end {
         if search.ready == 0 {
-            // All remaining joints wait for their parents, so time skips to the step at which the
-            // first of these is done.
+            // All remaining joints wait for their parents, so the time skips to the step at which
+            // the first of these parents is done.
             time = time.max(search.at(search.begin).ready_at);
         }
         while search.begin < search.end && search.at(search.begin).ready_at <= time {

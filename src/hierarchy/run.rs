@@ -1,7 +1,8 @@
-//! [`Run`]: the data that every loop over a hierarchy reads, after lengths have been checked. They
-//! include the [`Root`], onto which root joints are multiplied, and [`Renormalize`], the joints
-//! whose models are normalized. Also [`Epilogue`], a computation from each model, for instance of a
-//! palette; and [`JointSlot`], the joints and instances in the lanes of a register.
+//! [`Run`]: the data that every loop over a hierarchy reads, after lengths have been checked. The
+//! data include the [`Root`], onto which root joints are multiplied, and [`Renormalize`], the
+//! joints whose models are normalized. The module also has [`Epilogue`], a computation from each
+//! model, for instance of a palette; and [`JointSlot`], the joints and instances in the lanes of a
+//! register.
 
 use crate::backend::Backend;
 use crate::batch::{self, vector};
@@ -14,8 +15,8 @@ use core::num::NonZeroU32;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level, Records};
 
-/// The least number of elements in a task of a thread, which take some microseconds. Starting a
-/// task takes a fraction of a microsecond.
+/// The least number of elements in a task of a thread. Computing these elements takes some
+/// microseconds, while starting a task takes a fraction of a microsecond.
 const GRAIN: usize = 2048;
 
 /// Returns the least number of instances in a task of a thread, for instances of `joints` joints.
@@ -25,7 +26,8 @@ pub(super) fn grain(joints: usize) -> usize {
 }
 
 /// The data that all loops read: the hierarchy, the range of joints, the base of root joints, the
-/// joints whose models are normalized, and the instructions and threads. Lengths have been checked.
+/// joints whose models are normalized, and the backend (instructions and threads). Lengths have
+/// been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Run<'a, E: Element<8>> {
     pub(super) backend: Backend,
@@ -90,7 +92,7 @@ impl<E: Element<8>> Run<'_, E> {
         self.backend.many() && !self.parents.is_empty()
     }
 
-    /// Returns the base of root joints for one plain instance.
+    /// Returns the base of root joints for one instance in a plain slice.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn root_of(&self, instance: usize) -> Option<[Number<E, 8>; 8]> {
         match self.root {
@@ -162,8 +164,8 @@ mod sealed {
 
 /// The joints whose model poses a run over a hierarchy normalizes.
 ///
-/// Products of unit motions are unit up to rounding errors, which add up to about 10⁻⁷ √n
-/// (`f32`) in the norm after n products. No skeleton is deep enough to show this.
+/// Products of unit motions are unit up to rounding errors. After n products these errors add up to
+/// about 10⁻⁷ √n in the norm (`f32`). No skeleton is deep enough for this to matter.
 /// `lab/src/products.rs` measures it, with these results:
 ///
 /// - normalizing does **not** make rotations more accurate, it only keeps the norm;
@@ -174,10 +176,11 @@ mod sealed {
 ///   component that is not a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Renormalize {
-    /// Models are products, and are not normalized.
+    /// No model is normalized.
     #[default]
     Never,
-    /// The model of every n-th joint, counted along the parent array: joints n − 1, 2n − 1, …
+    /// The model of every n-th joint is normalized, counted along the parent array: joints n − 1,
+    /// 2n − 1, …
     Every(NonZeroU32),
 }
 
@@ -192,8 +195,8 @@ impl Renormalize {
     }
 }
 
-/// A computation that runs for each model while the model is in registers, such as the computation
-/// of a palette entry.
+/// A computation for each model, made while the model is in registers, such as the computation of a
+/// palette entry.
 pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
     /// `true` if the epilogue computes something.
     const ACTIVE: bool;
@@ -273,15 +276,16 @@ pub(super) struct PaletteOnly<'r, 's, E: Element<8>, L, X> {
 }
 
 /// The number of joints that the loop prefetches ahead. For 1,000 skeletons whose palettes exceed
-/// the second-level cache this saves a seventh of the time. If the palettes fit into the cache, it
-/// saves almost nothing. A distance of 4 is equally good.
+/// the second-level cache, prefetching saves a seventh of the time. If the palettes fit into the
+/// cache, it saves almost nothing. A distance of 4 is equally good.
 const PREFETCH_DISTANCE: usize = 2;
 
 /// The joints and instances in the lanes of a register: one joint of several instances, or several
 /// joints of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
-    /// The joint of all lanes, or of the first lane if lanes are joints.
+    /// The joint in all lanes if lanes are instances, or the joint in the first lane if lanes are
+    /// joints.
     joint: usize,
     /// The index, in the slice of all elements, of joint 0 of the first lane's instance, or of
     /// joint 0 of the block.
@@ -304,16 +308,16 @@ impl JointSlot {
         Self { joint, first, register, instance, stride: None, end: None }
     }
 
-    /// Returns the slot of a joint of as many instances as there are lanes. The instances have
-    /// `joints` elements each, and the first is `instance`.
+    /// Returns the slot of one joint in as many instances as there are lanes, of which `instance`
+    /// is the first. Each instance has `joints` elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: Some(joints), end: None }
     }
 
-    /// Returns the slot of as many joints of one instance as there are lanes, from `joint` on and
-    /// before the joint `end`. Each instance has `joints` elements.
+    /// Returns the slot of several joints of one instance, as many as there are lanes, beginning
+    /// with `joint` and ending before `end`. Each instance has `joints` elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joints(joint: usize, instance: usize, joints: usize, end: usize) -> Self {
         let first = instance * joints;
@@ -358,8 +362,8 @@ impl JointSlot {
         Tile { element: self.joint, register: self.register, stride: self.stride }
     }
 
-    /// Returns the part of `to` before the end of the range of joints if lanes are joints,
-    /// otherwise all of `to`.
+    /// If lanes are joints, returns the part of `to` before the end of the range of joints.
+    /// Otherwise returns all of `to`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn within<E>(self, to: &mut [E]) -> &mut [E] {
         match self.end {
@@ -368,9 +372,10 @@ impl JointSlot {
         }
     }
 
-    /// Prefetches the elements of a later joint in `memory`, which has the elements of all
-    /// instances, if lanes are instances at a stride. Before a CPU writes a part of a cache line,
-    /// it reads the line, and its hardware prefetcher follows only a few streams at once.
+    /// If lanes are instances at a stride, prefetches the elements of a later joint in `memory`,
+    /// which has the elements of all instances. This is needed because a CPU reads a cache line
+    /// before it writes a part of it, and its hardware prefetcher follows only a few streams at
+    /// once.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         if let Some(stride) = self.stride

@@ -49,16 +49,16 @@ use dq8_simd::internal::CheckedSchedule;
 #[derive(Clone)]
 #[doc(alias("rig", "armature"))]
 pub struct Skeleton {
-    /// The parent of each joint. They have been checked: each parent comes before its children.
+    /// The parent of each joint. The parents have been checked: each comes before its children.
     parents: Box<[u32]>,
     plan: OwnedPlan,
-    /// A name for each joint, or no names at all.
+    /// A name for each joint, or an empty slice if the joints have no names.
     names: Box<[Box<str>]>,
 }
 
-/// The permutation between the joints of a skeleton and those of its file, which
-/// [`Skeleton::sorted`] finds. It derefs to a slice: joint `j` of the skeleton is joint `order[j]`
-/// of the file.
+/// The permutation between the joints of a skeleton and those of the file, that is, of the list of
+/// parents from which [`Skeleton::sorted`] made the skeleton. It derefs to a slice: joint `j` of
+/// the skeleton is joint `order[j]` of the file.
 ///
 /// ```
 /// use dq8::Skeleton;
@@ -111,8 +111,8 @@ impl Skeleton {
     /// Makes a skeleton of parents that come before their children.
     ///
     /// # Errors
-    /// The errors of [`Hierarchy::new`]. For parents in another order there is
-    /// [`sorted`](Self::sorted).
+    /// The errors of [`Hierarchy::new`]. Use [`sorted`](Self::sorted) for parents in any other
+    /// order.
     ///
     /// # Panics
     /// If the memory cannot be allocated, as for any `Vec`.
@@ -186,8 +186,8 @@ impl Skeleton {
             }
         }
         if order.len() < joints {
-            // A joint that was not reached is in a cycle, or below one. From there, `joints` steps
-            // from a joint to its parent certainly end in the cycle.
+            // A joint that was not reached is in a cycle, or a descendant of a cycle. From such a
+            // joint, `joints` steps, each from a joint to its parent, certainly end in the cycle.
             let mut reached = vec![false; joints];
             order.iter().for_each(|&joint| reached[joint] = true);
             let lost = reached.iter().position(|reached| !reached).unwrap_or(0);
@@ -376,7 +376,7 @@ impl From<Hierarchy<'_>> for Skeleton {
     }
 }
 
-/// The checked order of a [`Plan`], in memory of its own.
+/// The checked order of a [`Plan`], which owns its memory.
 #[derive(Clone, Debug)]
 pub(super) struct OwnedPlan {
     roots: Box<[[u32; 2]]>,
@@ -407,10 +407,10 @@ impl OwnedPlan {
     }
 }
 
-/// An integer that is the index of a parent. −1, the largest value of the type or, for an
-/// `Option` of an integer, `None` means that there is no parent. The trait is sealed.
+/// The type of the index of a parent, an integer. The parent of a root is −1, the largest value
+/// of the type or, if the type is an `Option` of an integer, `None`. The trait is sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
-    /// Returns the index as it was written; `None` if there is no parent.
+    /// Returns the index as the caller wrote it; `None` if there is no parent.
     fn number(self) -> Option<i128>;
 }
 
@@ -418,8 +418,8 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// The index that replaces a parent that does not fit a `u32`. No joint has this index, and it does
-/// not mark a root.
+/// The index that stands for a parent whose index does not fit a `u32`. No joint has this index,
+/// and it does not mark a root.
 const BEYOND: u32 = u32::MAX - 1;
 
 /// Converts a parent to its index in a [`Hierarchy`]; [`BEYOND`] if the index does not fit.
@@ -430,7 +430,7 @@ pub(super) fn index<P: ParentIndex>(parent: P) -> u32 {
     }
 }
 
-/// Replaces the parent in an error by the parent as it was written, which may not fit a `u32`.
+/// Replaces the parent in an error by the parent as the caller wrote it, which may not fit a `u32`.
 pub(super) fn as_written<P: ParentIndex>(error: HierarchyError, parents: &[P]) -> HierarchyError {
     match error {
         HierarchyError::ParentOutOfRange { joint, parent, joints } => {

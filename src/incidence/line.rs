@@ -1,4 +1,4 @@
-//! Lines: from points and planes, the points of lines, and relations of two lines.
+//! Lines: made from points or planes, points on a line, and relations of two lines.
 
 use super::{IncidenceError, finite, parallel_sine, size, unit};
 use crate::geometry::{Line, Plane};
@@ -24,11 +24,11 @@ impl<R: Real> Line<R> {
         Self::from_point_direction(start, direction).orthogonal()
     }
 
-    /// Returns the line in which two planes n₁·x = d₁ and n₂·x = d₂ meet: l = n₁ ×
-    /// n₂ and m = d₂n₁ − d₁n₂, divided by |l|.
+    /// Returns the line in which two planes n₁·x = d₁ and n₂·x = d₂ intersect: l = n₁
+    /// × n₂ and m = d₂n₁ − d₁n₂, divided by |l|.
     ///
     /// For a point x of both planes, x × (n₁ × n₂) = n₁(x·n₂) − n₂(x·n₁). The
-    /// error of the moment is the error of the offsets over the sine of the angle between the
+    /// error of the moment is the error of the offsets divided by the sine of the angle between the
     /// planes.
     ///
     /// # Errors
@@ -57,8 +57,8 @@ impl<R: Real> Line<R> {
 
     /// Returns (l + εm)/√(l̂·l̂), where l̂ = l + εm: l then has length 1, and m is
     /// orthogonal to l. The norm is a dual number, as for dual quaternions, because l + εm is the
-    /// vector part of one. Dividing by |l| alone would keep a part of m along l. This part is the
-    /// pitch of a screw, and the result is the screw's axis.
+    /// vector part of a dual quaternion. Division by |l| alone would keep the part of m along l,
+    /// which is the pitch if l + εm is a screw. So the result for a screw is its axis.
     ///
     /// # Errors
     /// If l is zero, or if a component of the line or of the result is not finite.
@@ -86,7 +86,7 @@ impl<R: Real> Line<R> {
         size.is_finite() && vector::dot(direction, self.moment).abs() <= tolerance * size
     }
 
-    /// Returns |x × l − m| over |l|, the distance of the point x from the line.
+    /// Returns |x × l − m| / |l|, the distance of the point x from the line.
     ///
     /// # Errors
     /// If l is zero, or a component is not finite.
@@ -116,8 +116,8 @@ impl<R: Real> Line<R> {
 
 /// The relation of two lines, which [`Line::common_perpendicular`] returns.
 ///
-/// The screw about `axis` by the angle and the slide of `angle` takes the first line to the second,
-/// including the sense of the lines.
+/// The screw about `axis`, with θ as its angle and d as its slide (see `angle`), takes the first
+/// line to the second, including the sense of the lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommonPerpendicular<R> {
     /// The line that crosses both lines at right angles. It is unit and has the sense of l₁ ×
@@ -134,10 +134,10 @@ pub struct CommonPerpendicular<R> {
 
 impl<R: Real> Line<R> {
     /// Returns the dual angle θ + εd between this line and `other`: their angle and their
-    /// distance in one dual number (Study 1891). θ is in radians in [0, π]. d is the length of
-    /// the way from this line to `other` along l₁ × l₂, negative if the way has the opposite
-    /// direction. Exchanging the lines does not change the result; reversing the sense of a line
-    /// does.
+    /// distance in one dual number (Study 1891). θ is in radians in [0, π]. d is the distance
+    /// from this line to `other`, measured along l₁ × l₂, and negative if `other` lies in the
+    /// opposite direction. Exchanging the lines does not change the result; reversing the sense of
+    /// one line does.
     ///
     /// cos θ̂ = cos θ − ε d sin θ is the inner product of the unit lines, and sin θ̂ times
     /// the common perpendicular is their cross product
@@ -145,8 +145,9 @@ impl<R: Real> Line<R> {
     /// distance of parallel lines. Here θ is an arctangent, accurate to a few roundings for every
     /// angle, and d is also correct for parallel lines, where it is never negative.
     ///
-    /// The error of d is a few roundings of the largest distance of lines and feet from the origin.
-    /// The feet of *almost* parallel lines are often far away, and their errors are over sin² θ.
+    /// The error of d is a few rounding errors of the largest distance of the lines and the feet
+    /// from the origin. The feet of *almost* parallel lines are often far away, and their errors
+    /// are divided by sin² θ.
     ///
     /// # Errors
     /// If a direction is zero, or if a component of a line or of the result is not finite.
@@ -203,7 +204,7 @@ impl<R: Real> Line<R> {
         let (a, b) = (self.try_normalize()?, other.try_normalize()?);
         let normal = vector::cross(a.direction, b.direction);
         let sine = vector::norm(normal);
-        // An arccosine would lose angles below √u, where u is the roundoff.
+        // An arccosine would lose angles below √u, where u is the rounding unit.
         let theta = sine.atan2(vector::dot(a.direction, b.direction));
         let parallel = sine <= parallel_sine();
         let (direction, feet, distance) =
@@ -216,12 +217,12 @@ impl<R: Real> Line<R> {
         Ok(CommonPerpendicular { axis, feet, angle: Dual::new(theta, distance), parallel })
     }
 
-    /// Returns the point in which two lines meet: the midpoint of their common perpendicular, if
-    /// this is not longer than the length `tolerance`.
+    /// Returns the point in which two lines intersect: the midpoint of their common perpendicular,
+    /// if the perpendicular is not longer than `tolerance`.
     ///
     /// # Errors
-    /// If the lines are skew, parallel or identical; the error has their distance. Otherwise the
-    /// errors are those of [`dual_angle`](Self::dual_angle).
+    /// If the lines are skew, parallel or identical; the error has their distance. Also the errors
+    /// of [`dual_angle`](Self::dual_angle).
     ///
     /// ```
     /// use dq8::{Line, incidence::IncidenceError};

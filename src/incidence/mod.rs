@@ -1,11 +1,12 @@
 //! Lines, planes and points together: joins, intersections and distances.
 //!
-//! Directions and normals may have any length but zero; results have length 1. Coordinates may be
-//! of any size as long as the result is finite, because no square of a coordinate is computed.
+//! Directions and normals in the input may have any length but zero; in results they have length 1.
+//! Coordinates may be of any size as long as the result is finite, because no square of a
+//! coordinate is computed.
 //!
-//! Two directions count as parallel if the sine of their angle is at most eight roundoffs. The
-//! rounding of unit vectors alone can produce such a sine, so a result divided by it would be
-//! noise.
+//! Two directions count as parallel if the sine of their angle is at most eight roundoffs (a
+//! roundoff is half of `EPSILON`). The rounding of unit vectors alone can produce such a sine, so a
+//! result divided by it would be meaningless.
 
 mod line;
 mod plane;
@@ -17,7 +18,7 @@ use crate::number::Real;
 use crate::scalar::vector::{self, Length};
 
 errors! {
-    /// Points, lines and planes that do not determine the result.
+    /// The error of points, lines and planes that do not determine the result.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     IncidenceError {
@@ -25,19 +26,20 @@ errors! {
         NoDirection {
             /// The name of the vector.
             what: &'static str,
-            /// Its length.
+            /// The length of the vector.
             length: f64,
         } => "{what} has no direction: its length is {length}";
-        /// A value of the input is not finite, or the result would not be.
+        /// A value of the input or of the result is not finite.
         NotFinite {
             /// The name of the value.
             what: &'static str,
-            /// The value.
+            /// The value that is not finite.
             value: f64,
         } => "{what} is {value}";
         /// Three points lie on one line, so many planes contain them.
         Collinear {
-            /// The sine of the angle at the first point.
+            /// The sine of the angle at the first point, between the directions to the other two
+            /// points.
             sine: f64,
         } => "the three points are on one line: the sine of their angle is {sine}";
         /// A point lies on a line within rounding, so many planes contain both.
@@ -47,12 +49,12 @@ errors! {
         } => "the point is on the line, {distance} from it";
         /// Two planes are parallel, or the same.
         ParallelPlanes {
-            /// The sine of the angle between them.
+            /// The sine of the angle between the planes.
             sine: f64,
         } => "the planes are parallel: the sine of their angle is {sine}";
         /// A line is parallel to a plane, or lies in it.
         ParallelToPlane {
-            /// The distance of the line, positive on the side of the normal.
+            /// The distance of the line from the plane, positive on the side of the normal.
             distance: f64,
         } => "the line is parallel to the plane, {distance} from it";
         /// Two lines are parallel, or the same.
@@ -60,7 +62,7 @@ errors! {
             /// The distance between the lines.
             distance: f64,
         } => "the lines are parallel, {distance} apart";
-        /// Two lines are skew: they do not meet.
+        /// Two lines are skew: they do not intersect and are not parallel.
         SkewLines {
             /// The distance between the lines.
             distance: f64,
@@ -68,7 +70,8 @@ errors! {
     }
 }
 
-/// Returns eight roundoffs: two roundoffs of each direction, times two as a margin.
+/// Returns eight roundoffs: each of the two directions has an error of two roundoffs, and the
+/// factor two is a margin.
 fn parallel_sine<R: Real>() -> R {
     R::EPSILON * R::from(4.0)
 }
@@ -98,7 +101,8 @@ fn finite<R: Real, const N: usize>(
     }
 }
 
-/// Returns the larger of two lengths. The rounding error of a distance is proportional to it.
+/// Returns the larger of the lengths of two vectors, to which the rounding error of their distance
+/// is proportional.
 fn size<R: Real>(a: [R; 3], b: [R; 3]) -> R {
     vector::norm(a).max_or_nan(vector::norm(b))
 }

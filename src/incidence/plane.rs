@@ -1,4 +1,5 @@
-//! Planes: from points and lines, the points of planes, and the intersections of lines with planes.
+//! Planes: made from points or lines, points on a plane, and the intersections of lines with
+//! planes.
 
 use super::{IncidenceError, finite, parallel_sine, size, unit};
 use crate::geometry::{Line, Plane};
@@ -6,8 +7,8 @@ use crate::number::Real;
 use crate::scalar::vector;
 
 impl<R: Real> Plane<R> {
-    /// Makes the plane through three points. Seen from the side that the normal (b − a) × (c −
-    /// a) points to, the points turn counter-clockwise.
+    /// Makes the plane through three points. Seen from the side to which the normal (b − a) × (c
+    /// − a) points, the points a, b, c are in counter-clockwise order.
     ///
     /// # Errors
     /// If the points lie on one line, or if a distance between two of them is not finite.
@@ -30,8 +31,8 @@ impl<R: Real> Plane<R> {
     }
 
     /// Makes the plane through a line and a point x off the line. The normal is along m − x × l:
-    /// the direction of the line, the way from the line to the point, and the normal are
-    /// right-handed.
+    /// the direction of the line, the direction from the line to the point, and the normal are
+    /// right-handed, in this order.
     ///
     /// # Errors
     /// If the point is on the line within rounding, l is zero, or a component is not finite.
@@ -81,8 +82,8 @@ enum Crossing<R> {
 }
 
 impl<R: Real> Line<R> {
-    /// Returns the point in which the line meets a plane. Its error is the error of the moment and
-    /// of the offset over the sine of the angle between line and plane.
+    /// Returns the point in which the line intersects a plane. Its error is the error of the moment
+    /// and of the offset, divided by the sine of the angle between line and plane.
     ///
     /// # Errors
     /// If the line is parallel to the plane or lies in it; the error has the distance. Also if the

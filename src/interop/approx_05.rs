@@ -1,5 +1,5 @@
-//! Comparisons of approx 0.5, component by component. So −σ is not near σ, although both are
-//! the same motion.
+//! The traits of approx 0.5, implemented so that they compare component by component. So −σ does
+//! not compare as near to σ, although both are the same motion.
 
 use crate::geometry::Twist;
 use crate::number::Real;

@@ -1,5 +1,5 @@
-//! Values of any bits, infinities and NaN among them, for fuzzers. [`DualQuat::normalize`] makes
-//! motions of them.
+//! Values with arbitrary bits, including infinities and NaN, for fuzzers. [`DualQuat::normalize`]
+//! makes unit motions of them.
 
 use crate::geometry::Twist;
 use crate::number::Real;

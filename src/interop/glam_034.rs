@@ -1,5 +1,5 @@
 //! Conversions from and to types of glam 0.34. Its quaternions are `[x, y, z, w]` as in dq8, and
-//! its matrices are columns.
+//! its matrices are stored as columns.
 //!
 //! ```
 //! use dq8::{DualQuat, Quat};
@@ -54,7 +54,7 @@ macro_rules! precision {
 precision! { f32, Quat, Vec3, Mat3, Mat4, Affine3A }
 precision! { f64, DQuat, DVec3, DMat3, DMat4, DAffine3 }
 
-/// Writes two functions for each pair of types of the same memory layout: they view a slice of
+/// Writes two functions for each pair of types with the same memory layout. They view a slice of
 /// glam's type as a slice of the other type, to read it or to write to it, without a copy.
 macro_rules! casts {
     ($($from:ty => $to:ty: $what:literal $read:ident $write:ident;)*) => {$(

@@ -1,6 +1,6 @@
-//! Types of other crates, each crate behind a feature with its name. The feature of a crate before
-//! version 1.0 carries its version, so a new version of the crate is a new feature here and breaks
-//! no user.
+//! Conversions for types of other crates. Each crate has a feature with its name. If the crate has
+//! no version 1.0 yet, the name of the feature contains the version, so that a new version of the
+//! crate gets a new feature and breaks no user.
 //!
 //! | feature | what it adds |
 //! |---|---|
@@ -17,7 +17,8 @@
 //!
 //! Conversions are `From` and `Into`. A matrix becomes a motion only through `TryFrom`, which
 //! returns an error unless the matrix is rigid within √ε of its element type (3·10⁻⁴ in
-//! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
+//! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] has the tolerance as a
+//! parameter.
 
 #[cfg(feature = "approx_05")]
 mod approx_05;

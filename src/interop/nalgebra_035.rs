@@ -1,5 +1,5 @@
 //! Conversions from and to types of nalgebra 0.35. Its quaternions lie in memory as `[x, y, z, w]`,
-//! and its dual quaternions as the real part, then the dual part: both as in dq8.
+//! and its dual quaternions as the real part, then the dual part. Both orders are those of dq8.
 //!
 //! ```
 //! use dq8::DualQuat;

@@ -21,7 +21,8 @@ where
     }
 }
 
-/// Draws a uniform rotation, and a translation that is uniform in the cube from −1 to 1.
+/// Draws a uniform rotation, and a translation that is uniform in a cube: each coordinate is from
+/// −1 to 1.
 impl<R: Real> Distribution<DualQuat<R>> for StandardUniform
 where
     Self: Distribution<R>,

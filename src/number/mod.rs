@@ -1,5 +1,5 @@
-//! The element types of the scalar reference, [`Real`]. Their functions have the same bits on every
-//! machine.
+//! The element types of the scalar reference, [`Real`]. The results of their functions have the
+//! same bits on every machine.
 
 mod real;
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -1,5 +1,5 @@
 //! [`Real`], the element types of the scalar reference, and its implementations for `f32` and
-//! `f64`, whose trigonometry has the same bits on every machine.
+//! `f64`. The results of their trigonometric functions have the same bits on every machine.
 
 #[cfg(any(feature = "std", feature = "libm"))]
 use super::sine;
@@ -10,13 +10,13 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// An element type of the scalar reference: `f32`, `f64`, or a type of your own.
 ///
 /// The functions of `f32` and `f64` are those of one version of the crate `libm`, except for sine,
-/// cosine and tangent of `f32`, which `libm` would compute in `f64`. The standard library calls the
-/// functions of the platform, whose bits differ between machines.
+/// cosine and tangent of `f32`, which `libm` would compute in `f64`. The standard library would
+/// call the functions of the platform, whose results differ between machines.
 ///
 /// Accuracy is promised and tested for `f32` and `f64`. [`Dual`](crate::Dual) numbers over any
 /// `Real` are `Real` too, so all code for any `R: Real`, such as the operations of this crate, can
-/// be differentiated. Another use is a type that counts its operations. Kernels over memory and
-/// lanes take `f32` and `f64` alone ([`Scalar`]).
+/// be differentiated. Another use is a type of your own that counts operations. Kernels over memory
+/// and lanes take `f32` and `f64` alone ([`Scalar`]).
 ///
 /// In every implementation `==`, the comparisons, `abs` and `is_finite` must be consistent, because
 /// operations detect edge cases with them.
@@ -41,19 +41,19 @@ pub trait Real:
     + Send
     + Sync
 {
-    /// 0
+    /// The value 0.
     const ZERO: Self;
-    /// 1
+    /// The value 1.
     const ONE: Self;
-    /// 2
+    /// The value 2.
     const TWO: Self;
-    /// ½
+    /// The value ½.
     const HALF: Self;
-    /// π
+    /// The value π.
     const PI: Self;
-    /// The distance from 1 to the next larger number.
+    /// The difference between 1 and the next larger value of this type.
     const EPSILON: Self;
-    /// NaN, which unchecked operations return where the result does not exist.
+    /// NaN, which unchecked operations return if there is no result.
     const NAN: Self;
 
     /// Returns the number of this type that is nearest to `value`.
@@ -72,39 +72,39 @@ pub trait Real:
     fn is_nan(self) -> bool {
         self.partial_cmp(&self).is_none()
     }
-    /// √x
+    /// Returns √x.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// sin x, with x in radians.
+    /// Returns sin x, with x in radians.
     #[must_use]
     fn sin(self) -> Self;
-    /// cos x, with x in radians.
+    /// Returns cos x, with x in radians.
     #[must_use]
     fn cos(self) -> Self;
-    /// tan x, with x in radians.
+    /// Returns tan x, with x in radians.
     #[must_use]
     fn tan(self) -> Self;
-    /// arcsin x, in radians.
+    /// Returns arcsin x, in radians.
     #[must_use]
     fn asin(self) -> Self;
-    /// arccos x, in radians.
+    /// Returns arccos x, in radians.
     #[must_use]
     fn acos(self) -> Self;
-    /// arctan x, in radians.
+    /// Returns arctan x, in radians.
     #[must_use]
     fn atan(self) -> Self;
-    /// The angle of the point (`x`, `self`), in radians.
+    /// Returns the angle of the point (`x`, `self`), in radians.
     #[must_use]
     fn atan2(self, x: Self) -> Self;
-    /// eˣ
+    /// Returns eˣ.
     #[must_use]
     fn exp(self) -> Self;
-    /// ln x
+    /// Returns ln x.
     #[must_use]
     fn ln(self) -> Self;
 
-    /// Asks the module `quick` for a quicker form of an operation, before the textbook form is
-    /// computed. This is not part of the public interface.
+    /// Returns the result of a quicker form of an operation from the module `quick`, or `None` if
+    /// the textbook form must be computed. This method is not part of the public interface.
     #[doc(hidden)]
     #[inline(always)]
     fn quick<Q: Quick<Self>>(_operation: Q) -> Option<Q::Output> {
@@ -143,9 +143,8 @@ macro_rules! real {
             fn sqrt(self) -> Self {
                 $real::sqrt(self)
             }
-            // The square root of `libm` is not used, because it does not use the instruction of
-            // microcontrollers. `dq8-simd` uses this instruction by `asm!`, which this crate
-            // forbids.
+            // The square root of `libm` is not used, because on microcontrollers it does not use
+            // the square root instruction. `dq8-simd` does, by `asm!`, which this crate forbids.
             #[cfg(not(feature = "std"))]
             #[inline]
             fn sqrt(self) -> Self {

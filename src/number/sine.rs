@@ -1,22 +1,22 @@
 //! Sine and cosine of `f32`, computed in `f32`. The functions of `libm` compute in `f64`, which
-//! takes most microcontrollers a thousand instructions and 9 KB of code. `tests/sweep` has tried
-//! every float.
+//! takes most microcontrollers a thousand instructions and 9 KB of code. The tests in `tests/sweep`
+//! have tried every `f32`.
 
-/// sin x, within 1.06 units of the last place.
+/// Returns sin x, with an error of at most 1.06 units of the last place.
 #[inline]
 pub(crate) fn sin(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters, rest)
 }
 
-/// cos x, within 1.06 units of the last place.
+/// Returns cos x, with an error of at most 1.06 units of the last place.
 #[inline]
 pub(crate) fn cos(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters.wrapping_add(1), rest)
 }
 
-/// tan x, within 3.02 units of the last place.
+/// Returns tan x, with an error of at most 3.02 units of the last place.
 #[inline]
 pub(crate) fn tan(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
@@ -49,13 +49,13 @@ fn of_quarter(k: u32, r: Precise) -> f32 {
 /// Returns the number of quarter turns nearest to x, modulo 4, and the remaining angle in radians,
 /// which is NaN unless x is finite.
 ///
-/// This is inlined, so that the sine and the cosine of one angle share the reduction.
+/// The function is inlined, so that the sine and the cosine of one angle share the reduction.
 ///
 /// The computation is in integers (Payne and Hanek 1983), because the remainder of a large x, or of
 /// an x close to a multiple of a quarter turn, needs more bits than a float has.
 #[inline]
 fn reduce(x: f32) -> (u32, Precise) {
-    /// These are the first 224 bits of 2/π, after 32 zeros.
+    /// The first 224 bits of 2/π, after 32 zero bits.
     const TWO_OVER_PI: [u32; 8] = [
         0,
         0xa2f9_836e,
@@ -66,7 +66,7 @@ fn reduce(x: f32) -> (u32, Precise) {
         0x3c43_9041,
         0xfe51_63ab,
     ];
-    /// This is π/2 · 2³¹.
+    /// The value π/2 · 2³¹, rounded.
     const HALF_PI: u64 = 0xc90f_daa2;
 
     if x.abs() <= core::f32::consts::FRAC_PI_4 {
@@ -76,7 +76,8 @@ fn reduce(x: f32) -> (u32, Precise) {
         return (0, Precise { number: f32::NAN, missing: 0.0 });
     }
     // x is ±m · 2ᵏ with −24 ≤ k ≤ 104. Bits of 2/π whose product with 2ᵏ is a multiple
-    // of 4 stand for whole turns and are skipped; the next 96 bits are enough.
+    // of 4 (quarter turns) contribute whole turns only and are skipped. The next 96 bits are
+    // enough.
     let bits = x.to_bits();
     let m = u64::from(bits & 0x7f_ffff | 0x80_0000);
     let skip = ((bits >> 23) & 0xff).wrapping_sub(150 - 30);
@@ -85,13 +86,14 @@ fn reduce(x: f32) -> (u32, Precise) {
         let pair = at(skip / 32 + i) << 32 | at(skip / 32 + i + 1);
         (pair << (skip % 32)) >> 32
     };
-    // `product` counts quarter turns, with two bits before the binary point and 62 after it.
+    // `product` is the number of quarter turns modulo 4, with two bits before the binary point and
+    // 62 bits after it.
     let product = ((m * word(0)) << 32).wrapping_add(m * word(1)).wrapping_add((m * word(2)) >> 32);
     let quarters = product.wrapping_add(1 << 61) >> 62;
     let rest = product.wrapping_sub(quarters << 62).cast_signed();
 
-    // The 32 leading bits of the remainder, in radians, are split into 24 bits that fit a float and
-    // the remaining bits.
+    // The 32 leading bits of the remainder are converted to radians. The product is split into 24
+    // bits that fit a float, and the bits after these.
     let size = rest.unsigned_abs();
     let shift = size.leading_zeros();
     let leading = (size << shift) >> 32;

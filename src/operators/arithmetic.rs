@@ -1,5 +1,5 @@
-//! Arithmetic beyond the operators `+`, `-` and `*` on values: `*=`, real numbers as factors,
-//! references, sums and products of iterators, and components by index.
+//! Operators besides `+`, `-` and `*` on values: `*=`, real numbers as factors, operators on
+//! references, sums and products of iterators, and access to components by index.
 
 use crate::geometry::{DualVector, Twist};
 use crate::number::Real;
@@ -67,7 +67,7 @@ factors! { Quat DualQuat Twist DualVector }
 
 macro_rules! left_factors {
     ($($real:ident $thing:ident),*) => {$(
-        /// Multiplies every component by a number, which stands on the left.
+        /// Multiplies every component by a number, which is the left factor.
         impl Mul<$thing<$real>> for $real {
             type Output = $thing<$real>;
             #[inline]
@@ -82,7 +82,7 @@ left_factors! {
     f64 Quat, f64 DualQuat, f64 Twist, f64 DualVector
 }
 
-/// Turns a vector by [`Quat::rotate`]; glam and nalgebra write it like this.
+/// Turns a vector by [`Quat::rotate`]. glam and nalgebra have the same operator.
 impl<R: Real> Mul<[R; 3]> for Quat<R> {
     type Output = [R; 3];
     #[inline]
@@ -100,8 +100,8 @@ impl<R: Real> Mul<RotationTranslation<R>> for DualQuat<R> {
     }
 }
 
-// These are `&a * &b`, `a * &b`, `&a * b`, `a *= &b` and `-&a`. `Dual` has no operators on
-// references: with a second product, the type of the factor in `x * Real::HALF` would be ambiguous.
+// The macro implements `&a * &b`, `a * &b`, `&a * b`, `a *= &b` and `-&a`. It is not applied to
+// `Dual`: with a second product, the type of the factor in `x * Real::HALF` would be ambiguous.
 macro_rules! references {
     ($($thing:ident: $($trait:ident $method:ident $assign:ident $method_assign:ident),*;)*) => {$($(
         impl<R: Real> $trait<&Self> for $thing<R> {
@@ -155,7 +155,8 @@ macro_rules! negative {
 }
 negative! { Quat DualQuat Twist DualVector }
 
-// A product runs from left to right: its last factor acts first.
+// The product of an iterator has the factors from left to right, so its last factor acts first on
+// points.
 macro_rules! fold {
     ($($thing:ident: $($trait:ident $method:ident from $start:expr, $operator:tt),*;)*) => {$($(
         impl<R: Real> $trait for $thing<R> {

@@ -9,25 +9,25 @@ use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 
 conversions! {
-    /// Takes `[x, y, z, w]`.
+    /// Makes a quaternion from `[x, y, z, w]`.
     [R: Real] [R; 4] => Quat<R>: |components| Self::from_array(components);
     /// Returns `[x, y, z, w]`.
     [R: Real] Quat<R> => [R; 4]: |rotation| rotation.to_array();
-    /// Takes `[px, py, pz, pw, qx, qy, qz, qw]`.
+    /// Makes a dual quaternion from `[px, py, pz, pw, qx, qy, qz, qw]`.
     [R: Real] [R; 8] => DualQuat<R>: |components| Self::from_array(components);
     /// Returns `[px, py, pz, pw, qx, qy, qz, qw]`.
     [R: Real] DualQuat<R> => [R; 8]: |motion| motion.to_array();
-    /// Takes `[x, y, z, w, tx, ty, tz]`, the rotation and then the translation.
+    /// Makes a pose from `[x, y, z, w, tx, ty, tz]`, the rotation and then the translation.
     [R: Real] [R; 7] => RotationTranslation<R>: |components| Self::from_array(components);
     /// Returns `[x, y, z, w, tx, ty, tz]`, the rotation and then the translation.
     [R: Real] RotationTranslation<R> => [R; 7]: |pose| pose.to_array();
-    /// Takes `[ωx, ωy, ωz, vx, vy, vz]`.
+    /// Makes a twist from `[ωx, ωy, ωz, vx, vy, vz]`.
     [R: Real] [R; 6] => Twist<R>: |components| Self::from_array(components);
     /// Returns `[ωx, ωy, ωz, vx, vy, vz]`.
     [R: Real] Twist<R> => [R; 6]: |twist| twist.to_array();
-    /// Takes the angular and the linear velocity.
+    /// Makes a twist from the angular and the linear velocity.
     [R: Real] ([R; 3], [R; 3]) => Twist<R>: |(angular, linear)| Self { angular, linear };
-    /// Takes the force and the torque.
+    /// Makes a wrench from the force and the torque.
     [R: Real] ([R; 3], [R; 3]) => Wrench<R>: |(force, torque)| Self { force, torque };
     /// Calls [`DualQuat::from_rotation`].
     [R: Real] Quat<R> => DualQuat<R>: |rotation| Self::from_rotation(rotation);
@@ -35,7 +35,7 @@ conversions! {
     [R: Real] (Quat<R>, [R; 3]) => DualQuat<R>: |(r, t)| Self::from_rotation_translation(r, t);
     /// Returns the rotation and the translation of a unit σ.
     [R: Real] DualQuat<R> => (Quat<R>, [R; 3]): |motion| (motion.rotation(), motion.translation());
-    /// Puts a rotation and a translation side by side.
+    /// Makes a pose from a rotation and a translation.
     [R: Real] (Quat<R>, [R; 3]) => RotationTranslation<R>: |(rotation, translation)| Self { rotation, translation };
     /// Returns the motion r + ½εtr of the rotation r and the translation t.
     [R: Real] RotationTranslation<R> => DualQuat<R>: |pose| (pose.rotation, pose.translation).into();

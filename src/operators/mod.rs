@@ -1,6 +1,6 @@
-//! The operators of `core` on the plain types that follow from `+`, `-` and `*` on values, which
-//! `scalar`, `geometry` and `representation` implement: `*=`, references, real numbers as factors,
-//! sums and products of iterators, indices.
+//! Operators of `core` for the types of `scalar`, `geometry` and `representation`. These modules
+//! implement `+`, `-` and `*` on values; here the operators that follow from these are implemented:
+//! `*=`, operators on references, real numbers as factors, sums and products of iterators, indices.
 //!
 //! Conversions from and to arrays, and text, are here too.
 //!

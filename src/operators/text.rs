@@ -1,5 +1,5 @@
-//! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads this
-//! text back to the last bit.
+//! Quaternions, motions and other types as text: [`Display`](fmt::Display) writes, for example,
+//! `[x, y, z, w]`, and `parse` restores the value from this text to the last bit.
 
 use crate::geometry::Twist;
 use crate::macros::{Count, errors};
@@ -10,7 +10,7 @@ use core::fmt;
 use core::str::FromStr;
 
 errors! {
-    /// The error for text that is not a list of the expected length, or not of numbers.
+    /// The error for text that is not a list of numbers, or a list of the wrong length.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     ParseError {

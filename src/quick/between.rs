@@ -1,13 +1,14 @@
-//! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with
-//! one quaternion per register, and several polynomials in the lanes of one register.
+//! Interpolation on a screw, as an angle from the middle of the way as in `batch/screw.rs`. A
+//! register holds one quaternion, and the lanes of one register evaluate several polynomials.
 
 use super::quad::{dots, halves, join, load, sum, sums, turn_toward};
 use super::{Four, Number};
 use crate::batch::even_coefficients as coefficients;
 use dq8_simd::Lanes;
 
-/// cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h, τ = 2t − 1, of m = (a ± b)/2 and h = (±b
-/// − a)/2; nothing outside [−½, 3/2].
+/// Returns cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h, with τ = 2t − 1, m = (a ± b)/2
+/// and h = (±b − a)/2, where Θ is the dual angle between the dual quaternions a and ±b.
+/// Returns `None` for t outside [−½, 3/2].
 #[inline]
 pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let ([p, q], [r, s]) = (halves(a), halves(b));
@@ -34,7 +35,8 @@ pub(super) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
     Some((ahead * load([weights.middle; 4]) + back * load([weights.along; 4])).to_array())
 }
 
-/// The dual numbers that multiply 2m = a ± b and −2h = a ∓ b.
+/// The weights of [`sclerp`]: the dual numbers that multiply the sum a ± b (`middle`) and the
+/// difference a ∓ b (`along`).
 struct Weights<F> {
     middle: F,
     middle_dual: F,
@@ -43,10 +45,11 @@ struct Weights<F> {
 }
 
 impl<F: Number> Weights<F> {
-    /// cos √v/√(4 − C) and w sin(√v)/√v, of w = (½ − t)K(C) and v = Cw² = (τΘ/2)²,
-    /// where C is the squared chord of Θ, `chord` + 2ε`across`. What the polynomials wait for
-    /// comes first, and what need not wait for them is multiplied before: the two are the longest
-    /// way through an interpolation.
+    /// Returns the weights cos √v/√(4 − C) and w sin(√v)/√v, with w = (½ − t)K(C) and
+    /// v = Cw² = (τΘ/2)². C is the squared chord of Θ, the dual number `chord` + 2ε`across`,
+    /// and K is the ratio of the arc to the chord. The two polynomials, one after the other, take
+    /// most of the time, so their inputs are computed first, and everything independent of them is
+    /// computed while they wait.
     #[inline(always)]
     fn of(chord: F, across: F, t: F) -> Option<Self> {
         let (half, one) = (t.constant(0.5), t.constant(1.0));
@@ -55,10 +58,10 @@ impl<F: Number> Weights<F> {
         let chord_back = chord * squared;
         let [arc, slope, ..] = long_polynomials::<F::Four>(F::ARC, chord).to_array();
         let v = chord_back * (arc * arc);
-        // Beyond |τ| = 2 the textbook form answers: v may leave (π/2)², where the polynomials
-        // end. For ends closer together than half a turn v stays small for longer, but an error of
-        // their norms would count |τ| times. The comparison stands here because nothing waits for
-        // it.
+        // Beyond |τ| = 2 the textbook form is used, because v may exceed (π/2)², up to which the
+        // polynomials are accurate. For ends closer than half a turn v stays smaller, but an error
+        // of their norms would be multiplied by |τ|. The comparison is here because no other
+        // instruction waits for it.
         if !squared.le(one) {
             return None;
         }
@@ -78,9 +81,9 @@ impl<F: Number> Weights<F> {
     }
 }
 
-/// Evaluates two polynomials with a row of coefficients for each power of x⁴. Fewer steps wait
-/// for each other than in Horner's scheme, but there are more steps, which pays for polynomials
-/// with many terms.
+/// Evaluates two polynomials with a row of coefficients for each power of x⁴. Fewer steps have to
+/// wait for each other than in Horner's scheme, but the number of steps is larger. This is faster
+/// for polynomials with many terms.
 #[inline(always)]
 fn long_polynomials<V: Four>([a, b]: [&[[V::Number; 4]]; 2], x: V::Number) -> V {
     let square = x * x;
@@ -104,9 +107,11 @@ fn horner<V: Four>(rows: &[[V::Number; 4]], x: V) -> V {
 /// The coefficients of `batch/even_coefficients.rs`, arranged so that the lanes of one register
 /// evaluate several polynomials.
 pub trait Even: Sized + 'static {
-    /// arcsin(√c/2)/(√c/2) and its derivative, four powers per row.
+    /// The coefficients of arcsin(√c/2)/(√c/2) and of its derivative by c, those of four powers
+    /// in each row.
     const ARC: [&'static [[Self; 4]]; 2];
-    /// cos √v, sin(√v)/√v and the derivative of the latter.
+    /// The coefficients of cos √v, of sin(√v)/√v and of the derivative of sin(√v)/√v by
+    /// v, those of one power in each row.
     const WAVES: &'static [[Self; 4]];
 }
 
@@ -124,7 +129,8 @@ macro_rules! even {
                 }
                 slope
             }
-            /// `first` and `second`, and the derivative of the latter.
+            /// Returns rows with the coefficients of `first`, of `second` and of the derivative of
+            /// `second`.
             const fn beside<const N: usize>(
                 first: [$real; N],
                 second: [$real; N],
@@ -138,7 +144,8 @@ macro_rules! even {
                 rows
             }
             const QUARTER: usize = coefficients::$arc.len().div_ceil(4);
-            /// Arranges coefficients in rows of four powers, with zeros after the last.
+            /// Arranges coefficients in rows of four powers each, with zeros after the last
+            /// coefficient.
             const fn by_fours<const N: usize>(of: [$real; N]) -> [[$real; 4]; QUARTER] {
                 let mut rows = [[0.0; 4]; QUARTER];
                 let mut power = 0;

@@ -1,18 +1,19 @@
 //! Quicker forms of operations of the scalar reference, for `f32` and `f64`.
 //!
 //! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most
-//! callers hold floats and want speed, so the reference first asks for the operations below:
-//! `R::quick(quick::Product(a, b))`. Only `f32` and `f64` answer. A type that wraps a float takes
-//! the path of the reference, and the tests compare the two.
+//! callers hold floats and want speed, so the reference first asks for a quicker form:
+//! `R::quick(quick::Product(a, b))`. Only `f32` and `f64` have such forms. For other types, also
+//! for those that only wrap a float, the reference computes its own formula, so the tests can
+//! compare the two.
 //!
 //! - `quad`: one quaternion in the four lanes of a register, or of two.
 //! - `between`: interpolation on a screw, in such registers.
-//! - `one_lane`: operations of [`batch`](crate::batch) with one lane, for operations without a
-//!   better form.
+//! - `one_lane`: calls of [`batch`](crate::batch) with one lane, for operations without a better
+//!   form.
 //!
-//! Nothing is fused, and no form depends on the target: the bits are the same on all of them. So
-//! products and sums are written as such, because `mul_add` of these registers fuses where the
-//! target does.
+//! No multiplication is fused with an addition, so the results have the same bits on all targets.
+//! Products and sums are therefore written with `*` and `+`: `mul_add` of these registers would
+//! fuse on targets that can.
 
 #[cfg(not(dq8_record))]
 mod between;
@@ -25,11 +26,11 @@ use crate::geometry::DualVector;
 use core::ops::BitXor;
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
 
-/// An operation that `f32` and `f64` compute in another way than the textbook form.
+/// An operation that is computed for `f32` and `f64` in a quicker way than by the textbook formula.
 pub trait Quick<R> {
-    /// The answer.
+    /// The type of the result.
     type Output;
-    /// Computes the result, or returns `None` for input that is left to the textbook form.
+    /// Computes the result, or returns `None` for input that needs the textbook formula.
     fn compute(self) -> Option<Self::Output>
     where
         R: Number;
@@ -75,20 +76,20 @@ operations! {
     Limb(root: [R; 3], lengths: [R; 2], target: [R; 3], pole: [R; 3]) -> ([[R; 4]; 2], [R; 2]) = one_lane::limb;
 }
 
-/// `f32` or `f64`, which is a vector of one lane too.
+/// `f32` or `f64`. Each is also a vector of one lane.
 pub trait Number:
     Float + between::Even + Lanes<Real = Self, Level = Portable, Mask = bool>
 {
-    /// The lanes that hold a quaternion.
+    /// The register of four lanes that holds a quaternion.
     type Four: Four<Number = Self>;
-    /// Returns the largest power of two that is not greater than this positive normal number.
+    /// Returns the largest power of two that does not exceed `self`, a positive normal number.
     fn power_of_two(self) -> Self;
-    /// Returns `true` if this lies between two positive numbers. It takes one comparison of
+    /// Returns `true` if `self` lies between two positive numbers. It takes one comparison of
     /// integers.
     fn is_between(self, least: Self, most: Self) -> bool;
 }
 
-/// The implementations differ in the number of bits of the exponent.
+/// Implements [`Number`] for `f32` and `f64`, which differ in the bits of the exponent.
 macro_rules! numbers {
     ($($real:ident $four:ident $exponent:literal;)*) => {$(
         impl Number for $real {
@@ -113,11 +114,11 @@ numbers! {
     f64 f64x4 0x7ff0_0000_0000_0000;
 }
 
-/// Four lanes.
+/// A register of four lanes.
 pub trait Four:
     Lanes<Real = <Self as Four>::Number, Level = Portable, Array = [<Self as Four>::Number; 4]>
     + BitXor<Output = Self>
 {
-    /// The type of a lane.
+    /// The type of the value in a lane.
     type Number: Number<Four = Self>;
 }

@@ -1,4 +1,4 @@
-//! Operations of [`batch`] at one lane. For screw motions they are faster than the scalar
+//! Operations that call [`batch`] with one lane. For screw motions they are faster than the scalar
 //! reference, because they call no library for a sine or an arccosine, and need no special case
 //! near a singularity (see `batch/even.rs`).
 
@@ -8,19 +8,19 @@ use crate::batch::vector::splat;
 use crate::geometry::DualVector;
 use dq8_simd::{Float, Lanes, Portable, Unfused};
 
-/// (θ̂/2)(l + εm)
+/// Returns the logarithm of a unit motion, (θ̂/2)(l + εm).
 #[inline]
 pub(super) fn log<F: Number>(motion: [F; 8]) -> Option<DualVector<F>> {
     Some(batch::DualQuat::<F>::from_array(motion).log())
 }
 
-/// cos ĥ + sin ĥ (l + εm)
+/// Returns the exponential of a dual vector ĥ(l + εm), which is cos ĥ + sin ĥ (l + εm).
 #[inline]
 pub(super) fn exp<F: Number>(log: DualVector<F>) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::exp(log).to_array())
 }
 
-/// σᵗ, if t² is finite.
+/// Returns σᵗ of a unit motion σ, or `None` if t² is not finite.
 #[inline]
 pub(super) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
     if !(t * t).lt(F::from_f64(f64::INFINITY)) {
@@ -29,7 +29,7 @@ pub(super) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).pow(t).to_array())
 }
 
-/// σ^½ of the canonical one of ±σ
+/// Returns the square root of the canonical one of σ and −σ.
 #[inline]
 pub(super) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).sqrt().to_array())
@@ -53,8 +53,8 @@ pub(super) fn limb<F: Number>(
     Some((turns, [first(limb.bend), first(limb.beyond)]))
 }
 
-/// Vectors of which only the first lane is read. For a formula with many cases, computing all cases
-/// on lanes is quicker than branches.
+/// Vectors of which only the first lane is used. A formula with many cases is quicker on lanes,
+/// which compute all cases and select, than with branches.
 type Together<F> = <F as Float>::Lanes<Unfused<Portable>>;
 
 #[inline(always)]
@@ -62,8 +62,8 @@ fn first<L: Lanes>(lanes: L) -> L::Real {
     lanes.to_array().as_ref().first().copied().unwrap_or_default()
 }
 
-/// Normalizes a dual quaternion of any length exactly, or returns NaN in all components. This
-/// function is not inlined, because such lengths are rare.
+/// Normalizes a dual quaternion of any length exactly. Returns NaN in all components if it cannot
+/// be normalized. This function is not inlined, because only rare lengths need it.
 #[cold]
 #[inline(never)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> [F; 8] {
@@ -76,7 +76,8 @@ pub(super) fn unit<F: Number>(motion: [F; 8]) -> [F; 8] {
     if finite { unit.to_array() } else { [F::from_f64(f64::NAN); 8] }
 }
 
-/// Returns σ⁻¹ of a dual quaternion of any length, or NaN in all components.
+/// Returns the inverse of a dual quaternion of any length, or NaN in all components if there is
+/// none.
 #[cold]
 #[inline(never)]
 pub(super) fn inverse<F: Number>(motion: [F; 8]) -> [F; 8] {

@@ -3,7 +3,7 @@
 use super::{Four, Number, one_lane};
 use dq8_simd::{Lanes, Mask, Portable};
 
-/// p₁p₂ + ε(p₁q₂ + q₁p₂)
+/// Returns the product of two dual quaternions, p₁p₂ + ε(p₁q₂ + q₁p₂).
 #[inline(always)]
 pub(super) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
     let ([p, q], [r, s]) = (halves(a), halves(b));
@@ -11,30 +11,32 @@ pub(super) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
     Some(join(sum_of_products(p, r), sum_of_products(p, s) + sum_of_products(q, r)))
 }
 
-/// Returns the quaternion product pq, rounded like each part of [`product`], so that laws that hold
-/// between both products hold bit by bit.
+/// Returns the quaternion product pq. It is rounded as each product within [`product`] is, so that
+/// laws that connect the two functions hold bit by bit.
 #[inline(always)]
 pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 4]> {
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
     Some(sum_of_products(each(a), turned(b)).to_array())
 }
 
-/// v + 2(w_p s + p × s − w_q p) with s = q + p × v, the translation with s in the place of q:
-/// the rotation is v + 2(w_p(p × v) + p × (p × v)).
+/// Returns the moved point v + 2(w_p s + p × s − w_q p) with s = q + p × v. It is the rotated
+/// point v + 2(w_p(p × v) + p × (p × v)) plus the translation, so s takes the place of q in the
+/// formula of the translation.
 #[inline(always)]
 pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> {
     let [p, q] = halves(motion);
     let v = load_three(point);
     let (s, twice) = (q + cross(p, v), p + p);
-    // The cross product is ready last, so it is added last.
+    // The cross product is finished later than the other terms, so it is added last.
     let [x, y, z, _] = (along(twice, s, q) + v + cross(twice, s)).to_array();
     Some([x, y, z])
 }
 
-/// v + 2p × (p × v + wv)
+/// Returns the rotated vector v + 2p × (p × v + wv).
 #[inline(always)]
 pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
-    // In `f64`, two registers take longer than three scalars, because one lane in four is idle.
+    // In `f64`, a vector takes two registers, and one lane in four is idle: that is slower than
+    // three scalars.
     if !F::SINGLE {
         return None;
     }
@@ -53,8 +55,9 @@ pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
     Some([x, y, z])
 }
 
-/// The rows of [R | t]: 1 − 2(y² + z²) and so on in one register, 2(xy − wz), 2(yz − wx),
-/// 2(zx − wy) in another and their partners in a third.
+/// Returns the rows of [R | t]. One register holds the diagonal of R, 1 − 2(y² + z²) and so on.
+/// A second holds 2(xy − wz), 2(yz − wx), 2(zx − wy), and a third holds the elements across
+/// the diagonal from these.
 #[inline(always)]
 pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
     let [p, q] = halves(motion);
@@ -70,19 +73,20 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
     Some([[xx, xy, xz, x], [yx, yy, yz, y], [zx, zy, zz, z]])
 }
 
-/// Exact normalization.
+/// Normalizes a dual quaternion exactly: |p| = 1, and q is orthogonal to p.
 #[inline(always)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let [p, q] = halves(motion);
-    // A spilled copy (docs/measured.md): the answer of the common path stays in registers.
+    // The components are copied (*A spilled copy*, docs/measured.md), so that the result of the
+    // common path stays in registers.
     Some(unit_of(p, q).unwrap_or_else(|| {
         let [px, py, pz, pw, qx, qy, qz, qw] = unit_of_stretched(join(p, q));
         [px, py, pz, pw, qx, qy, qz, qw]
     }))
 }
 
-/// Normalizes σ after scaling it by a power of two. The scaling is exact, so the result is that of
-/// σ.
+/// Normalizes σ after scaling it by a power of two. The scaling is exact, so the result is the
+/// same as without it.
 #[cold]
 #[inline(never)]
 fn unit_of_stretched<F: Number>(motion: [F; 8]) -> [F; 8] {
@@ -95,7 +99,8 @@ fn unit_of_stretched<F: Number>(motion: [F; 8]) -> [F; 8] {
     unit_of(p, q).unwrap_or_else(|| one_lane::unit(motion))
 }
 
-/// q / |q|, unless |q| is so large or so small that its square might overflow or vanish.
+/// Returns q / |q|, or `None` if |q| is so large or so small that its square might overflow or
+/// vanish.
 #[inline(always)]
 pub(super) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
     let q: F::Four = load(quaternion);
@@ -104,19 +109,20 @@ pub(super) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
     moderate.then(|| (q * load([squared.constant(1.0) / Lanes::sqrt(squared); 4])).to_array())
 }
 
-/// (1−t)a ± tb, by the shorter way
+/// Returns (1−t)a ± tb, with the sign for which the way from a to ±b is the shorter one.
 #[inline(always)]
 pub(super) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let ([p, q], [r, s]) = (halves(a), halves(b));
     let turn = turn_toward(p, r);
     let t: F::Four = load([t; 4]);
     let rest = t.constant(1.0) - t;
-    // The signs are ready last, so the products are computed before they are applied.
+    // The signs are known later than the products, so they are applied to the products.
     let (r, s) = ((r * t) ^ turn, (s * t) ^ turn);
     Some(join(p * rest + r, q * rest + s))
 }
 
-/// p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, for p*qp* = 2(p·q)p* − |p|²q*; as [`unit`].
+/// Returns the inverse, p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, which follows from p*qp* =
+/// 2(p·q)p* − |p|²q*.
 #[inline(always)]
 pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let [p, q] = halves(motion);
@@ -128,7 +134,8 @@ pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some([-px, -py, -pz, pw, -qx, -qy, -qz, qw])
 }
 
-/// p/|p| + ε(q − (p·q)p/|p|²)/|p|, with |p|·(1/|p|²) for 1/|p|.
+/// Returns p/|p| + ε(q − (p·q)p/|p|²)/|p|, or `None` if squares or quotients might overflow or
+/// vanish.
 #[inline(always)]
 fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     let [squared, along] = moderate(p, q)?;
@@ -140,8 +147,8 @@ fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     Some(join(p * over_norm, (q - p * (along * over_squared)) * over_norm))
 }
 
-/// Returns −0 in all lanes if a·b is negative, and +0 otherwise. Its exclusive or with `b` turns
-/// `b` toward `a`.
+/// Returns −0 in all lanes if a·b is negative, and +0 otherwise. The exclusive or of this mask
+/// and `b` is ±`b`, with the sign nearer to `a`.
 #[inline(always)]
 pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
     let pairs = a * b;
@@ -152,25 +159,26 @@ pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
     V::select(dot.lt(dot.constant(0.0)), dot.constant(-0.0), dot.constant(0.0))
 }
 
-/// |p|² and p·q in all lanes, unless squares or quotients might overflow or vanish.
+/// Returns |p|² and p·q, each in all lanes, or `None` if squares or quotients might overflow or
+/// vanish.
 #[inline(always)]
 fn moderate<V: Four>(p: V, q: V) -> Option<[V; 2]> {
     let sums = dots(p, p, q);
     let [squared, ..] = sums.to_array();
-    // p·q is rounded to a multiple of the smallest subnormal number. Of a |p| of a half
-    // or more that changes q by a few such steps; of a smaller one by many.
+    // p·q is rounded to a multiple of the smallest subnormal number. If |p| is at least a half,
+    // this changes q by a few such steps; if |p| is smaller, by many.
     let fits = squared.is_between(squared.constant(0.25), squared.constant(1e6))
         && q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
     fits.then(|| [pick(sums, [0; 4]), pick(sums, [1; 4])])
 }
 
-/// [a·b, a·c, a·b, a·c]
+/// Returns [a·b, a·c, a·b, a·c].
 #[inline(always)]
 pub(super) fn dots<V: Four>(a: V, b: V, c: V) -> V {
     sums(a * b, a * c)
 }
 
-/// [Σa, Σb, Σa, Σb]
+/// Returns the sums of the components, [Σa, Σb, Σa, Σb].
 #[inline(always)]
 pub(super) fn sums<V: Four>(a: V, b: V) -> V {
     let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a.to_array(), b.to_array());
@@ -184,19 +192,20 @@ pub(super) fn sum<V: Four>(numbers: V) -> V::Number {
     even + odd
 }
 
-/// 2(w_p q − w_q p + p × q); the last lane is unused.
+/// Returns the translation 2(w_p q − w_q p + p × q), where `twice` is 2p. The last lane is
+/// unused.
 #[inline(always)]
 fn translation_of<V: Four>(twice: V, q: V) -> V {
     along(twice, q, q) + cross(twice, q)
 }
 
-/// 2(w_p v − w_q p); the last lane is unused.
+/// Returns 2(w_p v − w_q p), where `twice` is 2p. The last lane is unused.
 #[inline(always)]
 fn along<V: Four>(twice: V, v: V, q: V) -> V {
     pick(twice, [3; 4]) * v - pick(q, [3; 4]) * twice
 }
 
-/// a × b; the last lane is unused.
+/// Returns a × b. The last lane is unused.
 #[inline(always)]
 fn cross<V: Four>(a: V, b: V) -> V {
     let turned = a * pick(b, [1, 2, 0, 3]) - pick(a, [1, 2, 0, 3]) * b;
@@ -221,8 +230,8 @@ fn turned<V: Four>(b: V) -> [V; 4] {
     ]
 }
 
-/// a_x ib + a_y jb + a_z kb + a_w b, added in the same pairs as in the reference, so both give the
-/// same bits.
+/// Returns a_x ib + a_y jb + a_z kb + a_w b. The terms are added in the same pairs as in the scalar
+/// reference, so both give the same bits.
 #[inline(always)]
 fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
     let ([x, y, z, w], [i, j, k, one]) = (a, b);
@@ -246,9 +255,9 @@ pub(super) fn load<V: Four>(numbers: [V::Number; 4]) -> V {
     V::load(Portable, &numbers)
 }
 
-/// Loads three components and a zero. The array is copied first, because the compiler then keeps it
-/// in a register. From three separate components it would build each order of [`pick`] anew, with
-/// twice as many shuffles.
+/// Loads three components and a zero. The array is copied first, so that the compiler keeps all
+/// lanes in one register. Otherwise it would build each order that [`pick`] makes from three
+/// separate components, with twice as many shuffles.
 #[inline(always)]
 fn load_three<V: Four>(numbers: [V::Number; 3]) -> V {
     let mut four = [V::Number::default(); 4];

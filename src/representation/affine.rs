@@ -13,18 +13,19 @@ crate::macros::pod! {
     /// For any σ = p + εq, unit or not, σ(1 + εv)σ⋄ = pp* + ε(pvp* + qp* − pq*). The real
     /// part is the number |p|², and the only term with v is pvp*, a rotation times |p|². Divided
     /// by |p|² to be a point again, with the real part 1, it is a rotation and a translation. So
-    /// *every* σ with p ≠ 0 keeps distances and handedness. If only the dual part is read and
-    /// not divided by |p|², the map scales uniformly, by the factor of Arends ch. 5 §6.1. But an
-    /// expression with a real part other than 1 is not a point. No other single product avb of
-    /// quaternions helps: its norm is the product of the norms, so it lengthens all vectors alike,
-    /// and neither scales directions differently nor shears. A reflection is such a product with
-    /// another sign, nvn ([`reflection`](Self::reflection)).
+    /// *every* σ with p ≠ 0 keeps distances and handedness. If the dual part alone is taken as
+    /// the point, without the division by |p|², the map scales uniformly, by the factor of Arends
+    /// ch. 5 §6.1. But a dual quaternion with a real part other than 1 is not a point. No other
+    /// single product avb of quaternions helps: its norm is the product of the norms, so it
+    /// lengthens all vectors alike, and neither scales directions differently nor shears. A
+    /// reflection is the product nvn, which also keeps lengths ([`reflection`](Self::reflection)).
     ///
     /// *Sums* of products can do all of this, because every linear map of the quaternions is a sum
     /// of products avb. Arends' own eq. 8, ½(v ∓ eve⁻¹) for the parts of v orthogonal to e
-    /// and along e, scales along e if the second part gets a factor, and v + (a/2)(v + jvj⁻¹)k
-    /// shears, although his ch. 5 §6.1 and §6.3 say that quaternions cannot. But a sum is no
-    /// longer a product of motions: composing such sums is no simpler than multiplying matrices.
+    /// and along e, scales along e if its second part is multiplied by a factor, and v + (a/2)(v +
+    /// jvj⁻¹)k shears, although his ch. 5 §6.1 and §6.3 say that quaternions cannot. But a sum
+    /// is no longer a product of motions: composing such sums is no simpler than multiplying
+    /// matrices.
     ///
     /// So scale is stored beside the motion: [`try_decompose`](Self::try_decompose) splits a map
     /// into a motion and a stretch.
@@ -65,7 +66,7 @@ impl<R: Real> Affine<R> {
         translation: [R::ZERO; 3],
     };
 
-    /// Returns the map of a rigid motion. σ must be unit.
+    /// Returns the map of a rigid motion σ = `motion`, which must be unit.
     #[must_use]
     pub fn from_motion(motion: DualQuat<R>) -> Self {
         Self { linear: motion.rotation().to_matrix3(), translation: motion.translation() }

@@ -1,5 +1,5 @@
 //! Rotations from an axis and an angle (Kenwright §3.4), rotations about the coordinate axes, and
-//! rotations and poses that are given by directions.
+//! rotations and poses made from directions.
 
 use super::OrthonormalError;
 use super::polar::gram_schmidt;
@@ -28,15 +28,15 @@ impl<R: Real> Quat<R> {
         let short = if self.points_back() { -self } else { self };
         let sine = vector::norm(short.xyz());
         if sine == R::ZERO {
-            // The angle is zero if there is no turn, and NaN if w is NaN.
+            // The quaternion has no vector part, so the angle is zero, or NaN if w is NaN.
             return ([R::ONE, R::ZERO, R::ZERO], R::ZERO * short.w());
         }
         (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
     }
 
     /// Returns the turn by |v| radians about the direction of v, which is the exponential of v/2.
-    /// The vector v may have any length; the result for a large angle is as inexact as the rounding
-    /// of the angle makes it.
+    /// The vector v may have any length; for a large angle, the rounding error of the angle limits
+    /// the accuracy.
     ///
     /// ```
     /// use dq8::Quat;
@@ -45,7 +45,7 @@ impl<R: Real> Quat<R> {
     #[doc(alias("from_rotvec", "rotvec", "rotation_vector", "exp3"))]
     pub fn from_scaled_axis(v: [R; 3]) -> Self {
         // For so small an angle, cos(θ/2) = 1 and sin(θ/2)/θ = ½ to the last place. These
-        // constants also keep the derivatives of dual numbers finite.
+        // constants also keep derivatives finite if R is a dual number.
         if vector::dot(v, v) < R::EPSILON {
             return Self::from_parts(vector::scale(v, R::HALF), R::ONE);
         }
@@ -54,8 +54,9 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(v, half.sin() / angle), half.cos())
     }
 
-    /// Returns the axis of a unit quaternion times its angle, a vector with a length in [0, π].
-    /// Axis and angle are those of [`to_axis_angle`](Self::to_axis_angle). The identity gives zero.
+    /// Returns the axis of a unit quaternion times its angle, a vector with a length in [0, π]
+    /// (radians). Axis and angle are those of [`to_axis_angle`](Self::to_axis_angle). The identity
+    /// gives zero.
     ///
     /// ```
     /// use dq8::Quat;
@@ -70,7 +71,7 @@ impl<R: Real> Quat<R> {
         let short = if self.points_back() { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());
         // For so small an angle, θ/sin(θ/2) = 2/cos(θ/2) to the last place. This form also keeps
-        // the derivatives of dual numbers finite.
+        // derivatives finite if R is a dual number.
         let scale = if squared < R::EPSILON {
             R::TWO / short.w()
         } else {
@@ -105,12 +106,12 @@ impl<R: Real> Quat<R> {
 
     /// Returns the smallest turn that takes the direction of `from` to the direction of `to`, two
     /// vectors of any length. For unit vectors a and b, with n along a × b, it is |a + b|/2 + n |b
-    /// − a|/2 (after Kahan 2006). Opposite directions have many such turns; the turn here is
-    /// about an axis orthogonal to `from`, next to the coordinate axis that is farthest from
-    /// `from`. The result is NaN for a zero vector.
+    /// − a|/2 (after Kahan 2006). Between opposite directions there are many such turns. The turn
+    /// returned is about the axis orthogonal to `from` that is nearest to the coordinate axis
+    /// farthest from `from`. The result is NaN for a zero vector.
     ///
-    /// The sum and the difference are accurate for the smallest angles and near half a turn, where
-    /// a·b has lost digits.
+    /// The lengths |a + b| and |b − a| are accurate for the smallest angles and near half a turn,
+    /// where the scalar product a·b would have lost digits.
     ///
     /// ```
     /// use dq8::Quat;
@@ -126,8 +127,9 @@ impl<R: Real> Quat<R> {
         let length = vector::norm(across);
         let (cosine, sine) = (vector::norm(sum), vector::norm(difference));
         let axis = if length == R::ZERO {
-            // The directions are opposite or equal. Any axis across turns a direction into its
-            // opposite, and for equal directions the sine is zero, so the axis has no effect.
+            // The directions are opposite or equal. A turn about any axis orthogonal to a direction
+            // takes it to its opposite. For equal directions the sine is zero, so the axis has no
+            // effect.
             vector::any_across(a)
         } else {
             vector::direction(across, length)
@@ -163,9 +165,9 @@ impl<R: Real> Quat<R> {
         Ok(Self::from_matrix3(columns.map(|[z, y, side]| [-side, y, z])))
     }
 
-    /// Changes signs in a sequence of quaternions: q becomes −q where −q is nearer to the
-    /// quaternion before it. Both are the same rotation, but sums, differences and plots depend on
-    /// the sign. The first quaternion keeps its sign.
+    /// Changes signs in a sequence of quaternions: q becomes −q where −q is nearer than q to
+    /// the previous quaternion. q and −q are the same rotation, but sums, differences and plots
+    /// depend on the sign. The first quaternion keeps its sign.
     ///
     /// ```
     /// use dq8::Quat;
@@ -185,8 +187,8 @@ impl<R: Real> DualQuat<R> {
     /// a camera that looks along z.
     ///
     /// # Errors
-    /// If `target` equals `eye`, `up` is zero or along the way from `eye` to `target`, or a
-    /// coordinate is not finite.
+    /// If `target` equals `eye`, `up` is zero or parallel to the direction from `eye` to `target`,
+    /// or a coordinate is not finite.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -200,8 +202,8 @@ impl<R: Real> DualQuat<R> {
         Ok(Self::from_rotation_translation(rotation, eye))
     }
 
-    /// Changes signs like [`Quat::make_continuous`]: σ becomes −σ where its real part is then
-    /// nearer to that of the motion before it.
+    /// Changes signs like [`Quat::make_continuous`]: σ becomes −σ where −p is nearer than p
+    /// to the real part of the previous motion.
     pub fn make_continuous(samples: &mut [Self]) {
         make_continuous(samples, |a, b| a.real().dot(b.real()));
     }

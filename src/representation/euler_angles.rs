@@ -6,8 +6,8 @@ use crate::scalar::{Quat, vector};
 /// Three turns about coordinate axes, one after the other (Kenwright §3.3; Arends ch. 2 §2).
 ///
 /// Euler angles suit the input and the display of rotations; computations should use the
-/// quaternion. The order of the three turns matters, the angles cannot be interpolated by the
-/// shortest way, and where the first and the last axis coincide a degree of freedom is lost
+/// quaternion. The order of the three turns matters, interpolating the angles does not take the
+/// shortest way, and where the first and the last axis coincide, a degree of freedom is lost
 /// ([`EulerSolution`]).
 ///
 /// ```
@@ -24,22 +24,23 @@ pub struct EulerAngles<R> {
     /// The three angles in radians, the angle of the first turn first. The axes of the turns are in
     /// `order`.
     pub angles: [R; 3],
-    /// The axes of the turns, and the choice of axes that move with the body or stay fixed.
+    /// The axes of the turns, and whether they move with the body or stay fixed.
     pub order: EulerOrder,
 }
 
-/// The Euler angles of a rotation, and a flag that says if other angles give the same rotation.
+/// The Euler angles of a rotation, and a flag that is `true` in gimbal lock, where other angles
+/// give the same rotation.
 ///
 /// If the first and the last axis coincide (the middle angle is ±π/2 with three different axes,
-/// or 0 or π with a proper order), only the sum or the difference of the outer angles is
-/// determined. This is *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products
-/// for θ = π/2 and θ = 0). For a rotation within rounding of gimbal lock, the middle angle
-/// returned is exactly the value above, **the last angle is zero**, the first angle is the whole
-/// sum or difference, and `gimbal_lock` is set.
+/// or 0 or π with a proper order), only the sum or the difference of the first and the last angle
+/// is determined. This is *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the
+/// products for θ = π/2 and θ = 0). For a rotation that is within rounding errors of gimbal
+/// lock, the returned middle angle is exactly ±π/2, 0 or π, **the last angle is zero**, the
+/// first angle is the whole sum or difference, and `gimbal_lock` is set.
 ///
 /// Near gimbal lock the angles are still those of the rotation, but they are sensitive: an error δ
-/// of the rotation changes the outer angles by δ over the sine of the angle between the two axes.
-/// Their sum or difference changes by δ only.
+/// of the rotation changes the first and the last angle by δ divided by the sine of the angle
+/// between their axes. The sum or the difference of both changes by δ only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerSolution<R> {
     /// The angles, in the order that the caller asked for.
@@ -51,7 +52,7 @@ pub struct EulerSolution<R> {
 
 impl<R: Real> EulerAngles<R> {
     /// Returns the unit quaternion of the three turns in the given order. Angles of any size are
-    /// allowed. The frame of the order says if the axes move with the body or stay fixed.
+    /// allowed. `order.frame` tells whether the axes move with the body or stay fixed.
     pub fn to_quat(self) -> Quat<R> {
         let mut turns = [Quat::IDENTITY; 3];
         for (turn, (axis, angle)) in
@@ -102,8 +103,8 @@ impl<R: Real> Quat<R> {
 
     /// Returns the Euler angles of this unit quaternion; −q has the same angles to the last bit.
     /// The middle angle is in [−π/2, π/2] if the three axes differ, and in [0, π] if the last
-    /// axis is the first one again. The outer angles are in [−π, π]. The angles are NaN if a
-    /// component is NaN.
+    /// axis is the same as the first. The first and the last angle are in [−π, π]. The angles
+    /// are NaN if a component is NaN.
     ///
     /// They are computed from the quaternion without a matrix (Bernardes & Viollet 2022). With
     /// extrinsic turns by α about i, β about j and γ about i, and k = ±i × j,
@@ -113,9 +114,9 @@ impl<R: Real> Quat<R> {
     /// c + d√−1 = x_j ± x_k√−1 = sin(β/2) exp(√−1 (γ − α)/2)
     /// ```
     ///
-    /// If the three axes differ, a quarter of a turn about j first reduces this case to the same
-    /// formulas. The outer angles are then the arguments of products of the two complex numbers,
-    /// and β is an arctangent of their lengths, so the result is as accurate near gimbal lock as
+    /// If the three axes differ, a quarter of a turn about j first leads to the same formulas. The
+    /// first and the last angle are then the arguments of products of the two complex numbers, and
+    /// β is an arctangent of their lengths, so the result is as accurate near gimbal lock as
     /// elsewhere. The arcsine of a matrix element, which is widely used, keeps only half of the
     /// digits there.
     ///
@@ -146,19 +147,20 @@ impl<R: Real> Quat<R> {
         let x_k = handedness * x_k;
 
         // The two complex numbers are a + b√−1 and c + d√−1. Where one of them nearly
-        // vanishes, its parts are differences that are exact except for the rounding of q.
+        // vanishes, the differences in its real and its imaginary part are exact except for the
+        // rounding of q.
         let proper = order.axes.is_proper();
         let [a, b, c, d] =
             if proper { [w, x_i, x_j, x_k] } else { [w - x_j, x_i + x_k, w + x_j, x_k - x_i] };
         let (cosine, sine) = (vector::norm([a, b]), vector::norm([c, d]));
-        // A complex number that is shorter than `least` times the other one is a rounding error of
-        // q, so its argument has no meaning.
+        // A complex number that is shorter than `least` times the other complex number consists of
+        // rounding errors of q, so its argument has no meaning.
         let least = R::TWO * R::EPSILON;
         let (lowest, highest) = (sine <= least * cosine, cosine <= least * sine);
         let quarter = R::PI * R::HALF;
         let [low, high] = if proper { [R::ZERO, R::PI] } else { [-quarter, quarter] };
-        // Adding +0 makes a zero of either sign positive, because the sign of a zero may depend on
-        // the sign of q.
+        // Adding +0 turns −0 into +0. Otherwise the argument would depend on the sign of a zero,
+        // which may depend on the sign of q.
         let argument = |sine: R, cosine: R| (sine + R::ZERO).atan2(cosine);
         let [alpha, middle, gamma] = if lowest {
             let sum = argument(R::TWO * a * b, a * a - b * b);
@@ -170,8 +172,8 @@ impl<R: Real> Quat<R> {
             let middle = if proper {
                 R::TWO * sine.atan2(cosine)
             } else {
-                // This is 2 (atan(sine/cosine) − π/4), but without the difference, which would
-                // lose the digits of a small β.
+                // This is 2 (atan(sine/cosine) − π/4), computed without this difference, which
+                // would lose the digits of a small β.
                 let sum = sine + cosine;
                 R::TWO * (R::from(4.0) * (w * x_j - x_i * x_k)).atan2(sum * sum)
             };
@@ -187,7 +189,7 @@ impl<R: Real> Quat<R> {
 /// [`EulerOrder::ALL`].
 ///
 /// Kenwright (§3.3) speaks of twelve orders and prints eleven, three of them twice. There are six
-/// orders with three different axes (Tait–Bryan) and six whose last axis is the first one again
+/// orders with three different axes (Tait–Bryan) and six whose last axis is the same as the first
 /// (proper Euler angles). In each of the twelve orders the axes may move with the body or stay
 /// fixed.
 ///
@@ -201,11 +203,11 @@ impl<R: Real> Quat<R> {
 pub struct EulerOrder {
     /// The three axes, the axis of the first turn first.
     pub axes: EulerAxes,
-    /// The frame whose axes the turns are about.
+    /// The frame about whose axes the body turns.
     pub frame: EulerFrame,
 }
 
-/// The frame whose axes the turns are about.
+/// The frame about whose axes the body turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EulerFrame {
     /// The axes of the turning body: each turn moves the axes of the later turns, R = R₁R₂R₃.
@@ -214,7 +216,7 @@ pub enum EulerFrame {
     Extrinsic,
 }
 
-/// Defines the axes by their names and their indices.
+/// Defines [`EulerAxes`] from the names of its variants and the indices of their axes.
 macro_rules! axes {
     ($($name:ident [$($index:literal)*])*) => {
         /// The axes of three turns, the axis of the first turn first. Two successive axes are never
@@ -244,8 +246,8 @@ axes! {
 }
 
 impl EulerAxes {
-    /// Returns `true` if the last axis is the first one again. The middle angle is then in [0, π],
-    /// and otherwise in [−π/2, π/2].
+    /// Returns `true` if the last axis is the same as the first (proper Euler angles). The middle
+    /// angle is then in [0, π], otherwise in [−π/2, π/2].
     #[must_use]
     pub const fn is_proper(self) -> bool {
         let [first, _, last] = self.indices();

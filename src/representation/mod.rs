@@ -2,8 +2,8 @@
 //! and mirror.
 //!
 //! The unit quaternion connects all of them. Kenwright (§3) compares Euler angles, axis and angle,
-//! matrices, and quaternions with a translation. Each is one call away from [`Quat`] or
-//! [`DualQuat`], so any two are two calls apart:
+//! matrices, and quaternions with a translation. One call converts each of them to [`Quat`] or
+//! [`DualQuat`] or back, so two calls convert between any two of them:
 //!
 //! | representation | to a quaternion or motion | back |
 //! |---|---|---|
@@ -20,8 +20,8 @@
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
 //! The types of lanes in [`batch`](crate::batch) have the operations for axis and angle, coordinate
-//! axes, arcs and matrices under the same names. Where an operation here returns an error, the name
-//! of its form on lanes ends in `_checked`.
+//! axes, arcs and matrices under the same names. Where an operation here returns an error, the
+//! operation on lanes has a name that ends in `_checked`.
 
 mod affine;
 mod directions;
@@ -40,24 +40,25 @@ use crate::macros::errors;
 use crate::{DualQuat, Quat};
 
 errors! {
-    /// A 3×3 matrix that has no nearest rotation, or many.
+    /// The error of a 3×3 matrix that has no nearest rotation, or many.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     OrthonormalError {
-        /// An element of the matrix is not finite, or an element of the stretch overflows.
+        /// An element of the matrix is not finite, or an element of its stretch (see [`Polar`])
+        /// overflows.
         NotFinite {
             /// The row of the element.
             row: usize,
-            /// The column of the element; 3 is the translation.
+            /// The column of the element; column 3 is the translation.
             column: usize,
             /// The value of the element.
             value: f64,
         } => "not finite: the element in row {row} and column {column} is {value}";
-        /// A column lies in the span of the columns before it, or is zero.
+        /// A column is zero, or is a linear combination of the columns before it.
         Dependent {
             /// The index of the column.
             column: usize,
-            /// The sine of the angle between the column and the span.
+            /// The sine of the angle between the column and the span of the columns before it.
             sine: f64,
         } => "no rotation: column {column} lies in the span of those before it (the sine of the angle is {sine})";
         /// The matrix mirrors: its determinant is negative.

@@ -14,9 +14,9 @@ use crate::scalar::{Quat, vector};
 /// The process is cheap, but it treats the axes differently: the first axis keeps its direction and
 /// the other axes take the errors, so another order of axes gives another rotation.
 /// [`Polar`](crate::representation::Polar) gives the nearest rotation. The first column is
-/// projected out of the second column twice: if the two are nearly parallel, a single projection
-/// would leave an error of the right angle of a rounding error over the sine of the angle between
-/// them.
+/// projected out of the second column twice. If the two are nearly parallel, a single projection
+/// would leave them at a right angle only up to an error of the rounding unit divided by the sine
+/// of the angle between them.
 ///
 /// # Errors
 /// If an element is not finite, a column is within rounding of the span of the columns before it,
@@ -37,7 +37,8 @@ pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], Orthonorm
         if largest == R::ZERO {
             return Err(OrthonormalError::Dependent { column: index, sine: 0.0 });
         }
-        // The column is divided by its largest element first, because its length may overflow.
+        // The column is divided by its largest element before its length is computed, because the
+        // length may overflow.
         Ok(direction(column.map(|c| c / largest)))
     };
     let x = column(0)?;
@@ -112,10 +113,10 @@ impl<R: Real> Polar<R> {
     /// form of q. The nearest rotation is therefore the eigenvector for the largest eigenvalue of a
     /// symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). The four eigenvalues of −A are
     /// the negated eigenvalues of A. With the singular values σ₁ ≥ σ₂ ≥ σ₃ the largest
-    /// is σ₁ + σ₂ + σ₃ for the matrix of A and −A that does not mirror, and a smaller
-    /// one for the other matrix; this decides `mirrors`. Newton's iteration (Higham 1986) inverts A
-    /// in each step. This method inverts nothing, so it works for a flat A too (σ₃ = 0 within
-    /// rounding), which does not count as mirroring.
+    /// is σ₁ + σ₂ + σ₃ for whichever of A and −A does not mirror, and it is smaller for
+    /// the other matrix. This comparison decides `mirrors`. Newton's iteration (Higham 1986)
+    /// inverts A in each step. The method here inverts nothing, so it also works for a flat A
+    /// (σ₃ = 0 within rounding); `mirrors` is then `false`.
     ///
     /// # Errors
     /// If an element of A or of S is not finite (S overflows where singular values do), or if A
@@ -129,7 +130,8 @@ impl<R: Real> Polar<R> {
         let mirrors = -values[least] > values[most] * (R::ONE + rounding);
         let (best, sign) = if mirrors { (least, -R::ONE) } else { (most, R::ONE) };
         let (rotation, _) = rotation(values.map(|value| sign * value), vectors, best)?;
-        // Near the largest floats, intermediate sums may overflow although S does not.
+        // If elements are near the largest float, intermediate sums may overflow although S does
+        // not.
         let scale = if largest > R::from(1e30) { R::from(0.25) } else { R::ONE };
         let stretch = stretch(rotation, rows.map(|row| row.map(|c| c * scale)));
         let stretch = stretch.map(|row| row.map(|c| c / scale));
@@ -167,7 +169,8 @@ impl<R: Real> Spectrum<R> {
     /// the elements of A is largest. It is the rotation nearest to A, also if A mirrors: the
     /// smallest axis of A is then reversed (Horn 1987; Umeyama 1991), whereas [`Polar`] reverses
     /// all three. Also returns this sum, which is σ₁ + σ₂ ± σ₃ with the singular values
-    /// and a minus if A mirrors, and the gap σ₂ ± σ₃, which tells R from other rotations.
+    /// and a minus if A mirrors, and the gap σ₂ ± σ₃, which is the larger, the more clearly
+    /// R is the best rotation.
     ///
     /// # Errors
     /// If many rotations are equally good: A squeezes space into a line or a point within rounding,
@@ -195,7 +198,7 @@ impl<R: Real> Spectrum<R> {
     }
 }
 
-/// Returns the largest difference between two values of about 1 that may come from rounding alone.
+/// Returns the largest difference between two values of about 1 that is taken for rounding error.
 fn rounding<R: Real>() -> R {
     R::from(32.0) * R::EPSILON
 }
@@ -204,9 +207,9 @@ fn place_of_the_largest<R: Real>(values: [R; 4]) -> usize {
     (1..4).fold(0, |most, index| if values[index] > values[most] { index } else { most })
 }
 
-/// Returns the rotation whose quaternion is the eigenvector of the eigenvalue `values[best]`, the
-/// largest, if it is larger than all others. Also returns its gap: half of the difference to the
-/// next eigenvalue, divided by the largest.
+/// Returns the rotation whose quaternion is the eigenvector of `values[best]`, the largest
+/// eigenvalue, if it is clearly larger than all others. Also returns the gap: half of the
+/// difference between the largest and the next eigenvalue, divided by the largest.
 fn rotation<R: Real>(
     values: [R; 4],
     vectors: [[R; 4]; 4],
@@ -237,15 +240,15 @@ fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] 
 }
 
 /// Returns the symmetric part of RᵀA, with R = `rotation` and A = `rows`. The antisymmetric part
-/// is only rounding.
+/// consists of rounding errors only.
 fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
     let axes = rotation.to_matrix3();
     let product = |i: usize, j: usize| (0..3).fold(R::ZERO, |sum, k| sum + axes[k][i] * rows[k][j]);
     core::array::from_fn(|row| {
         core::array::from_fn(|column| {
             let (i, j) = (row.min(column), row.max(column));
-            // The mean of two elements is computed as the first plus half of the difference. Their
-            // sum may overflow, and half of a small element may become zero.
+            // The mean of two elements is computed as the first plus half of the difference,
+            // because their sum may overflow, and half of a small element may become zero.
             let above = product(i, j);
             above + (product(j, i) - above) * R::HALF
         })
@@ -253,7 +256,7 @@ fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
 }
 
 /// The largest number of sweeps over the matrix. No matrix in the tests takes more than six sweeps,
-/// because each sweep squares the elements off the diagonal.
+/// because each sweep about squares the elements off the diagonal, so they vanish quickly.
 const MAX_SWEEPS: usize = 10;
 
 /// Returns the eigenvalues of a symmetric 4×4 matrix with elements around 1, in no particular
@@ -279,8 +282,8 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
                 let tangent = if tau < R::ZERO { -tangent } else { tangent };
                 let cosine = R::ONE / (R::ONE + tangent * tangent).sqrt();
                 let turn = Turn { p, q, cosine, sine: tangent * cosine };
-                // The matrix is symmetric, so its rows are turned by a turn of the columns of its
-                // transpose.
+                // The turn acts on both sides of the matrix: on its columns, then on the columns of
+                // its transpose. The result is symmetric, so it need not be transposed back.
                 turn.columns_of(&mut matrix);
                 matrix = transpose(matrix);
                 turn.columns_of(&mut matrix);
@@ -294,7 +297,7 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
     (core::array::from_fn(|index| matrix[index][index]), vectors)
 }
 
-/// A turn in the plane of the coordinates `p` and `q`, one step of the Jacobi method.
+/// A turn in the plane of the coordinates `p` and `q`, which is one step of the Jacobi method.
 struct Turn<R> {
     p: usize,
     q: usize,

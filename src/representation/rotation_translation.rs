@@ -3,8 +3,8 @@ use crate::scalar::{Quat, vector};
 use core::ops::Mul;
 
 crate::macros::pod! {
-    /// A rotation r and a translation t side by side, v ↦ r v r* + t (Kenwright §3), the form
-    /// that files and physics engines hold. It has seven components, one less than a
+    /// A rotation r and a translation t side by side, v ↦ r v r* + t (Kenwright §3), the form of
+    /// poses in many files and physics engines. It has seven components, one less than a
     /// [`DualQuat`](crate::DualQuat), and describes the same motions.
     ///
     /// [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes slices of this
@@ -39,7 +39,7 @@ impl<R: Real> Default for RotationTranslation<R> {
 }
 
 impl<R: Real> RotationTranslation<R> {
-    /// The rotation 1 and the translation 0, which move nothing.
+    /// The identity: the rotation 1 and the translation 0.
     pub const IDENTITY: Self = Self { rotation: Quat::IDENTITY, translation: [R::ZERO; 3] };
 
     /// Makes a pose from `[x, y, z, w, tx, ty, tz]`.

@@ -8,8 +8,9 @@ use crate::scalar::{DualQuat, Quat, blend::dib, vector};
 impl<R: Real> Quat<R> {
     /// Returns the angles of roll about x, then pitch about y, then yaw about z, all about fixed
     /// axes, of this unit quaternion: the arguments of [`from_rpy`](Self::from_rpy). Pitch is in
-    /// [−π/2, π/2], roll and yaw are in [−π, π]. If pitch is at an end of its range, yaw is
-    /// 0 and roll has the whole turn; [`to_euler`](Self::to_euler) reports this case.
+    /// [−π/2, π/2], roll and yaw are in [−π, π]. If pitch is at an end of its range (gimbal
+    /// lock), yaw is 0 and roll has the whole turn about the common axis;
+    /// [`to_euler`](Self::to_euler) reports this case.
     ///
     /// ```
     /// use dq8::Quat;
@@ -162,11 +163,11 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Returns the intrinsic mean of unit motions, all with the same weight. Their signs do not
-    /// matter. The iteration [`dib`](Self::dib) runs until only rounding is left.
+    /// matter. The iteration [`dib`](Self::dib) runs until its steps are within rounding errors.
     ///
-    /// Returns `None` if there are no poses, if a component is not finite, and if the steps are not
-    /// within rounding after 64 iterations. Poses more than a quarter of a turn from their mean may
-    /// have several means; this returns one of them.
+    /// Returns `None` if there are no poses, if a component is not finite, or if the steps are
+    /// still larger than rounding errors after 64 iterations. Poses more than a quarter of a turn
+    /// from their mean may have several means; this returns one of them.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -185,9 +186,9 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// Computes the mean of motions with equal weights. The tolerance grows with the count n of the
-/// motions, because a sum of n logarithms is rounded n times and no step can become shorter than
-/// this rounding.
+/// Computes the mean of motions with equal weights. The tolerance grows with the number n of
+/// motions, because a sum of n logarithms has n rounding errors, and no step can become shorter
+/// than these.
 fn mean<R: Real>(poses: impl ExactSizeIterator<Item = DualQuat<R>> + Clone) -> Option<DualQuat<R>> {
     let roundings = i32::try_from(poses.len()).unwrap_or(i32::MAX).saturating_add(64);
     let influences = poses.map(|pose| (pose, R::ONE));
@@ -197,7 +198,7 @@ fn mean<R: Real>(poses: impl ExactSizeIterator<Item = DualQuat<R>> + Clone) -> O
 
 impl<R: Real> Twist<R> {
     /// Returns √(|ω|² + |v|²), the length of the vector of all six components. It adds radians
-    /// to lengths, so it depends on the unit of length. It serves as a simple test if anything
+    /// to lengths, so it depends on the unit of length. It serves as a simple test whether anything
     /// moves.
     ///
     /// ```
@@ -218,8 +219,8 @@ impl<R: Real> Twist<R> {
     }
 }
 
-/// Defines the orders with intrinsic axes, named by their axes, like `EulerRot` of glam and the
-/// capital letters of SciPy.
+/// Defines constants for the orders with intrinsic axes. Their names are the axes, as in `EulerRot`
+/// of glam and in the capital letters of SciPy.
 macro_rules! intrinsic {
     ($($name:ident)*) => {
         impl EulerOrder {
@@ -228,8 +229,8 @@ macro_rules! intrinsic {
                 pub const $name: Self = Self { axes: EulerAxes::$name, frame: EulerFrame::Intrinsic };
             )*
 
-            /// Returns the extrinsic order of the same axes, which stay fixed: `…Ex` in glam,
-            /// small letters in SciPy.
+            /// Returns the extrinsic order with the same axes, which then stay fixed. glam calls
+            /// such orders `…Ex`, and SciPy writes them in small letters.
             ///
             /// ```
             /// use dq8::{Quat, representation::EulerOrder};

@@ -1,4 +1,5 @@
-//! Linear blending, and the intrinsic mean of motions, which starts from it.
+//! Linear blending, and the iteration for the intrinsic mean of motions, which starts from a linear
+//! blend.
 
 use super::{DualQuat, Quat, vector};
 use crate::geometry::{DualVector, Mean};
@@ -7,8 +8,8 @@ use crate::quick;
 
 impl<R: Real> Quat<R> {
     /// Normalized linear interpolation from `self` (a) to ±`other` (b) by the shorter way:
-    /// (1−t)a ± tb, normalized (Shoemake 1985). `t` = 0 gives `self`, and 1 gives ±`other`. The
-    /// path is the arc of [`slerp`](Self::slerp); this is cheaper, but the speed is not constant.
+    /// (1−t)a ± tb, normalized (Shoemake 1985). `t` = 0 gives `self`, and 1 gives ±`other`. It
+    /// takes the same path as [`slerp`](Self::slerp) and is cheaper, but its speed is not constant.
     /// The result is NaN if the sum is zero.
     #[inline]
     #[doc(alias("lerp"))]
@@ -44,18 +45,20 @@ impl<R: Real> DualQuat<R> {
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
     }
 
-    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, with each sign turned
-    /// toward the first motion (Kavan et al. 2008, "DLB"). It is cheaper than the intrinsic mean
-    /// [`dib`](Self::dib). For two motions, the rotation of the blend differs from the rotation of
-    /// the mean by at most 8.15°.
+    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, with the sign for which
+    /// ±σᵢ is nearer to the first motion (Kavan et al. 2008, "DLB"). It is cheaper than the
+    /// intrinsic mean [`dib`](Self::dib). For two motions, the rotation of the blend differs from
+    /// that of the intrinsic mean by at most 8.15°.
     ///
     /// The weights need not sum to one, because the sum is normalized: multiplying all weights by
-    /// one factor, not zero, gives the same motion. A negative weight moves the blend away from its
-    /// motion. Where the weights sum to zero, the result is of no use and often NaN. If weights are
-    /// so small that their products with components are subnormal, the result loses digits.
+    /// the same factor (not zero) gives the same motion. A negative weight moves the blend away
+    /// from the motion that has this weight. Where the weights sum to zero, the result is of no use
+    /// and often NaN. If weights are so small that their products with components are subnormal,
+    /// the result loses digits.
     ///
-    /// Returns `None` without influences. Every component is NaN if the sum cannot be normalized,
-    /// because its real part is zero (as when the weights cancel) or a component is not finite.
+    /// Returns `None` if there are no influences. Every component is NaN if the sum cannot be
+    /// normalized, because its real part is zero (as when the weights cancel) or a component is not
+    /// finite.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -70,15 +73,17 @@ impl<R: Real> DualQuat<R> {
         Some(weighted_sum(influences.iter().copied())?.normalize())
     }
 
-    /// Blends like [`dlb`](Self::dlb), but turns each sign toward the sum of the motions before it.
-    /// This is for influences that do not cluster about the first one, or whose first weight may be
-    /// zero. A motion exactly half a turn from the sum keeps its sign. The result depends on the
-    /// order of the influences if they span more than half a turn. The weights need not sum to one,
-    /// but no partial sum of the weights should be negative: the partial sum of the motions would
-    /// then point away from its motions. Tarini's slide 127 turns the signs of two motions; this is
-    /// one way to extend the rule to more.
+    /// Blends like [`dlb`](Self::dlb), but chooses each sign by the weighted sum of the motions
+    /// before it: ±σᵢ is nearer to this sum. This is for influences that do not cluster about
+    /// the first one, or whose first weight may be zero. A motion exactly half a turn from the sum
+    /// keeps its sign. The result depends on the order of the influences if they span more than
+    /// half a turn. The weights need not sum to one, but no partial sum of the weights should be
+    /// negative: otherwise the partial sum of the motions would point away from the motions in it.
+    /// Tarini's slide 127 chooses the sign for two motions; this function is one way to extend the
+    /// rule to more motions.
     ///
-    /// Returns `None` without influences. Every component is NaN if the sum cannot be normalized.
+    /// Returns `None` if there are no influences. Every component is NaN if the sum cannot be
+    /// normalized.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -100,14 +105,14 @@ impl<R: Real> DualQuat<R> {
         Some(sum.normalize())
     }
 
-    /// Returns σ or −σ, which are the same motion: the sign on the side of `pivot`.
+    /// Returns whichever of σ and −σ is nearer to `pivot`. Both are the same motion.
     #[inline]
     pub(super) fn toward(self, pivot: Self) -> Self {
         if self.real().dot(pivot.real()) < R::ZERO { -self } else { self }
     }
 }
 
-/// Returns the weighted sum of influences, each with the sign that turns it toward the first
+/// Returns the weighted sum of influences, each with the sign for which it is nearer to the first
 /// motion. [`DualQuat::dlb`] is this sum, normalized.
 #[inline]
 pub fn weighted_sum<R: Real>(
@@ -133,19 +138,19 @@ impl<R: Real> DualQuat<R> {
     /// are compared separately, so the test does not depend on the unit of length. The smallest
     /// tolerance that rounding allows is a few [`EPSILON`](Real::EPSILON). If `tolerance` times the
     /// longest translation is below the smallest float, only a step of zero is short enough, and
-    /// `converged` may be false.
+    /// `converged` may be `false`.
     ///
     /// Each step multiplies the error by a factor that shrinks with the square of the spread:
-    /// influences within 40° of a common pose take at most 3 steps to 10⁻⁶ and 8 to
-    /// 2·10⁻¹⁵. The mean of two motions is their [`sclerp`](Self::sclerp), found in one step.
-    /// The mean moves with the influences, c·dib(σᵢ) = dib(cσᵢ), and likewise for a motion c
-    /// on the right. Each logarithm takes the shorter way, so signs do not matter. If influences
-    /// lie more than a quarter of a turn from the mean, there may be several means.
+    /// influences within 40° of a common pose take at most 3 steps to an error of 10⁻⁶ and 8
+    /// steps to 2·10⁻¹⁵. The mean of two motions is their [`sclerp`](Self::sclerp), found in
+    /// one step. The mean moves with the influences, c·dib(σᵢ) = dib(cσᵢ), and likewise for
+    /// a motion c on the right. Each logarithm takes the shorter way, so signs do not matter. If
+    /// influences lie more than a quarter of a turn from the mean, there may be several means.
     ///
     /// The weights need not sum to one; multiplying all weights by one factor gives the same
-    /// motion. Where they sum to zero the mean does not exist: components are NaN, or `converged`
-    /// is false. NaN and infinities in a motion or a weight give NaN. The function returns `None`
-    /// without influences.
+    /// motion. If they sum to zero, there is no mean: components are NaN, or `converged` is
+    /// `false`. NaN and infinities in a motion or a weight give NaN. The function returns `None` if
+    /// there are no influences.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -182,8 +187,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// Computes [`DualQuat::dib`] of influences from an iterator. The C interface needs it, because it
-/// gets the weights in an array of their own.
+/// Computes [`DualQuat::dib`] of influences from an iterator. The C interface needs an iterator,
+/// because it gets the weights in a separate array.
 #[inline]
 #[doc(alias("average", "mean", "karcher_mean", "frechet_mean"))]
 pub fn dib<R: Real>(
@@ -203,8 +208,8 @@ pub fn dib<R: Real>(
         let turn = R::TWO * vector::norm(step.real);
         let slide = vector::norm(step.dual);
         let converged = turn <= tolerance && slide <= tolerance * longest;
-        // This is not the negation of `converged`: both are false for NaN, which needs no further
-        // step.
+        // `goes_on` is not the negation of `converged`: for NaN both are `false`, because no
+        // further step can help.
         let goes_on = turn > tolerance || slide > tolerance * longest;
         if !goes_on || made == max_iterations {
             return Some(Mean { motion, iterations, converged });

@@ -5,9 +5,9 @@ use crate::geometry::{DualVector, Twist};
 use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// Returns σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv, whose axes are fixed. Its
-    /// linear part v = ṫ − ω × t is the velocity of the point of the body that is at the
-    /// fixed origin. Jia has no twist; with this v his eq. 45, which is
+    /// Returns the derivative by time σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv, which is
+    /// given in fixed axes. Its linear part v = ṫ − ω × t is the velocity of the body's point
+    /// that is now at the fixed origin. Jia has no twist; with this v his eq. 45, which is
     /// [`derivative_from_velocity`](Self::derivative_from_velocity), becomes this product. ω is in
     /// radians per unit of time, v in lengths per unit of time. The formula is linear in σ and ξ,
     /// so σ need not be unit.
@@ -25,10 +25,10 @@ impl<R: Real> DualQuat<R> {
         (pure(twist) * self).scale(R::HALF)
     }
 
-    /// Returns σ̇ = ½σξ for the *body* twist ξ = ω + εv, in the axes and about the origin
-    /// of the moving frame: v is ṫ in these axes. ω is in radians per unit of time, v in lengths
-    /// per unit of time. The spatial twist of the same velocity is Ad_σ ξ (Murray, Li, Sastry
-    /// 1994, §2.4).
+    /// Returns the derivative by time σ̇ = ½σξ for the *body* twist ξ = ω + εv, which is
+    /// given in the axes and about the origin of the moving frame: v is ṫ in these axes. ω is in
+    /// radians per unit of time, v in lengths per unit of time. The spatial twist of the same
+    /// velocity is Ad_σ ξ (Murray, Li, Sastry 1994, §2.4).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -63,10 +63,10 @@ impl<R: Real> DualQuat<R> {
         of_pure((self.conjugate() * derivative).scale(R::TWO))
     }
 
-    /// Returns σ̇ = ½ωr + ½ε(ṫr + ½tωr) (Jia §9, after eq. 45). `angular` is ω in
-    /// *fixed* axes, in radians per unit of time. `linear` is **ṫ**, the velocity of the body's
-    /// own origin in fixed axes; the linear part of a spatial twist is ṫ − ω × t instead. σ
-    /// must be unit.
+    /// Returns the derivative by time σ̇ = ½ωr + ½ε(ṫr + ½tωr) (Jia §9, after eq. 45).
+    /// `angular` is ω in *fixed* axes, in radians per unit of time. `linear` is **ṫ**, the
+    /// velocity of the body's own origin in fixed axes; the linear part of a spatial twist is ṫ
+    /// − ω × t instead. σ must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -104,9 +104,9 @@ impl<R: Real> DualQuat<R> {
         (angular.xyz(), moving.scale(R::TWO).xyz())
     }
 
-    /// Returns the motion that a constant twist makes in unit time, exp(½ξ) (the half as in Jia
-    /// eq. 43). The twist may be any, in radians and lengths per unit of time. This undoes
-    /// [`to_twist`](Self::to_twist).
+    /// Returns the motion that a constant twist makes in unit time, exp(½ξ) (with the half of
+    /// Jia's eq. 43). Any twist is allowed; it is in radians and lengths per unit of time. This
+    /// function is the inverse of [`to_twist`](Self::to_twist).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -121,9 +121,9 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Returns the constant twist that makes the motion in unit time, 2 log σ, with |ω| ≤ π.
-    /// The spatial and the body twist are the same here. This is the logarithm of SE(3) in the
-    /// usual units; [`log`](Self::log) is the logarithm of the dual quaternion, half as large. σ
-    /// must be unit.
+    /// The spatial and the body twist of this motion are the same. This is the logarithm of SE(3)
+    /// in the usual units; [`log`](Self::log) is the logarithm of the dual quaternion, half as
+    /// large. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -142,9 +142,9 @@ impl<R: Real> DualQuat<R> {
     /// Returns the constant *body* twist that takes σ to `other` in unit time by the shorter way,
     /// 2 log(σ* other), with |ω| ≤ π (the logarithm of X⁻¹Y in Lynch and Park 2017, section
     /// 9.2.1). It is in radians and lengths per unit of time, in the axes of σ;
-    /// [`integrate_body`](Self::integrate_body) for unit time gives ±`other`. Controllers feed
-    /// back this twist as the error of a pose. Both motions must be unit. If they are exactly half
-    /// a turn apart, both ways are equally short.
+    /// [`integrate_body`](Self::integrate_body) of σ with this twist for unit time gives
+    /// ±`other`. Controllers use this twist as the error of a pose. Both motions must be unit. If
+    /// they are exactly half a turn apart, both ways are equally short.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -163,7 +163,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Returns the pose of a body at σ after the time `dt` with a constant *spatial* twist:
-    /// exp(½ξ dt) σ, the exact solution of σ̇ = ½ξσ for any step, with `dt` of either sign
+    /// exp(½ξ dt) σ, the exact solution of σ̇ = ½ξσ for steps of any length and either sign
     /// (Brockett 1984). Over many steps the norm drifts by rounding alone, so
     /// [`normalize`](Self::normalize) the pose now and then.
     ///
@@ -181,7 +181,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Returns the pose of a body at σ after the time `dt` with a constant *body* twist: σ
-    /// exp(½ξ dt), the exact solution of σ̇ = ½σξ for any step, with `dt` of either sign.
+    /// exp(½ξ dt), the exact solution of σ̇ = ½σξ for steps of any length and either sign.
     #[inline]
     #[must_use]
     pub fn integrate_body(self, twist: Twist<R>, dt: R) -> Self {

@@ -48,10 +48,10 @@ impl<R: Real> Dual<R> {
         Self { real, dual }
     }
 
-    /// 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7).
+    /// Returns 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7).
     ///
     /// # Errors
-    /// If a is zero or not finite: εb has no inverse.
+    /// If a is zero or not finite. (A dual number 0 + εb has no inverse.)
     ///
     /// ```
     /// use dq8::Dual;
@@ -61,14 +61,14 @@ impl<R: Real> Dual<R> {
     /// ```
     #[inline]
     pub fn inverse(self) -> Result<Self, InverseError> {
-        // If 0/a is not finite, a is zero, and 0 + bε has no inverse for any b.
+        // If 0/a is not finite (it is then NaN), a is zero, and 0 + bε has no inverse.
         if !self.real.is_finite() || !(R::ZERO / self.real).is_finite() {
             return Err(InverseError { real_norm: self.real.abs().into(), of: Normed::DualNumber });
         }
         Ok(Self::ONE / self)
     }
 
-    /// s(a + εb) for a real number s.
+    /// Returns s(a + εb) for the real number s = `factor`.
     #[inline]
     pub fn scale(self, factor: R) -> Self {
         Self::new(self.real * factor, self.dual * factor)
@@ -158,8 +158,8 @@ impl<R: Real> Dual<R> {
     }
 
     /// Returns the angle of the point (`x`, `self`) in radians, in [−π, π], with the derivative
-    /// (x dy − y dx)/(x² + y²). It is computed by ratios to the larger of |x| and |y|, because
-    /// squares might underflow to zero.
+    /// (x dy − y dx)/(x² + y²). In this formula x and y are first divided by the larger of |x|
+    /// and |y|, because their squares might underflow to zero.
     #[inline]
     pub fn atan2(self, x: Self) -> Self {
         let largest = self.real.abs().max_or_nan(x.real.abs());
@@ -168,14 +168,14 @@ impl<R: Real> Dual<R> {
         Self::new(self.real.atan2(x.real), turned / largest)
     }
 
-    /// eᵃ + ε b eᵃ
+    /// Returns eᵃ + ε b eᵃ.
     #[inline]
     pub fn exp(self) -> Self {
         let exp = self.real.exp();
         self.apply(exp, exp)
     }
 
-    /// ln a + ε b/a; NaN for a < 0.
+    /// Returns ln a + ε b/a; the result is NaN for a < 0.
     #[inline]
     pub fn ln(self) -> Self {
         self.apply(self.real.ln(), R::ONE / self.real)
@@ -208,7 +208,7 @@ impl<R: Real> Div for Dual<R> {
     }
 }
 
-/// Implements methods of [`Real`] by the inherent methods of [`Dual`] with the same names.
+/// Implements methods of [`Real`] by calls of the inherent methods of [`Dual`] with the same names.
 macro_rules! functions {
     ($($name:ident($($x:ident)?))*) => {$(
         fn $name(self $(, $x: Self)?) -> Self {
@@ -234,11 +234,11 @@ macro_rules! functions {
 /// assert!((velocity[0] + 0.5_f64.sin()).abs() + (velocity[1] - 0.5_f64.cos()).abs() < 1e-15);
 /// ```
 ///
-/// At a kink or a pole of f, the derivative is that of the branch taken, or infinite or NaN, as
-/// with floats. The length of a vector has a kink at zero, and the exponential and the logarithm of
-/// a motion begin with a length: without any turn both their value and their derivative are NaN.
-/// Joints that may be at rest are best written with `from_axis_angle` and `from_screw`, which have
-/// no such point. `Real::EPSILON` is the rounding unit of `R`; the dual unit ε is
+/// At a kink or a pole of f, the derivative is that of the branch taken, or it is infinite or NaN,
+/// as with floats. The length of a vector has a kink at zero, and the exponential and the logarithm
+/// of a motion begin with a length. So for a motion without any turn, both their value and their
+/// derivative are NaN. For joints that may be at rest, use `from_axis_angle` and `from_screw`,
+/// which have no such point. `Real::EPSILON` is the rounding unit of `R`; the dual unit ε is
 /// [`Dual::EPSILON`].
 impl<R: Real> Real for Dual<R> {
     const ZERO: Self = Self::new(R::ZERO, R::ZERO);
@@ -256,8 +256,8 @@ impl<R: Real> Real for Dual<R> {
         self.real.is_finite() && self.dual.is_finite()
     }
     fn abs(self) -> Self {
-        // Dual numbers are ordered by their dual part where the real parts are equal, so +0 − ε
-        // is negative.
+        // Dual numbers with equal real parts are ordered by their dual parts, so 0 − ε is
+        // negative.
         let dual = if self < <Self as Real>::ZERO { -self.dual } else { self.dual };
         Self::new(self.real.abs(), dual)
     }

@@ -37,19 +37,19 @@ impl<R: Real> Default for DualQuat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// 1, the motion that moves nothing.
+    /// The identity motion 1, which moves nothing.
     pub const IDENTITY: Self = Self::new(Quat::IDENTITY, Quat::ZERO);
     /// 0, the neutral element of addition. It is not a motion.
     pub const ZERO: Self = Self([R::ZERO; 8]);
-    /// Returns NaN in every component: the result of an unchecked operation where the checked
-    /// operation returns an error.
+    /// Returns NaN in every component. This is the result of an unchecked operation if the checked
+    /// operation would return an error.
     #[inline]
     pub(super) fn nan() -> Self {
         Self([R::NAN; 8])
     }
 
     /// Returns a copy in memory. A function that is not inlined takes and returns motions in
-    /// memory; because it gets the copy, the compiler can keep the original in registers
+    /// memory. If it gets this copy, the compiler can keep the original in registers
     /// (`docs/measured.md`, *What keeps loops in registers*).
     #[inline(always)]
     pub(super) fn spilled_copy(self) -> Self {
@@ -167,7 +167,7 @@ impl<R: Real> DualQuat<R> {
         Self::new(self.real().conjugate(), -self.dual().conjugate())
     }
 
-    /// sσ for a real number s (Kenwright §7.1).
+    /// Returns sσ for the real number s = `factor` (Kenwright §7.1).
     #[inline]
     #[must_use]
     pub fn scale(self, factor: R) -> Self {
@@ -213,8 +213,8 @@ impl<R: Real> DualQuat<R> {
         self.0.into_iter().all(Real::is_finite)
     }
 
-    /// Returns this dual quaternion with another element type, each component rounded to the
-    /// nearest: `f32` to `f64` and back.
+    /// Converts the components to another element type, for example from `f32` to `f64` or back.
+    /// Each component is rounded to the nearest value.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -258,8 +258,8 @@ sums_by_part! {
     [R: Real] #[inline] DualQuat<R>: (real()) (dual())
 }
 
-/// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂ acts first, then
-/// the motion σ₁.
+/// Returns σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂ acts
+/// first, then the motion σ₁.
 ///
 /// The product takes three quaternion products and a sum: 48 multiplications and 40 additions.
 impl<R: Real> Mul for DualQuat<R> {

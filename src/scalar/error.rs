@@ -1,11 +1,12 @@
-//! [`NormalizeError`], [`InverseError`] and [`MatrixError`], the errors of motions that do not
-//! exist.
+//! [`NormalizeError`], [`InverseError`] and [`MatrixError`], the errors of operations on motions
+//! that have no result.
 
 use crate::macros::errors;
 use core::fmt;
 
-/// A quaternion or dual quaternion that cannot be normalized: the quaternion, or the real part of
-/// the dual quaternion, is zero, or a component of it or of the quotient is not finite.
+/// The error of a quaternion or dual quaternion that cannot be normalized. The quaternion, or the
+/// real part of the dual quaternion, is zero, or a component of the input or of the result is not
+/// finite.
 ///
 /// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") leaves this case out and says that the
 /// solution "would be to set p = 1 and proceed", which would turn bad input into a motion.
@@ -27,8 +28,8 @@ impl fmt::Display for NormalizeError {
 
 impl core::error::Error for NormalizeError {}
 
-/// A dual quaternion or dual number without an inverse: its real part is zero, or a component of it
-/// or of the inverse is not finite.
+/// The error of a dual quaternion or dual number without an inverse. Its real part is zero, or a
+/// component of the input or of the inverse is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -57,7 +58,8 @@ pub(super) enum Normed {
 }
 
 impl Normed {
-    /// Writes the reason. If the norm is neither zero nor infinite, the dual part is to blame.
+    /// Writes the reason of the error. If the norm is neither zero nor infinite, the dual part is
+    /// the reason.
     fn write(self, norm: f64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let part = match self {
             Self::Quaternion => "norm of the quaternion",
@@ -73,7 +75,7 @@ impl Normed {
 }
 
 errors! {
-    /// A matrix that is not a rigid motion.
+    /// The error of a matrix that is not a rigid motion.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     MatrixError {

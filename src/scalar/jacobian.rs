@@ -1,8 +1,8 @@
 //! Adjoint maps of twists and wrenches, and Jacobians of the exponential of SE(3), on dual numbers.
 //!
 //! Twists are dual vectors, and the Lie bracket of se(3) is their dual cross product x × y =
-//! ω×η + ε(ω×w + v×η). By the transfer principle the Jacobians are therefore those of SO(3)
-//! over dual numbers. With u = x·x = ω·ω + 2ε ω·v:
+//! ω×η + ε(ω×w + v×η). So the Jacobians of SE(3) are those of SO(3) with dual numbers in
+//! place of real numbers (the transfer principle). With u = x·x = ω·ω + 2ε ω·v:
 //!
 //! ```text
 //! J_l(x) y   = y +   A x×y + B x×(x×y),  A = (1 − cos √u)/u, B = (√u − sin √u)/√u³
@@ -14,14 +14,15 @@ use crate::geometry::{Twist, Wrench};
 use crate::number::Real;
 
 impl<R: Real> Twist<R> {
-    /// The twist of a body at rest.
+    /// The zero twist, which is the twist of a body at rest.
     pub const ZERO: Self = Self::from_array([R::ZERO; 6]);
 }
 
 impl<R: Real> DualQuat<R> {
     /// Returns Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry
-    /// 1994, eq. 2.58), the formula for lines. It takes a twist in the body's frame to the fixed
-    /// frame; `conjugate().adjoint()` takes it back. Ad_{ab} = Ad_a Ad_b. σ must be unit.
+    /// 1994, eq. 2.58), which is also the formula for lines. It converts a twist from the body's
+    /// frame to the fixed frame; `conjugate().adjoint()` converts it back. Ad_{ab} = Ad_a Ad_b. σ
+    /// must be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -39,12 +40,12 @@ impl<R: Real> DualQuat<R> {
         Twist { angular, linear }
     }
 
-    /// Returns the co-adjoint action on a wrench: f′ = Rf, τ′ = Rτ + t × f′. It takes a
-    /// wrench in the body's frame to the fixed frame, so that the power of a wrench on a twist is
+    /// Returns the co-adjoint action on a wrench: f′ = Rf, τ′ = Rτ + t × f′. It converts a
+    /// wrench from the body's frame to the fixed frame, so that the power of a wrench on a twist is
     /// the same in both frames. σ must be unit.
     ///
-    /// This is (Ad_σ⁻¹)ᵀ, a left action: the co-adjoint action of ab applies that of b first
-    /// and then that of a (Murray, Li and Sastry 1994, §2.5).
+    /// The map is (Ad_σ⁻¹)ᵀ, a left action: the map of a product ab applies the map of b
+    /// first, then the map of a (Murray, Li and Sastry 1994, §2.5).
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::Wrench};
@@ -62,8 +63,9 @@ impl<R: Real> DualQuat<R> {
 }
 
 impl<R: Real> DualQuat<R> {
-    /// The left Jacobian of SE(3) at the twist x, applied to y. It says how the motion of x changes
-    /// on its *spatial* side if x changes by δy: exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
+    /// The left Jacobian of SE(3) at the twist x = `at`, applied to y = `along`. It says how the
+    /// motion exp(½x) changes on its *spatial* side if x changes by δy, with a small δ:
+    /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
     ///
     /// The formula is that of Barfoot & Furgale 2014 and Barfoot 2017, eq. 7.85, where the
     /// translation comes first. `at` is a twist as [`to_twist`](Self::to_twist) gives it, in
@@ -93,17 +95,18 @@ impl<R: Real> DualQuat<R> {
         along + times(first, once) + times(second, lie_bracket(at, once))
     }
 
-    /// The right Jacobian of SE(3) at the twist x, applied to y. It says how the motion of x
-    /// changes on its *body* side if x changes by δy: exp(½(x + δy)) ≈ exp(½x) exp(½δ
-    /// J_r(x) y). J_r(x) = J_l(−x), and J_l(x) = Ad_{exp ½x} J_r(x).
+    /// The right Jacobian of SE(3) at the twist x = `at`, applied to y = `along`. It says how the
+    /// motion exp(½x) changes on its *body* side if x changes by δy, with a small δ: exp(½(x +
+    /// δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and J_l(x) = Ad_{exp ½x} J_r(x).
     #[inline]
     pub fn right_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian(-at, along)
     }
 
-    /// The inverse of the left Jacobian at the twist x, applied to y. It says how the twist x of a
-    /// motion changes if the motion changes by the *spatial* twist δy: 2 log(exp(½δy) exp(½x))
-    /// ≈ x + δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources of dq8).
+    /// The inverse of the left Jacobian at the twist x = `at`, applied to y = `along`. It says how
+    /// the twist x of a motion changes if the motion changes by the small *spatial* twist δy: 2
+    /// log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources
+    /// of dq8).
     ///
     /// The domain is |ω| < 2π: the result is **infinite at |ω| = 2π** and at every multiple of
     /// it, and errors near 2π grow like 1/(2π − |ω|). A twist from
@@ -121,9 +124,9 @@ impl<R: Real> DualQuat<R> {
         along - once.scale(R::HALF) + times(second, lie_bracket(at, once))
     }
 
-    /// The inverse of the right Jacobian at the twist x, applied to y: J_r⁻¹(x) =
-    /// J_l⁻¹(−x). It says how the twist x of a motion changes if the motion changes by the
-    /// *body* twist δy. The domain is that of
+    /// The inverse of the right Jacobian at the twist x = `at`, applied to y = `along`:
+    /// J_r⁻¹(x) = J_l⁻¹(−x). It says how the twist x of a motion changes if the motion
+    /// changes by the small *body* twist δy. The domain is that of
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
     #[inline]
     pub fn right_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
@@ -201,8 +204,8 @@ const COTANGENT_SERIES: [f64; 11] = [
     77_683.0 / 14_101_100_039_391_805_440_000.0,
 ];
 
-/// Returns Σ cₖuᵏ. For small u the closed forms would cancel digits: the derivative of B, for
-/// example, is a difference divided by u.
+/// Returns the power series Σ cₖuᵏ with the given `coefficients`. For small u the closed forms
+/// would lose digits: the derivative of B, for example, is a small difference divided by u.
 #[inline]
 fn series<R: Real>(u: Dual<R>, coefficients: &[f64]) -> Dual<R> {
     coefficients.iter().rev().fold(Dual::ZERO, |sum, &coefficient| {
@@ -235,7 +238,8 @@ fn times<R: Real>(factor: Dual<R>, twist: Twist<R>) -> Twist<R> {
     Twist { angular: vector::scale(twist.angular, factor.real), linear }
 }
 
-/// Returns the matrix of a linear map: its columns are the images of the unit twists.
+/// Returns the matrix of the linear map y ↦ `map(at, y)`: its columns are the images of the unit
+/// twists.
 #[inline]
 fn matrix<R: Real>(at: Twist<R>, map: fn(Twist<R>, Twist<R>) -> Twist<R>) -> [[R; 6]; 6] {
     let mut rows = [[R::ZERO; 6]; 6];

@@ -29,13 +29,13 @@ impl<R: Real> Quat<R> {
         ]
     }
 
-    /// Returns the unit quaternion with w ≥ 0 of a matrix that is known to be a rotation. Nothing
-    /// is checked here: [`try_from_matrix3`](Self::try_from_matrix3) checks, and
+    /// Returns the unit quaternion, with w ≥ 0, of a matrix that the caller knows to be a
+    /// rotation. Nothing is checked here: [`try_from_matrix3`](Self::try_from_matrix3) checks, and
     /// [`Polar`](crate::representation::Polar) finds the nearest rotation to any matrix.
     ///
-    /// By Shepperd's method (1978) one component is the divisor. It is w where the trace is not
-    /// negative, so that w ≥ ½, and otherwise the largest of the other three components, so that
-    /// it is not small.
+    /// In Shepperd's method (1978) one component of the quaternion is the divisor, which must not
+    /// be small. It is w where the trace is not negative, so that w ≥ ½, and otherwise the
+    /// largest of x, y and z.
     #[inline]
     #[doc(alias("from_mat3", "from_rotation_matrix"))]
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
@@ -60,7 +60,8 @@ impl<R: Real> Quat<R> {
             if w < R::ZERO { turned.map(|c| -c) } else { turned }
         };
         // The component that serves as divisor is at least 1 here, and all components are at
-        // most 4. So no square overflows, and a square that vanishes is too small to count.
+        // most 4. So no square overflows, and a square that underflows is too small to change the
+        // sum.
         let factor = one / (x * x + y * y + z * z + w * w).sqrt();
         Self::from_xyzw(x * factor, y * factor, z * factor, w * factor)
     }
@@ -94,8 +95,8 @@ impl<R: Real> Quat<R> {
     }
 
     /// Returns the columns of the rotation matrix, `[column][row]`, as in glam, nalgebra and
-    /// OpenGL. [`to_matrix3`](Self::to_matrix3) returns the rows in the same type. If columns are
-    /// taken for rows, the rotation becomes its inverse.
+    /// OpenGL. [`to_matrix3`](Self::to_matrix3) returns the rows in the same type. A caller who
+    /// takes columns for rows gets the inverse rotation.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -108,8 +109,8 @@ impl<R: Real> Quat<R> {
     /// [`try_from_matrix3`](Self::try_from_matrix3) does from its rows.
     ///
     /// # Errors
-    /// The errors of [`try_from_matrix3`](Self::try_from_matrix3). Their rows are rows of the
-    /// matrix, not of the array.
+    /// The errors of [`try_from_matrix3`](Self::try_from_matrix3). The rows in an error are rows of
+    /// the matrix, not of the array.
     #[inline]
     pub fn try_from_cols_array_2d(cols: [[R; 3]; 3], tolerance: R) -> Result<Self, MatrixError> {
         Self::try_from_matrix3(transpose(cols), tolerance)
@@ -152,9 +153,9 @@ impl<R: Real> DualQuat<R> {
         [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
     }
 
-    /// Returns the motion with p_w ≥ 0 of a matrix that is known to be rigid. Nothing is checked
-    /// here: [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks. The rotation is computed by
-    /// [`Quat::from_matrix3`].
+    /// Returns the motion, with p_w ≥ 0, of a matrix that the caller knows to be rigid. Nothing
+    /// is checked here: [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks. The rotation is
+    /// computed by [`Quat::from_matrix3`].
     #[inline]
     #[must_use]
     pub fn from_matrix3x4(rows: [[R; 4]; 3]) -> Self {
@@ -189,10 +190,10 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Makes the motion of a 4×4 matrix from its rows, as
-    /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) does from three rows. For the columns of
-    /// glam, nalgebra, OpenGL and glTF there is
-    /// [`try_from_cols_array_2d`](Self::try_from_cols_array_2d). If columns are passed as rows, a
-    /// pure rotation becomes its inverse, and no check can notice this.
+    /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) does from three rows. Use
+    /// [`try_from_cols_array_2d`](Self::try_from_cols_array_2d) for the columns of glam, nalgebra,
+    /// OpenGL and glTF. If columns are passed as rows, a pure rotation becomes its inverse, and no
+    /// check can notice this.
     ///
     /// # Errors
     /// The errors of [`try_from_matrix3x4`](Self::try_from_matrix3x4), and an error if the last row
@@ -221,12 +222,12 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Makes the motion of a 4×4 matrix from its columns, `[column][row]`, as glam, nalgebra,
-    /// OpenGL and glTF hold them. The last column is the translation and a 1. The checks are those
-    /// of [`try_from_matrix4`](Self::try_from_matrix4).
+    /// OpenGL and glTF hold them. The last column is the translation followed by 1. The checks are
+    /// those of [`try_from_matrix4`](Self::try_from_matrix4).
     ///
     /// # Errors
-    /// The errors of [`try_from_matrix4`](Self::try_from_matrix4). Their rows and columns are those
-    /// of the matrix, not of the array.
+    /// The errors of [`try_from_matrix4`](Self::try_from_matrix4). The rows and columns in an error
+    /// are those of the matrix, not of the array.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -266,8 +267,8 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// Returns the factor s of a matrix that is s times a rotation, or `None` if there is none or if s
-/// is 1 within `tolerance`. A negative s means that the matrix mirrors.
+/// Returns the factor s of a matrix that is s times a rotation, or `None` if there is no such
+/// factor or if it is 1 within `tolerance`. A negative s means that the matrix mirrors.
 #[cold]
 fn uniform_scale<R: Real>(rows: [[R; 3]; 3], tolerance: R) -> Option<R> {
     let size = rows.map(vector::norm);

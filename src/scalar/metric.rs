@@ -23,11 +23,11 @@ impl<R: Real> Quat<R> {
 impl<R: Real> DualQuat<R> {
     /// Returns the angle of the turn from one orientation to the other by the shorter way, in
     /// radians in [0, π]. The signs of both σ do not matter. Kenwright §11 names this angle as
-    /// an advantage of dual quaternions: matrices must be converted first.
+    /// an advantage of dual quaternions: with matrices, a conversion is needed first.
     ///
     /// θ = 2 atan2(|v|, |w|) with w + v = p_a*p_b. An arccosine of p_a·p_b loses small angles
     /// (below 5·10⁻⁴ in `f32`). The arctangent keeps them, down to subnormal angles next to
-    /// the identity, and it is as accurate near π. Between other poses the rounding of the
+    /// the identity, and it is as accurate near π. For other pairs of poses, the rounding of the
     /// components limits the accuracy.
     ///
     /// Both motions must be unit. The result is NaN if a real part is not finite.
@@ -72,9 +72,9 @@ impl<R: Real> DualQuat<R> {
     /// For λ > 0 it is a metric on motions (on ±σ, not on σ): it is zero only for equal
     /// motions, symmetric, and d(a, c) ≤ d(a, b) + d(b, c). Angles of rotations and distances of
     /// points obey the triangle inequality, and so does the root of the sum of their squares. The
-    /// metric does not change with a common motion of the world, d(ca, cb) = d(a, b). It does
-    /// change with a common motion of the body, which moves the body's origin. Both motions must be
-    /// unit.
+    /// metric does not change if both motions are multiplied by c on the left (a motion of the
+    /// world), d(ca, cb) = d(a, b). It does change if both are multiplied on the right, which moves
+    /// the body's origin. Both motions must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -131,8 +131,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Returns `true` if σ has drifted from unit length by more than `tolerance`, or is not
-    /// finite; this is the negation of [`is_unit`](Self::is_unit). A product adds about one
-    /// [`EPSILON`](Real::EPSILON).
+    /// finite; this is the negation of [`is_unit`](Self::is_unit). Each product adds about one
+    /// [`EPSILON`](Real::EPSILON) to the drift.
     ///
     /// [`normalize`](Self::normalize) makes σ unit again. It does not restore the lost accuracy of
     /// the rotation, so a chain need not be normalized at every product.

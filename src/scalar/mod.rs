@@ -1,7 +1,7 @@
 //! The reference: one motion at a time, textbook formulas with plain branches.
 //!
-//! Written by hand from the papers and independent of [`batch`](crate::batch), which is tested
-//! against it. The contract that both keep is [`Motion`](crate::Motion).
+//! The formulas are written by hand from the papers and independent of [`batch`](crate::batch),
+//! which is tested against them. Both implement the contract [`Motion`](crate::Motion).
 
 pub(crate) mod blend;
 mod contract;

@@ -1,7 +1,7 @@
 //! The check of the precondition "must be unit", which operations of `scalar::Quat` and
 //! `scalar::DualQuat` call first. In debug builds with `--cfg dq8_debug_assert_unit`, it panics if
 //! the input is clearly not unit; in all other builds these functions do nothing. Values that are
-//! not finite pass, because the result shows them anyway.
+//! not finite pass the check, because they make the result not finite, too.
 
 use crate::number::Real;
 

@@ -29,8 +29,8 @@ impl<R: Real> Quat<R> {
         (self.norm() - R::ONE).abs() <= tolerance
     }
 
-    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place, which a
-    /// unit quaternion stays within after a few products.
+    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place. A unit
+    /// quaternion stays within this tolerance for a few products.
     #[inline]
     #[must_use]
     pub fn is_normalized(self) -> bool {
@@ -50,7 +50,8 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     pub fn norm(self) -> Dual<R> {
         let norm = self.real().norm();
-        // p/|p| is computed first, because p·q itself may overflow where the quotient does not.
+        // p/|p| is computed before the scalar product, because p·q may overflow although
+        // (p·q)/|p| does not.
         Dual::new(norm, self.real().normalize().dot(self.dual()))
     }
 
@@ -85,9 +86,9 @@ impl<R: Real> DualQuat<R> {
             .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
-    /// Returns the unit motion, or the norm of the real part if there is none. The caller converts
-    /// this norm to the `f64` of an error, because the conversion costs a library call on targets
-    /// without double precision.
+    /// Returns the unit motion, or the norm of the real part as an error if σ cannot be
+    /// normalized. The caller converts this norm to the `f64` of an error, because the conversion
+    /// costs a library call on targets without double precision.
     #[inline]
     fn unit(self) -> Result<Self, R> {
         if let Some(unit) = R::quick(quick::Unit(self.to_array())) {
@@ -97,8 +98,8 @@ impl<R: Real> DualQuat<R> {
         self.spilled_copy().unit_of_any_size()
     }
 
-    /// Normalizes a motion of any size. It is not inlined, because floats come here only if they
-    /// are very large, very small or NaN.
+    /// Normalizes a motion of any size by the textbook formulas. The function is not inlined,
+    /// because `f32` and `f64` never need it: they use the quicker form.
     #[inline(never)]
     fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.real().norm();
@@ -124,8 +125,8 @@ impl<R: Real> DualQuat<R> {
         off <= tolerance && along <= tolerance * size && size.is_finite()
     }
 
-    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place, which a
-    /// unit motion stays within after a few products.
+    /// Returns [`is_unit`](Self::is_unit) with a tolerance of 32 units of the last place. A unit
+    /// motion stays within this tolerance for a few products.
     #[inline]
     #[must_use]
     pub fn is_normalized(self) -> bool {
@@ -162,7 +163,7 @@ impl<R: Real> DualQuat<R> {
             .map_err(|norm| InverseError { real_norm: norm.into(), of: Normed::DualQuaternion })
     }
 
-    /// Returns the inverse, or the norm of the real part if there is none.
+    /// Returns the inverse, or the norm of the real part as an error if there is no inverse.
     #[inline]
     fn reciprocal(self) -> Result<Self, R> {
         if let Some(inverse) = R::quick(quick::Inverse(self.to_array())) {

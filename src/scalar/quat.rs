@@ -27,7 +27,8 @@ crate::macros::pod! {
     pub struct Quat<R>([R; 4]);
 }
 
-/// Returns the identity. Zero would make a rest pose of default values vanish without an error.
+/// Returns the identity. If the default were zero, a rest pose of default values would collapse to
+/// a point without an error.
 impl<R: Real> Default for Quat<R> {
     #[inline]
     fn default() -> Self {
@@ -36,9 +37,9 @@ impl<R: Real> Default for Quat<R> {
 }
 
 impl<R: Real> Quat<R> {
-    /// 1, the rotation that turns nothing.
+    /// The identity rotation 1, which turns nothing.
     pub const IDENTITY: Self = Self([R::ZERO, R::ZERO, R::ZERO, R::ONE]);
-    /// 0, which is not a rotation.
+    /// The quaternion 0, which is not a rotation.
     pub const ZERO: Self = Self([R::ZERO; 4]);
 
     /// Makes a quaternion from components in the order of memory.
@@ -76,8 +77,8 @@ impl<R: Real> Quat<R> {
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
     }
 
-    /// Returns a copy in memory. A function that is not inlined gets the copy, so that the compiler
-    /// can keep the original in registers.
+    /// Returns a copy in memory. If a function that is not inlined gets this copy, the compiler can
+    /// keep the original in registers.
     #[inline(always)]
     pub(super) fn spilled_copy(self) -> Self {
         let [x, y, z, w] = self.0;
@@ -169,8 +170,8 @@ impl<R: Real> Quat<R> {
         self.0.into_iter().all(Real::is_finite)
     }
 
-    /// Returns this quaternion with another element type, each component rounded to the nearest:
-    /// `f32` to `f64` and back.
+    /// Converts the components to another element type, for example from `f32` to `f64` or back.
+    /// Each component is rounded to the nearest value.
     #[inline]
     pub fn cast<S: Real>(self) -> Quat<S> {
         Quat(self.0.map(|component| S::from_f64(component.into())))
@@ -213,7 +214,7 @@ impl<R: Real> Quat<R> {
             .map_err(|norm| NormalizeError { real_norm: norm.into(), of: Normed::Quaternion })
     }
 
-    /// Returns the unit quaternion, or |q| if there is none.
+    /// Returns q / |q|, or |q| as an error if q cannot be normalized.
     #[inline]
     pub(super) fn unit(self) -> Result<Self, R> {
         if let Some(unit) = R::quick(quick::QuaternionUnit(self.0)) {
@@ -232,8 +233,8 @@ impl<R: Real> Quat<R> {
     }
 
     /// Returns r v r*, the vector `v` turned by this unit quaternion r (Arends ch. 3 eqs. 8–10,
-    /// Jia §2). It is computed as v + 2u × (u × v + w v) with r = w + u, which follows from the
-    /// two products by |r| = 1. For an r of another length, r v r* scales by |r|², and this
+    /// Jia §2). It is computed as v + 2u × (u × v + w v) with r = w + u. For |r| = 1 both
+    /// formulas are equal. For an r of another length, r v r* scales by |r|², and the second
     /// formula also skews.
     #[inline]
     #[must_use]

@@ -50,11 +50,12 @@ impl<R: Real> DualQuat<R> {
         Self::new(rotation, rotation * Quat::from_parts(half, R::ZERO))
     }
 
-    /// Returns σ(r + ½εtr), the product of σ with the motion of a rotation r and a translation
-    /// t; that motion acts first. It follows from Jia's eqs. 14 and 22. `rotation` must be unit.
+    /// Returns σ(r + ½εtr), the product of σ with the motion r + ½εtr of a rotation r and a
+    /// translation t; this motion acts before σ. It follows from Jia's eqs. 14 and 22. `rotation`
+    /// must be unit.
     ///
-    /// On lanes this takes fewer operations than making a motion of r and t first, because σ(r +
-    /// ½εtr) = (p + ε(q + ½pt))r.
+    /// In [`batch`](crate::batch) this takes fewer operations than making a motion of r and t and
+    /// multiplying, because σ(r + ½εtr) = (p + ε(q + ½pt))r.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};

@@ -7,15 +7,15 @@ use crate::quick;
 
 impl<R: Real> DualQuat<R> {
     /// Returns the screw of a unit σ (Jia §8.2), with an angle in [0, π]. σ and −σ are the
-    /// same motion; the [canonical](Self::canonical) sign is taken.
+    /// same motion, and the screw is that of the motion with the [canonical](Self::canonical) sign.
     ///
     /// A pure translation has angle 0, its own direction as axis and moment 0, although Jia's
     /// moment is infinite for it. The identity has the axis (1, 0, 0).
     ///
     /// The moment is about as long as |t| divided by the angle. It is not finite if this quotient
-    /// overflows, or if the reciprocal of the angle does (below 6·10⁻³⁹ in `f32`, for every
-    /// t). [`from_screw`](Self::from_screw) cannot bring such a motion back. [`log`](Self::log) has
-    /// no such limit.
+    /// overflows, or if the reciprocal of the angle overflows (for angles below 6·10⁻³⁹ in
+    /// `f32`, whatever t is). [`from_screw`](Self::from_screw) cannot restore such a motion.
+    /// [`log`](Self::log) has no such limit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -50,10 +50,10 @@ impl<R: Real> DualQuat<R> {
         Screw { axis, angle: R::TWO * half_angle, slide }
     }
 
-    /// Returns σ = cos(θ̂/2) + sin(θ̂/2)(l + εm) with θ̂ = θ + εd (Jia eq. 43), computed
-    /// by its equivalent in real numbers (Jia eq. 42). The axis l must have length 1, and its
-    /// moment m must be orthogonal to l. The angle θ is in radians, of any size, and the slide d
-    /// is a length.
+    /// Returns σ = cos(θ̂/2) + sin(θ̂/2)(l + εm) with θ̂ = θ + εd (Jia eq. 43). It is
+    /// computed by the equivalent formula in real numbers (Jia eq. 42). The axis l must have length
+    /// 1, and its moment m must be orthogonal to l. The angle θ is in radians, of any size, and
+    /// the slide d is a length.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -74,8 +74,9 @@ impl<R: Real> DualQuat<R> {
     /// The [canonical](Self::canonical) sign of σ is taken, so that |a| ≤ π/2. The logarithm
     /// has no singularity: a pure translation has a = 0, b = t/2.
     ///
-    /// The formula is Jia's eq. 37, whose moment is infinite for a translation, multiplied by the
-    /// angle, which is then zero: b = ½ ( h t×l + h cot h (t − d l) + d l ), h = θ/2.
+    /// The dual part is b = hm + dl/2 with the moment m of Jia's eq. 37. For a translation m is
+    /// infinite and h is zero, but b is finite: b = ½ ( h t×l + h cot h (t − d l) + d l ), h =
+    /// θ/2.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -93,7 +94,8 @@ impl<R: Real> DualQuat<R> {
         self.canonical().log_without_flip()
     }
 
-    /// Returns the logarithm of σ with its sign as it is, so that 0 ≤ |a| ≤ π.
+    /// Returns the logarithm a + εb of σ without changing the sign of σ, so that 0 ≤ |a| ≤
+    /// π.
     #[inline]
     fn log_without_flip(self) -> DualVector<R> {
         let t = self.translation();
@@ -121,9 +123,9 @@ impl<R: Real> DualQuat<R> {
     /// translation by 2b.
     ///
     /// The length |a| is half the angle in radians. The error of the result grows with |a|, because
-    /// the rounding error of |a| does. Beyond 2¹⁶ rad in `f32` and 2⁴⁵ rad in `f64`, a float
-    /// is known to no more than 2⁻⁸ rad, and every component is NaN. Powers and interpolations
-    /// that reach such angles are NaN too.
+    /// the rounding error of |a| does. Beyond 2¹⁶ rad in `f32` and 2⁴⁵ rad in `f64`, the
+    /// rounding error of the angle may exceed 2⁻⁸ rad, so every component of the result is NaN.
+    /// Powers and interpolations that reach such angles are NaN too.
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::DualVector};
@@ -198,8 +200,8 @@ impl<R: Real> DualQuat<R> {
     /// Screw linear interpolation from `self` (a) to `other` (b) by the shorter way, a(a*b)ᵗ (Jia
     /// eq. 46; Kavan et al. 2006). The body turns and slides along one screw at constant speed.
     /// `t` = 0 gives `self`, and 1 gives ±`other`; values outside [0, 1] continue along the screw.
-    /// Both motions must be unit. Exactly half a turn apart, both ways are equally short, and the
-    /// way to `other` with the sign as given is taken.
+    /// Both motions must be unit. If they are exactly half a turn apart, both ways are equally
+    /// short, and the result takes the way to `other`, not to −`other`.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -226,8 +228,8 @@ impl<R: Real> DualQuat<R> {
     #[inline(never)]
     fn sclerp_by_the_book(self, other: Self, t: R) -> Self {
         let between = self.conjugate() * other;
-        // At half a turn `pow` would turn about the canonical axis. Here the axis must be the axis
-        // of `between`, with its sign as given.
+        // If `between` is half a turn, `pow` would use the canonical sign and might turn about the
+        // opposite axis. Here the sign of `between` must stay as it is.
         if between.real().w() == R::ZERO && between.real().points_back() {
             return self * between.conjugate().pow(t).conjugate();
         }
@@ -236,9 +238,9 @@ impl<R: Real> DualQuat<R> {
 
     /// Interpolates like [`sclerp`](Self::sclerp), but always from `self` (a) to `other` (b) and
     /// never to −`other`: a exp(t log(a*b)), where the logarithm keeps the sign of a*b. This is
-    /// the longer way where the real parts of the two have a negative scalar product. Both motions
-    /// must be unit. The way from σ to −σ has no axis, so every component is NaN. This is Jia's
-    /// eq. 46 as written; it leaves the sign of b open.
+    /// the longer way if the real parts of a and b have a negative scalar product. Both motions
+    /// must be unit. The way from σ to −σ has no axis, so every component is then NaN. The
+    /// formula is Jia's eq. 46 as written, which does not say which sign of b to take.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]

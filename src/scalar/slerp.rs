@@ -13,14 +13,15 @@ impl<R: Real> Quat<R> {
     /// 2⁴⁵ rad (`f64`).
     ///
     /// The classical formula is sin((1−t)Θ)/sin Θ a ± sin(tΘ)/sin Θ b (Shoemake 1985; Arends
-    /// ch. 3 §3, where the angle is given; his ch. 6 notes that the sines vanish). It equals cos
-    /// φ m + sin φ h: a turn by φ = (t−½)Θ away from the middle m of the way in the
-    /// direction h, the unit vectors along b + a and b − a. The second form is computed here,
-    /// because it has one angle with one sine and one cosine. In the first form (1−t)Θ and tΘ
-    /// are rounded independently, by more than a radian where t is large, so the result could have
-    /// any length. The angle is Θ = 2 atan2(|b − a|, |b + a|) (Kahan 2006), because the
-    /// arccosine of a·b loses small angles. There is no singularity: quaternions by the shorter
-    /// way are at most 90° apart, and the sines of small angles are proportional to the angles.
+    /// ch. 3 §3, where the angle is given; his ch. 6 notes that sin Θ may vanish). It equals cos
+    /// φ m + sin φ h with φ = (t−½)Θ, where m and h are the unit vectors along b + a and b
+    /// − a: a turn by φ from the middle m of the way in the direction h. The second form is
+    /// computed here, because it has one angle with one sine and one cosine. In the first form
+    /// (1−t)Θ and tΘ are rounded independently, by more than a radian where t is large, so the
+    /// result could have any length. The angle is Θ = 2 atan2(|b − a|, |b + a|) (Kahan 2006),
+    /// because the arccosine of a·b loses small angles. There is no singularity: quaternions by
+    /// the shorter way are at most 90° apart, and the sines of small angles are proportional to
+    /// the angles.
     ///
     /// ```
     /// use dq8::Quat;
@@ -43,20 +44,21 @@ impl<R: Real> Quat<R> {
         let (sum, difference) = (near + self, near - self);
         let sum_length = sum.norm();
         let middle = sum.scale(R::ONE / sum_length);
-        // The part of the difference along the middle is removed. It is not zero if the ends have
-        // unequal lengths. It is small, but a large part of the difference of close ends.
+        // The part of the difference along the middle is removed. It is not zero if the lengths of
+        // the two quaternions differ. It is small, but if the quaternions are close to each other,
+        // it may be a large part of their difference.
         let across = difference - middle.scale(difference.dot(middle));
         let length = across.norm();
         let angle = R::TWO * length.atan2(sum_length);
         let part = t - R::HALF;
         let reach = angle * (R::ONE + part.abs());
         if reach * reach < R::EPSILON {
-            // Every angle here equals its sine. Θ itself may be subnormal, and a quotient of such
-            // values has few correct digits.
+            // The angles are so small that each equals its sine. Θ itself may be subnormal, and a
+            // quotient of subnormal values has few correct digits.
             return middle + across.scale(part);
         }
         let turned = part * angle;
-        // An angle that is known to no more than 2⁻⁸ rad gives NaN, as in `DualQuat::exp`.
+        // An angle whose rounding error may exceed 2⁻⁸ rad gives NaN, as in `DualQuat::exp`.
         let known = (turned * R::EPSILON).abs() * R::from(128.0) <= R::ONE;
         let turned = if known { turned } else { R::NAN };
         middle.scale(turned.cos()) + across.scale(turned.sin() / length)
@@ -66,14 +68,13 @@ impl<R: Real> Quat<R> {
 impl<R: Real> DualQuat<R> {
     /// Interpolates the rotation by [`slerp`](Quat::slerp) and the translation linearly, each
     /// independently, as engines without dual quaternions do (quaternion and vector, Kenwright
-    /// §3). It is here for comparison. `t` = 0 gives `self`, and 1 gives ±`other`; outside [0, 1]
-    /// both continue, the rotation within the range of `slerp`.
+    /// §3). It serves for comparison. `t` = 0 gives `self`, and 1 gives ±`other`. Outside [0, 1]
+    /// both parts extrapolate, the rotation up to the largest angle of `slerp`.
     ///
     /// The origin of the body moves on a straight line at constant speed while the body turns about
-    /// it. So this is not a screw motion, and it depends on the choice of the body's origin: for a
-    /// motion c on the right, slerp_lerp(ac, bc, t) ≠ slerp_lerp(a, b, t)c, where
-    /// [`sclerp`](Self::sclerp) has equality on both sides. A motion of the world, on the left,
-    /// commutes with it.
+    /// it. So this is not a screw motion, and it depends on the choice of the body's origin: in
+    /// general slerp_lerp(ac, bc, t) ≠ slerp_lerp(a, b, t)c, but slerp_lerp(ca, cb, t) = c
+    /// slerp_lerp(a, b, t). For [`sclerp`](Self::sclerp) both equations hold.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -115,8 +116,9 @@ impl<R: Real> DualQuat<R> {
     /// each of the three interpolations takes the shorter way, so consecutive keys should be less
     /// than half a turn apart.
     ///
-    /// All poses must be unit. `t` is meant for [0, 1]. Outside, the outer interpolation
-    /// extrapolates by 2t(1−t), and the deviation of its ends from unit length grows with t³.
+    /// All poses must be unit. `t` is meant for [0, 1]. Outside this range the outer interpolation
+    /// extrapolates, because 2t(1−t) is negative, and the deviation of its two ends from unit
+    /// length grows with t³.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -140,14 +142,15 @@ impl<R: Real> DualQuat<R> {
         along_keys.sclerp(along_controls, R::TWO * t * (R::ONE - t))
     }
 
-    /// The control pose of the key pose `current` for [`squad`](Self::squad):
+    /// Returns the control pose s of the key pose σ = `current`, between the keys σ₋ and σ₊,
+    /// for [`squad`](Self::squad):
     ///
     /// s = σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4) (Shoemake 1987, with dual quaternions)
     ///
-    /// With this control the velocity at σ is the mean of the screws from the previous key and to
-    /// the next key. At an end of a path, pass the key itself in place of the neighbour that is
-    /// missing, or use the key as its own control. Keys evenly spaced along a screw are their own
-    /// controls.
+    /// With this control the velocity at σ is the mean of two screws: from the previous key to σ,
+    /// and from σ to the next key. At an end of a path, pass the key itself in place of the
+    /// neighbour that is missing, or use the key as its own control. Keys evenly spaced along a
+    /// screw are their own controls.
     ///
     /// All poses must be unit.
     ///

@@ -1,4 +1,4 @@
-//! Points, directions, lines and planes, moved by a unit dual quaternion.
+//! Transformation of points, directions, lines and planes by a unit dual quaternion.
 
 use super::{DualQuat, vector};
 use crate::geometry::{Line, Plane};

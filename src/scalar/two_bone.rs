@@ -5,7 +5,7 @@ use crate::number::Real;
 use crate::quick;
 
 errors! {
-    /// A limb that [`TwoBone`](crate::ik::TwoBone) cannot bend.
+    /// The error of a limb that [`TwoBone`](crate::ik::TwoBone) cannot bend.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     LimbError {
@@ -34,8 +34,8 @@ errors! {
 /// The limb lies in the plane of the target and the *pole*, and the knee is on the side of the
 /// pole. In the rest pose, where all rotations are the identity, both bones run along x and the
 /// hinge turns about z, so that the knee bends toward −y and each bone's frame has x along the
-/// bone. For a limb that rests along the columns of another rotation F, the rotation is
-/// `upper * F.conjugate()`.
+/// bone. If the axes of a limb in its rest pose are the columns of another rotation F, the rotation
+/// of its upper bone is `upper * F.conjugate()`.
 ///
 /// ```
 /// use dq8::ik::{Span, TwoBone};
@@ -60,8 +60,8 @@ pub struct TwoBone<R> {
     pub bend: R,
     /// The relation of the target's distance to the reach of the limb.
     pub span: Span,
-    /// The distance of the end from the target. It is zero within [`Span::Within`], but for
-    /// rounding.
+    /// The distance of the end from the target. It is zero, except for rounding, if `span` is
+    /// [`Span::Within`].
     pub missed: R,
 }
 
@@ -92,16 +92,17 @@ impl<R: Real> TwoBone<R> {
     /// tan(β/2) = √((a + b + D)(a + b − D) / ((D + a − b)(D − a + b))),  β the bend
     /// ```
     ///
-    /// For floats the same rotations are computed with square roots only, by the formulas on lanes
-    /// ([`batch::TwoBone::reach`](crate::batch::TwoBone::reach)). The bits are those of lanes that
-    /// fuse no multiplication with an addition.
+    /// For floats the same rotations are computed with square roots only, by the formulas of
+    /// [`batch::TwoBone::reach`](crate::batch::TwoBone::reach). The results have the same bits as
+    /// on lanes that fuse no multiplication with an addition.
     ///
-    /// If the pole is zero or along the way to the target, it defines no plane. The knee then goes
-    /// toward the coordinate axis that is farthest from this way. If the target is at the root, the
-    /// knee is where the pole points, or on the x axis if the pole is zero.
+    /// If the pole is zero or parallel to the direction of the target, it defines no plane. The
+    /// knee then goes toward the coordinate axis that is farthest from this direction. If the
+    /// target is at the root, the knee is where the pole points, or on the x axis if the pole is
+    /// zero.
     ///
     /// # Errors
-    /// If a length is negative, or if an input or the sum of all sides is not finite.
+    /// If a length is negative, or if an input or the sum of the triangle's sides is not finite.
     pub fn reach(
         root: [R; 3],
         lengths: [R; 2],
@@ -150,8 +151,8 @@ impl<R: Real> TwoBone<R> {
         let way = vector::sub(target, root);
         let wanted = vector::norm(way);
         let (shortest, longest) = ((a - b).abs(), a + b);
-        // Straight limbs have branches of their own, because the square root of a rounding error
-        // would leave only eight digits of sixteen.
+        // Stretched and folded limbs are separate cases, because in the formulas the square root of
+        // a rounding error would leave only eight digits of sixteen.
         let (span, d, root_angle, bend) = if wanted > longest {
             (Span::Stretched, longest, R::ZERO, R::ZERO)
         } else if wanted < shortest {
@@ -191,7 +192,8 @@ fn check_each<R: Real>(
         }
     }
     let [a, b] = lengths;
-    // The sum is tested with a factor of two, because the formulas add all sides of the triangle.
+    // The sum of the lengths is tested with a factor of two, because the formulas add all sides of
+    // the triangle, which is at most twice this sum.
     if !(R::TWO * (a + b)).is_finite() {
         return Err(LimbError::Length { bone: 1, value: b.into() });
     }
@@ -206,8 +208,7 @@ fn check_each<R: Real>(
     Ok(())
 }
 
-/// Returns 2 arctan √(ab/(cd)). Rounding may have made a factor slightly negative, which counts
-/// as zero.
+/// Returns 2 arctan √(ab/(cd)). A factor that rounding has made slightly negative counts as zero.
 fn twice_arctangent<R: Real>(over: [R; 2], under: [R; 2]) -> R {
     let root = |[a, b]: [R; 2]| {
         let clipped = |x: R| if x > R::ZERO { x } else { R::ZERO };
@@ -218,7 +219,7 @@ fn twice_arctangent<R: Real>(over: [R; 2], under: [R; 2]) -> R {
 
 /// Returns the direction to the target, and the direction across it in which the knee bends. For a
 /// target at the root, the pole gives the first direction: the knee is on the side of the pole, or
-/// opposite to it if the bone at the root is the shorter.
+/// opposite to the pole if the bone at the root is the shorter bone.
 fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) {
     let Some(along) = direction(way) else {
         let knee = direction(pole).unwrap_or([R::ONE, R::ZERO, R::ZERO]);
@@ -227,8 +228,8 @@ fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) 
     };
     let across_way = |pole| {
         let left = vector::across(along, pole);
-        // If the pole is along the way, its component across the way consists of rounding errors.
-        // If the pole is nearly along the way, this component is not quite orthogonal to it.
+        // If the pole is parallel to the way, its component across the way consists of rounding
+        // errors. If it is nearly parallel, this component is not quite orthogonal to the way.
         let least = R::from(16.0) * R::EPSILON;
         let side = if vector::norm(left) > least { direction(left) } else { None };
         side.and_then(|side| direction(vector::across(along, side)))

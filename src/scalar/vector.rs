@@ -1,5 +1,5 @@
-//! Three-vectors as plain arrays, and their lengths. Sums are in the order of the papers, and no
-//! product is fused with a sum.
+//! Three-vectors as arrays, and their lengths. Terms are added in the order of the papers, and no
+//! multiplication is fused with an addition.
 
 pub use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::number::Real;
@@ -10,9 +10,8 @@ pub(crate) fn largest<R: Real, const N: usize>(components: [R; N]) -> R {
     components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest))
 }
 
-/// Returns the Euclidean length of `components`, however large or small they are. Squares of the
-/// components themselves might overflow or vanish; squares of their ratios to the largest one do
-/// not.
+/// Returns the Euclidean length of `components`, however large or small they are. The components
+/// are first divided by the largest of them, because their squares might overflow or vanish.
 #[inline]
 #[must_use]
 pub fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
@@ -29,12 +28,12 @@ pub fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
 }
 
 /// Returns the factor by which components of the length `norm` are multiplied before their length
-/// is measured again, or `None` if that is not needed. Very short vectors need it, because
-/// subnormal numbers have lost digits; vectors of infinite length need it, because their length may
-/// be finite after a factor of ¼.
+/// is measured again, or `None` if that is not needed. Very short vectors need a large factor,
+/// because subnormal numbers have lost digits. Vectors of infinite length need the factor ¼,
+/// because their length may then be finite.
 #[inline]
 pub(crate) fn stretch<R: Real>(norm: R) -> Option<R> {
-    // This is 2¹⁰⁰, because multiplying by a power of two is exact.
+    // The factor is 2¹⁰⁰, because multiplying by a power of two is exact.
     let stretch = R::from(1.267_650_6e30);
     if norm * stretch < R::ONE {
         return Some(stretch);
@@ -50,7 +49,7 @@ pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) ->
     stretched.map(|c| c / norm)
 }
 
-/// The length of a vector, held as `stretched`, which is `stretch` times the length. A very short
+/// The length of a vector, stored as `stretched`, which is `stretch` times the length. A very short
 /// vector is multiplied by `stretch` before its length is taken, because its length would otherwise
 /// have few digits.
 #[derive(Clone, Copy)]
@@ -71,7 +70,8 @@ impl<R: Real> Length<R> {
         }
     }
 
-    /// Divides components by the length, through a product with its reciprocal as in [`over_norm`].
+    /// Divides components by the length. Like [`over_norm`], it multiplies by the reciprocal of the
+    /// length.
     #[inline]
     pub(crate) fn divide<const N: usize>(self, numbers: [R; N]) -> [R; N] {
         over_norm(numbers.map(|c| c * self.stretch), self.stretched)
@@ -84,8 +84,8 @@ pub(crate) fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
     sub(vector, scale(along, dot(along, vector)))
 }
 
-/// Returns a unit vector at right angles to the unit vector `along`, as near as possible to the
-/// coordinate axis that is farthest from `along`.
+/// Returns a unit vector at right angles to the unit vector `along`, which is as near as possible
+/// to the coordinate axis farthest from `along`.
 #[inline]
 pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
     let [x, y, z] = along.map(Real::abs);
@@ -95,17 +95,17 @@ pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
     over_norm(across, norm(across))
 }
 
-/// Divides every component by `norm`, through a product with the reciprocal of `norm`.
+/// Divides every component by `norm`, by multiplying with the reciprocal of `norm`.
 ///
-/// A division by the norm would round in one direction: where the norm is one unit of the last
-/// place below 1, it would raise every component by a whole unit where half a unit is right. The
-/// next product measures |p| again, but nothing measures the length of q. A chain that normalizes
+/// A division by the norm would round in one direction: if the norm is one unit of the last place
+/// below 1, it would raise every component by a whole unit, where half a unit would be right. The
+/// next normalization corrects |p|, but nothing corrects the length of q. A chain that normalizes
 /// at every product would therefore scale its translation by about 10⁻⁹ per product, always in
 /// the same direction (measured in `lab/src/products.rs`).
 #[inline]
 #[must_use]
 pub fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
-    // Outside of these bounds the reciprocal is not a normal number in `f32`.
+    // Outside of these bounds the reciprocal of the norm is not a normal number in `f32`.
     let large = R::from(1e30);
     if norm > large || norm * large < R::ONE {
         return components.map(|c| c / norm);

@@ -11,10 +11,10 @@ use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level, Records};
 
-/// The layout *array of structures*: one thing lies after the other in memory. Kernels transpose
-/// the things in registers when they load and store them. If the compiler expects `Aos<f32>` and
-/// finds `Aos<f64>`, a call mixes two precisions: a slice of bare literals such as `&[0.5; 4]` has
-/// elements of type `f64`; write `&[0.5_f32; 4]`.
+/// The layout *array of structures*: things (motions, points and so on) lie one after the other in
+/// memory, and kernels transpose them in registers when they load and store them. If the compiler
+/// reports that it expects `Aos<f32>` and finds `Aos<f64>`, the call mixes two precisions: a slice
+/// of bare literals such as `&[0.5; 4]` has elements of type `f64`; write `&[0.5_f32; 4]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Aos<R>(PhantomData<R>);
 
@@ -24,11 +24,11 @@ impl<R: Scalar> Layout for Aos<R> {
     type Record<const C: usize> = [R; C];
     type Register<V: Level> = R::Lanes<V>;
     const THINGS: usize = 1;
-    // Transposes consist of shuffles. The compiler would make AVX-512 shuffles of them, which run
-    // on one port of the CPU instead of two: products would take 2.2 ns instead of 1.8 ns, points
-    // 0.69 ns instead of 0.52 ns.
+    // Transposes consist of shuffles. With AVX-512 these would run on one port of the CPU instead
+    // of two: products would take 2.2 ns instead of 1.8 ns, points 0.69 ns instead of 0.52 ns.
     const WIDE: bool = false;
-    // Stores that bypass the caches must write whole cache lines, and records are smaller.
+    // Stores that bypass the caches must write whole cache lines, but records are smaller than a
+    // line.
     const STREAMS: bool = false;
 }
 
@@ -129,9 +129,9 @@ impl<T, const N: usize> sealed::Sealed for [T; N] {}
 crate::macros::pod! {
     /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many
     /// controllers; `[R; 6]`, [`Twist`] and a [`Block`](super::Block) of six rows have the angular
-    /// part first. It may stand for any element of six components: a column of a Jacobian, a
-    /// velocity, an acceleration. An array of six of them is a matrix whose rows and columns have
-    /// this order, such as a covariance.
+    /// part first. It may hold any six components in this order: a column of a Jacobian, a
+    /// velocity, an acceleration. An array of six `LinearFirst` is a matrix whose rows and columns
+    /// have this order, such as a covariance.
     ///
     /// ```
     /// use dq8::{Twist, storage::LinearFirst};

@@ -10,7 +10,8 @@ use dq8_simd::{Lanes, Level, Native, Row};
 pub type Block<R, const N: usize, const C: usize = 8> = dq8_simd::Block<[R; N], C>;
 
 /// The layout *array of structures of arrays*: a block holds [`Row::LANES`] things, with one row of
-/// type `A` for each component. Kernels load a row without a transpose, a register at a time.
+/// type `A` for each component. Kernels load a row without a transpose, one register after the
+/// other.
 #[derive(Clone, Copy, Debug)]
 pub struct AoSoA<A>(PhantomData<A>);
 
@@ -21,8 +22,8 @@ impl<A: Row<Real: Scalar>> Layout for AoSoA<A> {
     type Register<V: Level> = Native<A, V>;
     const THINGS: usize = A::LANES;
     const WIDE: bool = true;
-    // Stores that bypass the caches are quicker for large outputs only. Only x86-64 has such stores
-    // here.
+    // Stores that bypass the caches are quicker for large outputs only. This crate has such stores
+    // for x86-64 only.
     const STREAMS: bool = cfg!(target_arch = "x86_64");
 }
 

@@ -1,15 +1,15 @@
 //! [`Layout`], the form in which things lie in memory, and [`Element`], an element of a slice in
-//! such a form. Each trait names the other: a layout has elements of any number of components, and
-//! an element has a layout.
+//! such a form. Each trait names the other: [`Element::Layout`] is the layout of an element, and
+//! [`Layout::Record`] is the element of a layout for a given number of components.
 
 use crate::number::Scalar;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level};
 
-/// The place in a slice of the things that one register holds, one in each lane. In blocks they are
-/// the things of register `register` within the block at index `element`. In plain records they are
-/// the records at `element`, `element + stride`, `element + 2·stride` and so on.
+/// The place, in a slice, of the things that fill one register, one in each lane. In blocks these
+/// are the things of register `register` within the block at index `element`. In plain records
+/// these are the records at `element`, `element + stride`, `element + 2·stride` and so on.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
     pub(crate) element: usize,
@@ -20,8 +20,8 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Returns the tile of one register of the block at index `element`, or of the plain records
-    /// from index `element` on, which adjoin.
+    /// Returns the tile of one register of the block at index `element`, or the tile of adjoining
+    /// plain records that begin at index `element`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn at(element: usize, register: usize) -> Self {
@@ -39,7 +39,7 @@ impl Tile {
 
 /// Returns the record that fills lanes to which no thing belongs: the identity for motions,
 /// rotations and matrices, and zero for vectors and scalars. Arithmetic with these values is never
-/// slow, while uninitialised lanes might hold subnormals, which are slow.
+/// slow, while lanes with arbitrary contents might hold subnormal numbers, which are slow.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn identity<R: Scalar, const C: usize>() -> [R; C] {
@@ -71,7 +71,7 @@ impl<R: Scalar, const C: usize> Identity<R, C> {
 /// them. It is [`Aos`](super::Aos) or [`AoSoA`](super::AoSoA). The trait is sealed.
 ///
 /// A layout that stores components in another type than registers hold, such as 16 bits each, would
-/// be another implementation of this trait; no kernel would change.
+/// be a new implementation of this trait; no kernel would have to change.
 pub trait Layout: Copy + Debug + sealed::Sealed {
     /// The type of a component in a register.
     type Real: Scalar;
@@ -87,13 +87,14 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     /// `true` if outputs in this layout can be written past the caches.
     const STREAMS: bool;
 
-    /// Returns the number of registers that hold one component of a whole record.
+    /// Returns the number of registers that one component of a record fills: for a block, of all
+    /// its things.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn registers<V: Level>() -> usize {
         (Self::THINGS / Self::Register::<V>::LANES).max(1)
     }
-    /// Returns the number of records that one register covers.
+    /// Returns the number of records whose things fill one register, at least 1.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn records<V: Level>() -> usize {
@@ -161,8 +162,8 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// Writes the thing at `index`; does nothing beyond the end.
     fn set(slice: &mut [Self], index: usize, thing: [Number<Self, C>; C]);
 
-    /// Calls `each` for every tile and stores its result, with stores that bypass the caches if the
-    /// layout [allows them](Layout::STREAMS). Stops when `each` returns `None`.
+    /// Calls `each` for every tile and stores the things that it returns, with stores that bypass
+    /// the caches if the layout [allows them](Layout::STREAMS). Stops when `each` returns `None`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn stream<V: Level>(
         level: V,
@@ -176,8 +177,8 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
         }
     }
 
-    /// Returns the slice as arrays of `C` components if the things lie one after the other, which
-    /// is faster than lanes for a single thing. Returns `None` for blocks.
+    /// Returns the slice as arrays of `C` components if the things lie one after the other, and
+    /// `None` for blocks. For a single thing such an array is faster than lanes.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn plain(slice: &[Self]) -> Option<&[[Number<Self, C>; C]]> {
@@ -198,8 +199,8 @@ pub type Number<E, const C: usize> = <<E as Element<C>>::Layout as Layout>::Real
 /// The register of the level `V` that holds one component of an element's things.
 pub type Register<E, V, const C: usize> = <<E as Element<C>>::Layout as Layout>::Register<V>;
 
-/// Returns the tiles of a slice of `length` elements in order. Each tile is read into one register
-/// for each component.
+/// Returns the tiles of a slice of `length` elements in order. The things of a tile fill one
+/// register for each component.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub fn tiles<E: Element<C>, V: Level, const C: usize>(length: usize) -> impl Iterator<Item = Tile> {
     Tiles {

@@ -1,8 +1,8 @@
 //! Layouts of things in memory, and the traits by which kernels load things into registers and
 //! store them.
 //!
-//! A *thing* is a motion, a point or any other object of `C` components, and a *record* is its
-//! components in memory: a motion has 8, a point has 3. A slice holds records one after the other
+//! A *thing* is a motion, a point or any other object of `C` components: a motion has 8, a point
+//! has 3. A *record* is the form of a thing in memory. A slice holds records one after the other
 //! ([`Aos`], array of structures), or in [`Block`]s of `N` things ([`AoSoA`], array of structures
 //! of arrays): row `c` of a block holds component `c` of `N` things. Kernels compute with a
 //! register for each component and a thing in each lane. So blocks are loaded without a transpose,

@@ -70,7 +70,7 @@ where
 /// `i / blocks.len()` of block `i % blocks.len()`. Lanes beyond the last link hold the identity.
 ///
 /// # Errors
-/// If the number of blocks is not exactly the number that the links fill; `blocks` is untouched.
+/// If `blocks` does not have exactly the length that the links fill; `blocks` is untouched.
 ///
 /// ```
 /// use dq8::storage::{Block, pack_chain, unpack_chain};
@@ -101,7 +101,7 @@ where
 /// Writes the links of a chain from blocks in the order that [`pack_chain`] uses.
 ///
 /// # Errors
-/// If the number of blocks is not exactly the number that the links fill; `links` is untouched.
+/// If `blocks` does not have exactly the length that the links fill; `links` is untouched.
 pub fn unpack_chain<R: Scalar, E, const N: usize, const C: usize>(
     blocks: &[Block<R, N, C>],
     links: &mut [E],
@@ -163,8 +163,8 @@ where
     }
 }
 
-/// The kernel of [`unpack`]: each lane of each block goes back to the place that [`Pack`] took it
-/// from.
+/// The kernel of [`unpack`]: the thing in each lane of each block goes back to the place from which
+/// [`Pack`] takes it.
 pub(crate) struct Unpack<'s, E, B> {
     pub(crate) stride: usize,
     pub(crate) blocks: &'s [B],

@@ -12,8 +12,8 @@ pub enum MatrixOrder {
     /// crate.
     #[default]
     Rows,
-    /// Column after column, as in GLSL, WGSL, glam and nalgebra. This is for matrices that other
-    /// programs read: dq8 itself reads rows.
+    /// Column after column, as in GLSL, WGSL, glam and nalgebra. This order is for matrices that
+    /// other programs read, because dq8 itself reads rows.
     Columns,
 }
 

@@ -46,13 +46,14 @@ errors! {
             /// The parent of the joint.
             parent: usize,
         } => "joint {joint} is computed, but its parent, joint {parent}, is not";
-        /// A pair of an order is not a joint and its parent, or has a parent although a root
-        /// follows it. The order was made for other parents, or is no order.
+        /// A pair of an order is not a joint and its parent, or it has a parent although a root
+        /// follows it. The order was then made for another hierarchy, or `Plan::new` did not make
+        /// it.
         NotOrder {
             /// The index of the pair in the order.
             place: usize,
         } => "pair {place} of the order is not a joint of this hierarchy and its parent";
-        /// A job was given the plan of other parents than its own.
+        /// A job was given a plan that was made for another hierarchy.
         OtherPlan => "the plan was made for another hierarchy than the job";
         /// A caller asked for a link that the robot (crate `dq8-robot`) does not have.
         NoLink {
@@ -72,8 +73,8 @@ errors! {
             /// The number of joints.
             joints: usize,
         } => "there is no joint {joint} of instance {instance}: the crowd has {} of {}", Count(*instances, "instance"), Count(*joints, "joint");
-        /// An instance is sampled after a frame that the clip does not have, or that no frame
-        /// follows.
+        /// The frame that was given for an instance is not in the clip, or it is the last frame,
+        /// after which there is none.
         NoFrame {
             /// The index of the instance.
             instance: usize,
@@ -117,7 +118,7 @@ pub fn whole_instances(
     joints: usize,
     length: usize,
 ) -> Result<usize, ShapeError> {
-    // Most callers have one instance, for which this comparison saves a slow division.
+    // Most callers have one instance, and for them this comparison saves a slow division.
     if length == joints && length > 0 {
         return Ok(1);
     }
