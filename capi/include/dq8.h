@@ -1332,13 +1332,13 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
  *
  * A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
  * that moves by less than `length_tolerance` as a single translation: 2e-5 and 1e-5 suit metres.
- * `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity` is
- * 0, only `length` is written.
+ * `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity`
+ * is 0, only `length` is written.
  *
- * Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES if
- * there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`. Returns
- * DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may be null,
- * to its index, counted through all clips.
+ * Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES
+ * if there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`.
+ * Returns DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may
+ * be null, to its index, counted through all clips.
  */
 dq8_status dq8_clips_pack(const struct dq8_frames *clips,
                           size_t clip_count,
@@ -3955,8 +3955,8 @@ dq8_status dq8_solutions_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
  * hinges that bring the link of `goal` to the target. Arms with a spherical wrist and
  * arms with three parallel axes are solved by formula, others by searches from many
  * starts. `targets` holds unit motions. `starts` holds six values for each target,
- * from the base up; solutions are sorted by their distance from them. The mechanism may
- * have other joints, which do not carry the link.
+ * from the base up; solutions are sorted by their distance from them. The mechanism
+ * may have other joints, which do not carry the link.
  *
  * Returns DQ8_STATUS_NOT_SIX_HINGES, or the errors of a goal that dq8_mechanism_reach
  * has; and DQ8_STATUS_NOT_FINITE or _NOT_UNIT for a target or a start, and then sets
@@ -3984,8 +3984,8 @@ dq8_status dq8_solutions_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
  * hinges that bring the link of `goal` to the target. Arms with a spherical wrist and
  * arms with three parallel axes are solved by formula, others by searches from many
  * starts. `targets` holds unit motions. `starts` holds six values for each target,
- * from the base up; solutions are sorted by their distance from them. The mechanism may
- * have other joints, which do not carry the link.
+ * from the base up; solutions are sorted by their distance from them. The mechanism
+ * may have other joints, which do not carry the link.
  *
  * Returns DQ8_STATUS_NOT_SIX_HINGES, or the errors of a goal that dq8_mechanism_reach
  * has; and DQ8_STATUS_NOT_FINITE or _NOT_UNIT for a target or a start, and then sets
@@ -4302,7 +4302,8 @@ dq8_status dq8_urdf_size(const uint8_t *text,
  * Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
  * `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
  * the root of the file. `names` gets the names of all links, then of all values, each
- * with a zero after it, and holds `names_size` bytes. It may be null if `names_size` is
+ * with a zero after it, and holds `names_size` bytes. It may be null if `names_size`
+ * is
  * 0. dq8_urdf_size writes both numbers, and has the same errors.
  *
  * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
@@ -4320,7 +4321,8 @@ dq8_status dq8_urdf_joints_f32(const uint8_t *text,
  * Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
  * `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
  * the root of the file. `names` gets the names of all links, then of all values, each
- * with a zero after it, and holds `names_size` bytes. It may be null if `names_size` is
+ * with a zero after it, and holds `names_size` bytes. It may be null if `names_size`
+ * is
  * 0. dq8_urdf_size writes both numbers, and has the same errors.
  *
  * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
