@@ -265,7 +265,8 @@ impl<'a, R: Real> PointPairs<'a, R> {
     }
 
     /// Returns the root mean square of the distances that a fit of these pairs leaves, and the rank
-    /// and the condition of the pairs for a rotation about any axis.
+    /// and the condition of the pairs. Both are those for a free rotation, even if the fit turns
+    /// about a given axis.
     #[must_use]
     pub fn quality(&self, fit: &Fit<R>) -> Quality<R> {
         self.quality_of(self.spectrum().as_ref(), fit)
@@ -475,7 +476,7 @@ pub(crate) struct SetNumbers<T> {
 impl<T> SetNumbers<T> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[rustfmt::skip]
-    pub(crate) fn to_array(self) -> [T; 39] {
+    pub(crate) fn into_array(self) -> [T; 39] {
         let Self { sums, heaviest, largest, values: [k, l, m, n], vectors: [q, r, s, t] } = self;
         let Sums { centers: [from, to], products: [x, y, z], squares, rounding } = sums;
         let ([a, b, c], [d, e, f]) = (from, to);

@@ -2,7 +2,7 @@
 
 /// Defines an enum of errors. The input lists the variants, each with its documentation, its
 /// message, and its fields with their documentation. A variant may have a source, which is either
-/// an error that it wraps, or the field that is named after the keyword `from`. An error that a
+/// an error that it wraps, or a field, whose name follows the keyword `from`. An error that a
 /// variant wraps can be converted into the enum by `From`.
 #[doc(hidden)]
 #[macro_export]

@@ -1253,7 +1253,8 @@ typedef struct dq8_trajectory_options {
    */
   int32_t frame;
   /**
-   * If `frame` is 3, the time of the frame, in seconds on the clock of the stamps.
+   * The time whose pose is the frame, if `frame` is 3: in seconds, on the same clock as the
+   * stamps of the trajectory.
    */
   double time;
   /**

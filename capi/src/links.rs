@@ -50,7 +50,8 @@ unsafe fn link_jacobians<L: Layout>(
 where
     L::Real: JointValues<L>,
 {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or was made here with steps that
+    // have not changed since.
     let checked = unsafe { Checked::new(mechanism)? };
     let known = checked.known;
     let values = Input::<L::Real>::new(values, value_count)?;

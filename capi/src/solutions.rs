@@ -69,13 +69,14 @@ fn scratch_len<R: Real>(known: dq8_robot::Mechanism<'_, R>) -> Result<usize, Sta
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. `scratch_count` must point to a
-/// `usize` that no other thread uses during the call.
+/// The mechanism must be zeroed, or was made here with steps that have not changed since.
+/// `scratch_count` must point to a `usize` that no other thread uses during the call.
 unsafe fn solutions_scratch<R: Real>(
     mechanism: *const Mechanism<R>,
     scratch_count: *mut usize,
 ) -> Done {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or was made here with steps that
+    // have not changed since.
     let checked = unsafe { Checked::new(mechanism)? };
     let to = Output::<usize>::new(scratch_count, 1)?;
     disjoint(&[to.span], &[checked.given, checked.steps])?;
@@ -110,11 +111,12 @@ struct Query<R> {
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
-/// elements as its count says, and `bad_target` may be null. No other thread may use the outputs or
-/// write the inputs during the call.
+/// The mechanism must be zeroed, or was made here with steps that have not changed since. Each
+/// array must have as many elements as its count says, and `bad_target` may be null. No other
+/// thread may use the outputs or write the inputs during the call.
 unsafe fn solutions<R: Scalar>(query: Query<R>) -> Done {
-    // SAFETY: the caller guarantees that the mechanism is zeroed, or made and its steps unchanged.
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or was made here with steps that
+    // have not changed since.
     let checked = unsafe { Checked::new(query.mechanism)? };
     let goal = Input::<ik::Goal<R>>::new(query.goal, 1)?;
     let targets = Input::<DualQuat<R>>::new(query.targets, query.count)?;

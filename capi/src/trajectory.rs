@@ -27,7 +27,8 @@ pub struct Options {
     /// 2: its frame at the last stamp. 3: its frame at `time`. 4: a frame whose pose in the world
     /// is `pose`.
     pub frame: i32,
-    /// If `frame` is 3, the time of the frame, in seconds on the clock of the stamps.
+    /// The time whose pose is the frame, if `frame` is 3: in seconds, on the same clock as the
+    /// stamps of the trajectory.
     pub time: f64,
     /// If `frame` is 4, the pose of the frame in the world, a unit motion.
     pub pose: [f64; 8],

@@ -324,7 +324,8 @@ impl JointSlot {
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
-    /// Returns the slot of the same instances, `slots` slots later. A register has `lanes` lanes.
+    /// Returns the slot of the same instances that is `slots` slots further on among the joints. A
+    /// slot is one joint, or `lanes` joints if the lanes of a register are joints.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
         let joints = if self.lanes_are_joints() { slots * lanes } else { slots };

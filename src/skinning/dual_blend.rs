@@ -95,8 +95,8 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
             pivot = pivots.rows().of(motions)?.quads(level, 0, 0);
         }
         let signed = toward(real, pivot, weights);
-        // Each weight in `signed` has the sign of its motion, so the pivot is not needed for the
-        // sums.
+        // The weights in `signed` are already negative where a motion must be negated to lie on the
+        // side of the pivot, so the sums do not need the pivot.
         let zero = total.constant(0.0);
         let mut sum = DualSum { sum: [zero; 8], total, greatest };
         influence = 0;

@@ -89,7 +89,7 @@ impl<R: Scalar> Kernel for FitEach<'_, R> {
             }
             let numbers = group.numbers::<V>(level);
             let mut rows = [[R::ZERO; 39]; MAX_LANES];
-            Element::store::<V>(numbers.to_array(), &mut rows, Tile::at(0, 0));
+            Element::store::<V>(numbers.into_array(), &mut rows, Tile::at(0, 0));
             let places = group.starts.into_iter().zip(group.counts);
             let outputs = fits.iter_mut().zip(qualities);
             for ((place, row), (fit, quality)) in places.zip(rows).zip(outputs) {

@@ -357,9 +357,9 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
 
     /// Returns the two solutions for the fifth angle, and the lanes in which `last` and `against`
     /// are parallel. At the fifth angle, the angle between the last axis and the wrist reference
-    /// equals the angle between `last` and `against`. The slack for parallel axes grows with the
-    /// error of the earlier angles, because a nearly stretched elbow amplifies rounding: nearly
-    /// parallel axes may then differ only by rounding.
+    /// equals the angle between `last` and `against`. The tolerance within which axes count as
+    /// parallel grows with the error of the earlier angles, `error_gain`. A nearly stretched elbow
+    /// amplifies rounding, so axes that are parallel may be computed as different directions.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3], error_gain: L) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.wrist_reference);

@@ -569,8 +569,8 @@ impl<R: Real> Lane<R> {
         let tolerance = options.angular_tolerance;
         let is_there =
             arrived && (!is_nearer || measured.posture_distance <= tolerance * tolerance);
-        // Only values at the targets count as progress, because a step toward the posture may leave
-        // the targets for a while.
+        // Progress toward the posture counts only while the targets are reached, because a step
+        // toward the posture may leave the targets for some iterations.
         if arrived {
             (self.reference, self.idle_steps) = (measured.posture_distance, 0);
         }

@@ -282,8 +282,8 @@ pub(crate) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) ->
     first_carried(steps, position, links).is_some()
 }
 
-/// Returns the first index in `links` of the link of the step at `position`, or of a link that this
-/// link carries.
+/// Returns the index of the first element of `links` that is the link of the step at `position`, or
+/// is carried by that link.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn first_carried<R>(
     steps: &[Step<R>],

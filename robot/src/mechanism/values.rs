@@ -191,8 +191,9 @@ impl<Y: Layout> JointValues<Y> for &[Y::Real] {
 #[doc(hidden)]
 pub struct Part<'s, T> {
     slice: &'s [T],
-    /// The index of the first configuration of the range in each column, because a column is never
-    /// divided. It is zero for the other layouts, whose slices are divided.
+    /// The index of the first configuration of this part. It is zero unless the values are columns:
+    /// each part gets all columns whole, whereas in the other layouts `slice` begins with this
+    /// configuration.
     first: usize,
 }
 

@@ -207,9 +207,10 @@ fn instead(name: &str, meant: &str) -> String {
     if name == meant { String::new() } else { format!("; did you mean {meant:?}?") }
 }
 
-/// A kind of element, with the names of its parts. An attribute or child element that is neither
-/// read nor `known` is an error if its name is one of these names, or close to one of them
-/// ([`meant`]). Parts with other names do not describe where links are.
+/// A kind of element, with lists of the names of its attributes and child elements. A part whose
+/// name is in none of these lists is an error if its name is close to one of theirs ([`meant`]),
+/// because it is probably misspelt. Other parts do not say where links are, and are ignored with a
+/// warning.
 pub(crate) struct Place {
     /// The attributes that are read. In this field and the next three, names are separated by
     /// spaces.
