@@ -67,7 +67,7 @@ g++ -fsanitize=address,undefined "$prefix/doors.o" "${static[@]}" -o "$prefix/do
 passes "$prefix/doors"
 diff <(nm -u "$prefix/doors.o" | grep -o '\bdq8_[a-z0-9_]*' | sort -u) <(exports) \
   || { echo 'tests/doors.cpp does not go through these functions' >&2; exit 1; }
-g++ -std=c++20 -fsyntax-only "${strict[@]}" "${cflags[@]}" tests/doors.cpp
+g++ -std=c++20 -fsyntax-only "${strict[@]}" -Wshadow "${cflags[@]}" tests/doors.cpp
 if grep -n 'dq8_[a-z0-9_]*_f\(32\|64\)' tests/doors.cpp examples/*.cpp; then
   echo 'a program in C++ names a function of C' >&2
   exit 1

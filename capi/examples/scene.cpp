@@ -15,7 +15,7 @@ int main() try {
   /* Two joints: the first one slides from 0 to 2 in two seconds, the second one is beside it. Its clip, packed, and played. */
   const dq8::skeleton skeleton({-1, 0});
   std::vector<std::array<float, 7>> keys;
-  for (float at : {0, 1, 2}) {
+  for (float at : {0.f, 1.f, 2.f}) {
     keys.push_back({0, 0, 0, 1, at, 0, 0});
     keys.push_back({0, 0, 0, 1, 0, 1, 0});
   }

@@ -9,20 +9,21 @@
  * Names.    dq8_motion_NAME computes one motion, dq8_mechanism_NAME one configuration of a mechanism,
  *           dq8_skin_NAME a mesh, dq8_plan_NAME one instance of a hierarchy in the fastest order,
  *           dq8_clips_NAME packed clips, and dq8_trajectory_NAME and dq8_spline_NAME poses over
- *           time. dq8_NAME computes plain arrays, and dq8_blocks_NAME the same
- *           on blocks, which is fastest. All have a form for float (_f32) and one for double (_f64);
- *           dq8_generic.h has one name for both (C11).
+ *           time, and dq8_urdf_NAME reads files of robots, if the library has the feature `urdf`.
+ *           dq8_NAME computes plain arrays, and dq8_blocks_NAME the same on blocks, which is fastest.
+ *           All have a form for float (_f32) and one for double (_f64); dq8_generic.h has one name
+ *           for both (C11).
  * Blocks.   A block holds `lanes` things, component after component: with 8 lanes, the eight px, then
  *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. If it is not DQ8_STATUS_OK, the outputs are as they were,
  *           except an index such as `bad_joint`, the steps of a mechanism, and scratch.
  * Memory.   All memory is yours. The library allocates nothing and keeps no pointer after it returns.
- *           (dq8_resample, dq8_clips_pack, dq8_trajectory_NAME and dq8_spline_NAME alone allocate while they run.
- *           Without the feature `trajectory`, as for firmware, the library does not have them.) But a dq8_mechanism points to its steps, a
- *           dq8_skin to its joints and weights, and dq8_clips to their bytes: do not change or free
- *           these, or the behaviour is undefined. A pointer may be null if the length of its array
- *           is 0.
+ *           (dq8_resample, dq8_clips_pack, dq8_urdf_NAME, dq8_trajectory_NAME and dq8_spline_NAME alone
+ *           allocate while they run. Without std, as for firmware, the library does not have them.)
+ *           But a dq8_mechanism points to its steps, a dq8_skin to its joints and weights, and
+ *           dq8_clips to their bytes: do not change or free these, or the behaviour is undefined. A
+ *           pointer may be null if the length of its array is 0.
  * Align.    Arrays must have the alignment of their number type, and blocks that of 64 bytes.
  * Aliasing. Inputs may overlap each other. An output (an array, or one thing such as a motion) must not
  *           overlap an input or another output, unless a function says that it may be one of the

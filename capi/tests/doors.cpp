@@ -73,7 +73,7 @@ template <class T>
 struct given {
   std::vector<T> plain;
   std::size_t each;
-  given(dq8::span<const T> numbers, std::size_t each) : plain(numbers.begin(), numbers.end()), each(each) {}
+  given(dq8::span<const T> all, std::size_t of_each) : plain(all.begin(), all.end()), each(of_each) {}
   dq8::blocks<T> blocks() const {
     const std::size_t lanes = 32 / sizeof(T), count = plain.size() / each;
     dq8::blocks<T> blocks(lanes, each, (count + lanes - 1) / lanes);
@@ -140,10 +140,10 @@ static void on_arrays() {
   arrays("sclerp", 8, EACH(a[i].sclerp(b[i], t)), between([&](auto &x, auto &y, auto &out) { dq8::sclerp(x, y, t, out); }), as, bs);
   arrays("nlerp_each", 8, EACH(a[i].nlerp(b[i], parts[i])), CALL(dq8::nlerp_each(x, more...)), as, bs, ts);
   arrays("sclerp_each", 8, EACH(a[i].sclerp(b[i], parts[i])), CALL(dq8::sclerp_each(x, more...)), as, bs, ts);
-  const auto middle = [&](std::size_t i, T t) {
+  const auto middle = [&](std::size_t i, T part) {
     const auto p = a[i].translation(), q = b[i].translation();
-    const auto turn = motion::rotation_by(a[i].rotation()).sclerp(motion::rotation_by(b[i].rotation()), t).rotation();
-    return motion(turn, {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])});
+    const auto turn = motion::rotation_by(a[i].rotation()).sclerp(motion::rotation_by(b[i].rotation()), part).rotation();
+    return motion(turn, {p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1]), p[2] + part * (q[2] - p[2])});
   };
   const auto signed_like = [](motion m, const motion &other) {
     T dot = 0;
@@ -401,6 +401,13 @@ static void on_mechanisms() {
   const auto found = six.solutions(mechanism::whole(5), target, bent);
   check(found.size() == 1 && found[0].count >= 2 && found[0].is_complete == 1 && found[0].all[0].distance < T(1e-3), "solutions");
   for (std::size_t i = 0; i < found[0].count; i++) check(six.pose(found[0].all[i].values, 5).distance_to(target) < T(1e-4), "a solution");
+  /* An arm of no family, which is searched. */
+  const motion askew({T(0.1), T(0.2), 0, std::sqrt(T(0.95))}, {T(0.3), T(0.1), T(0.4)});
+  std::vector<typename mechanism::joint> hinges;
+  for (std::int32_t joint = 0; joint < 6; joint++) hinges.push_back(mechanism::revolute(joint - 1, askew, {0, joint % 2 == 0 ? T(0) : T(1), joint % 2 == 0 ? T(1) : T(0)}));
+  const mechanism other(hinges);
+  const auto searched = other.solutions(mechanism::whole(5), other.pose(bent, 5), bent);
+  check(searched[0].count >= 1 && searched[0].is_complete == 0 && searched[0].all[0].distance < T(1e-2), "an arm that is searched");
   check(refused(DQ8_STATUS_LENGTH, "starts has length 3", [&] { six.solutions(mechanism::whole(5), target, {1, 2, 3}); }), "starts");
   check(refused(DQ8_STATUS_NOT_UNIT, "solutions", [&] { six.solutions(mechanism::whole(5), motion({0, 0, 0, 2, 0, 0, 0, 0}), bent); }, 0), "a target that is not unit");
   check(refused(DQ8_STATUS_NOT_SIX_HINGES, "solutions", [&] { arm.solutions(mechanism::whole(2), target, bent); }), "two hinges");

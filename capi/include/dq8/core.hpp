@@ -27,8 +27,8 @@ constexpr std::size_t nowhere = SIZE_MAX;
 struct error : std::runtime_error {
   dq8_status status;
   std::size_t index;
-  error(dq8_status status, const std::string &text, std::size_t index = nowhere)
-      : std::runtime_error(text), status(status), index(index) {}
+  error(dq8_status kind, const std::string &text, std::size_t wrong = nowhere)
+      : std::runtime_error(text), status(kind), index(wrong) {}
 };
 
 /* The number type of the element of an array, and how many numbers the element is made of. */

@@ -177,17 +177,17 @@ class mechanism {
                              values.data(), values.size(), scratch.data(), scratch.size(), reports.data(), count));
     return reports;
   }
-  /* Finds all solutions of an arm of six hinges for each target: values of its hinges that bring the link of `goal` there.
+  /* Finds all solutions of an arm of six hinges for each target: values of its hinges that bring the link of the goal `whole` there.
      `starts` has six values for each target; the nearest solution to them comes first. Throws an error whose index is the
      wrong target. */
-  std::vector<solution_list> solutions(const goal &goal, span<const T> targets, span<const T> starts) const {
+  std::vector<solution_list> solutions(const goal &whole, span<const T> targets, span<const T> starts) const {
     const std::size_t count = detail::things("mechanism::solutions", "targets", targets.size(), 8);
     detail::length("mechanism::solutions", "starts", starts.size(), 6 * count);
     std::size_t room = 0, bad = nowhere;
     detail::check("mechanism::solutions", abi::solutions_scratch(made(), &room));
     std::vector<T> scratch(room);
     std::vector<solution_list> found(count);
-    const dq8_status status = abi::solutions(made(), &goal, targets.data(), starts.data(), scratch.data(), scratch.size(),
+    const dq8_status status = abi::solutions(made(), &whole, targets.data(), starts.data(), scratch.data(), scratch.size(),
                                              found.data(), count, &bad);
     detail::check("mechanism::solutions", status, bad);
     return found;

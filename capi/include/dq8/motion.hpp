@@ -112,8 +112,8 @@ class motion {
   /* Applies the adjoint of the motion to a twist. */
   twist adjoint(const twist &of) const { return ask<twist>("motion::adjoint", abi::motion_twist, data(), of.data()); }
   /* Moves on by `dt` seconds of a body twist. */
-  motion integrate_body(const twist &twist, T dt) const {
-    return ask<motion>("motion::integrate_body", abi::motion_integrate_body, data(), twist.data(), dt);
+  motion integrate_body(const twist &body, T dt) const {
+    return ask<motion>("motion::integrate_body", abi::motion_integrate_body, data(), body.data(), dt);
   }
 
   /* Interpolates to `end` (t = 1) along one screw. */

@@ -16,7 +16,7 @@ template <class T>
 struct vertex_buffer {
   span<T> numbers;
   dq8_vertex_fields fields;
-  vertex_buffer(span<T> numbers, dq8_vertex_fields fields) : numbers(numbers), fields(fields) {}
+  vertex_buffer(span<T> all, dq8_vertex_fields of_each) : numbers(all), fields(of_each) {}
 };
 
 /* The joints and weights of the vertices of a mesh. It owns its memory, and can be moved but not copied. A skin that has been

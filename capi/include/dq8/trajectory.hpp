@@ -91,8 +91,8 @@ class spline {
   enum class basis : std::int32_t { smooth = 0, through = 1 };
 
   /* Throws an error whose index is the wrong control pose. */
-  spline(double start, double every, span<const double> control, basis basis = basis::smooth)
-      : control_(control.begin(), control.end()), start_(start), every_(every), basis_(basis) {
+  spline(double start, double every, span<const double> control, basis kind = basis::smooth)
+      : control_(control.begin(), control.end()), start_(start), every_(every), basis_(kind) {
     detail::things("spline", "control", control.size(), 8);
     sample({}, span<double>());
   }
