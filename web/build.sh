@@ -1,32 +1,80 @@
 #!/usr/bin/env bash
-# Builds the package: `web/build.sh [LEVEL…]`, of simd128 and relaxed; the first alone by default. It needs Debian's rustc-web,
-# cargo-web, rust-web-src and lld; no rustup target, no wasm-bindgen.
+# Builds the package: `web/build.sh [LEVEL…]`, of simd128 and relaxed; both by default. Of the compilers that are here, in
+# this order: with the sources of the standard library (Debian's rust-web-src, rustup's rust-src), which makes the smallest
+# modules; with the library compiled for wasm32-unknown-unknown (rustup's target of that name); Debian's, installed by root.
 set -euo pipefail
 cd "$(dirname "$0")"
+# rustup's own programs install what a project asks for; nothing here may.
+export RUSTUP_AUTO_INSTALL=0
 
-../scripts/install_missing.sh /usr/bin/rustc=rustc-web /usr/bin/cargo=cargo-web \
-  /usr/lib/rustlib/src/rust/library=rust-web-src /usr/bin/wasm-ld=lld
-export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_INCREMENTAL=0 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld
-# Every browser since 2023 and node since 16 know these. A panic would end the module
-# without a text: nobody could read one, and kernels do not panic.
-export RUSTFLAGS='-Ctarget-feature=+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext -Zunstable-options -Cpanic=immediate-abort'
+sources() { [ -d "$("$1" --print sysroot 2>/dev/null)/lib/rustlib/src/rust/library/std" ]; }
+compiled() { compgen -G "$("$1" --print sysroot 2>/dev/null)/lib/rustlib/wasm32-unknown-unknown/lib/libstd-*.rlib" >/dev/null; }
+found() { # which of the compilers has this; cargo is beside it
+  for rustc in "${RUSTC:-rustc}" /usr/bin/rustc; do
+    rustc=$(command -v "$rustc") && "$1" "$rustc" || continue
+    cargo=$(dirname "$rustc")/cargo
+    [ -x "$cargo" ] || cargo=$(command -v cargo) || continue
+    return 0
+  done
+  return 1
+}
+if ! found sources && ! found compiled; then
+  if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null; then
+    cat >&2 <<'WORDS'
+No Rust compiler here makes WebAssembly. Any of these does:
+  rustup target add wasm32-unknown-unknown
+  rustup component add rust-src                            (smaller modules)
+  apt-get install rustc-web cargo-web rust-web-src lld     (Debian)
+WORDS
+    exit 1
+  fi
+  ../scripts/install_missing.sh /usr/bin/rustc=rustc-web /usr/bin/cargo=cargo-web /usr/lib/rustlib/src/rust/library=rust-web-src
+  found sources
+fi
+# rustup brings a linker; Debian's compiler has none for this target.
+host=$("$rustc" -vV | sed -n 's/^host: //p')
+if ! [ -x "$("$rustc" --print sysroot)/lib/rustlib/$host/bin/rust-lld" ]; then
+  linker=$(command -v wasm-ld || compgen -G '/usr/bin/wasm-ld-*' | tail -1) || {
+    [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null || { echo 'There is no linker: wasm-ld, which Debian has in lld.' >&2; exit 1; }
+    ../scripts/install_missing.sh /usr/bin/wasm-ld=lld
+    linker=wasm-ld
+  }
+  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$linker
+fi
+
+export RUSTC=$rustc RUSTC_BOOTSTRAP=1 CARGO_INCREMENTAL=0
+# Every browser since 2023 and node since 18 know these.
+export RUSTFLAGS='-Ctarget-feature=+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext'
+flags=()
+if sources "$rustc"; then
+  # A panic ends the module without a text: nobody could read one, and kernels do not panic. Compilers before 1.91 cannot.
+  abort='-Zunstable-options -Cpanic=immediate-abort'
+  ! "$rustc" $abort --print cfg >/dev/null 2>&1 || RUSTFLAGS+=" $abort"
+  flags=(-Zbuild-std=std,panic_abort -Zbuild-std-features=optimize_for_size)
+fi
 target=${CARGO_TARGET_DIR:-target}
 
-[ $# -gt 0 ] || set -- simd128
-for level; do
-  flags=()
+[ $# -gt 0 ] || read -ra levels <<<"${LEVELS:-simd128 relaxed}"
+[ $# -eq 0 ] || levels=("$@")
+for level in "${levels[@]}"; do
+  features=()
   case $level in
     simd128) ;;
     # The packages with lanes alone: the standard library is the same, and is not built again.
     relaxed) for package in dq8 dq8-robot dq8-simd dq8-web; do
-        flags+=(--config "profile.release.package.$package.rustflags=['-Ctarget-feature=+relaxed-simd']")
+        features+=(--config "profile.release.package.$package.rustflags=['-Ctarget-feature=+relaxed-simd']")
       done ;;
-    *) echo "no level: $level" >&2; exit 1 ;;
+    *) echo "no level: $level; there are simd128 and relaxed" >&2; exit 1 ;;
   esac
   for module in skeletons robots; do
-    /usr/bin/cargo build --release --locked --target wasm32-unknown-unknown -Zbuild-std=std,panic_abort \
-      -Zbuild-std-features=optimize_for_size -Zprofile-rustflags "${flags[@]}" --no-default-features --features "$module"
+    # What these packages run while they are built is compiled for the host, which says that it has no such feature.
+    { "$cargo" build --release --locked --target wasm32-unknown-unknown "${flags[@]}" -Zprofile-rustflags "${features[@]}" \
+        --no-default-features --features "$module" 2>&1 >&3 | { grep -v "'+relaxed-simd' is not a recognized feature" || :; } >&2; } 3>&1
     name=dq8; [ "$module" = skeletons ] || name=robots
     cp "$target/wasm32-unknown-unknown/release/dq8_web.wasm" "package/$name.$level.wasm"
   done
+done
+cp ../LICENSE-MIT ../LICENSE-APACHE package/
+for level in simd128 relaxed; do
+  [ -e "package/dq8.$level.wasm" ] && [ -e "package/robots.$level.wasm" ] || echo "The package has no modules of the level $level." >&2
 done

@@ -1,14 +1,17 @@
 // dq8 for JavaScript: skeletons, clips and skins, many at a time. README.md begins with an example.
-import { Module, Noun, Numbers, count, dispose, instantiate } from "./memory.js";
+import { compile as compileFile, LevelError, supports } from "./engine.js";
+import { Module, Noun, Numbers, count, dispose } from "./memory.js";
 
-// Written out, so that bundlers find and copy the files.
-const FILES = {
-  simd128: () => new URL("./dq8.simd128.wasm", import.meta.url),
-  relaxed: () => new URL("./dq8.relaxed.wasm", import.meta.url),
-};
+// Written out, so that bundlers find and copy the file.
+const SIMD128 = { module: "dq8", name: "simd128", url: () => new URL("./dq8.simd128.wasm", import.meta.url) };
 
+/** The compiled code, which workers can be sent. */
+export const compile = (options, read) => compileFile(SIMD128, options, read);
 /** A module of its own, with its own memory. */
-export default async function load(options) { return new Dq8(await instantiate(FILES, options)); }
+export async function load(options, read) {
+  return new Dq8((await WebAssembly.instantiate(await compile(options, read), {})).exports);
+}
+export { load as default, LevelError, supports };
 
 // Nouns keep their module and their places to themselves: what has been checked cannot be written to.
 const modules = new WeakMap(), places = new WeakMap();

@@ -4,28 +4,8 @@ const text = new TextDecoder();
 /** So that `using` frees what has it; older engines have `free` alone. */
 export const dispose = Symbol.dispose ?? Symbol("dispose");
 
-async function bytes(url) {
-  if (url.protocol === "file:") { // node, whose fetch reads no files
-    const { readFile } = await import(/* webpackIgnore: true */ "node:fs/promises");
-    return readFile(url);
-  }
-  const answer = await fetch(url);
-  if (!answer.ok) throw new Error(`${url}: ${answer.status} ${answer.statusText}`);
-  return answer.arrayBuffer();
-}
-
-/** The exports of a module from the file of its level, or from what the caller has. */
-export async function instantiate(files, { level = "simd128", wasm } = {}) {
-  if (!Object.hasOwn(files, level)) throw new RangeError(`level is ${level}, none of ${Object.keys(files).join(", ")}`);
-  const from = wasm ?? await bytes(files[level]());
-  const module = from instanceof WebAssembly.Module ? from : await WebAssembly.compile(from);
-  return (await WebAssembly.instantiate(module, {})).exports;
-}
-
 /** Rust's names of arguments, as they are called here. */
 const asWritten = (message) => message.replace(/\b[a-z]+(?:_[a-z]+)+\b/g, (name) => name.replace(/_(.)/g, (_, c) => c.toUpperCase()));
-
-export let placeOf;
 
 /** Numbers in a module's memory. */
 export class Numbers {
@@ -52,14 +32,13 @@ export class Numbers {
     this.#view = undefined;
   }
   [dispose]() { this.free(); }
-  static {
-    placeOf = (module, name, numbers, size) => {
-      if (!(numbers instanceof Numbers) || numbers.#Type !== Float32Array) throw new TypeError(`${name} is no array of dq8.floats`);
-      if (numbers.#module !== module) throw new TypeError(`${name} is an array of another module`);
-      if (numbers.#at === 0) throw new Error(`${name} has been freed`);
-      if (numbers.#length % size) throw new RangeError(`${name} holds ${numbers.#length} numbers, which is not a multiple of ${size}`);
-      return [numbers.#at, numbers.#length / size];
-    };
+  /** Place and count of an array of things of `size` numbers. */
+  static place(module, name, numbers, size) {
+    if (!(numbers instanceof Numbers) || numbers.#Type !== Float32Array) throw new TypeError(`${name} is no array of dq8.floats`);
+    if (numbers.#module !== module) throw new TypeError(`${name} is an array of another module`);
+    if (numbers.#at === 0) throw new Error(`${name} has been freed`);
+    if (numbers.#length % size) throw new RangeError(`${name} holds ${numbers.#length} numbers, which is not a multiple of ${size}`);
+    return [numbers.#at, numbers.#length / size];
   }
 }
 
@@ -78,7 +57,7 @@ export class Module {
     try { return run(numbers.view.byteOffset, numbers.length); } finally { numbers.free(); }
   }
   /** Place and count of an array of things of `size` numbers. */
-  array(name, numbers, size = 1) { return placeOf(this, name, numbers, size); }
+  array(name, numbers, size = 1) { return Numbers.place(this, name, numbers, size); }
   /** The same of one that may be missing. */
   maybe(name, numbers, size = 1) { return numbers ? this.array(name, numbers, size) : [0, 0]; }
   /** Calls a function of numbers, arrays that are read and arrays that are written: { name: [array, size, whether it may be missing] }. */

@@ -1,12 +1,14 @@
 // Robots of URDF files: poses of links, Jacobians, inverse kinematics. The only file that knows what a robot exports.
-import { Module, Noun, Numbers, count, instantiate, dispose } from "./memory.js";
+import { compile as compileFile, LevelError, supports } from "./engine.js";
+import { Module, Noun, Numbers, count, dispose } from "./memory.js";
 
-const FILES = {
-  simd128: () => new URL("./robots.simd128.wasm", import.meta.url),
-  relaxed: () => new URL("./robots.relaxed.wasm", import.meta.url),
-};
+const SIMD128 = { module: "dq8/robots", name: "simd128", url: () => new URL("./robots.simd128.wasm", import.meta.url) };
 
-export default async function load(options) { return new Robots(await instantiate(FILES, options)); }
+export const compile = (options, read) => compileFile(SIMD128, options, read);
+export async function load(options, read) {
+  return new Robots((await WebAssembly.instantiate(await compile(options, read), {})).exports);
+}
+export { load as default, LevelError, supports };
 
 export const OUTCOMES = ["converged", "outOfReach", "atLimits", "stalled", "unfinished", "invalid"];
 
