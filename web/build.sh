@@ -1,16 +1,39 @@
 #!/usr/bin/env bash
-# Builds the package: `web/build.sh [LEVEL…]`, of simd128 and relaxed; both by default. Of the compilers that are here, in
+# Builds the package: `web/build.sh [--older] [LEVEL…]`, of simd128 and relaxed; both by default, or those of the variable
+# `LEVELS`. With `--older`, only modules that are older than what they are made of. Of the compilers that are here, in
 # this order: with the sources of the standard library (Debian's rust-web-src, rustup's rust-src), which makes the smallest
 # modules; with the library compiled for wasm32-unknown-unknown (rustup's target of that name); Debian's, installed by root.
+# `RUSTC` names the only compiler that may be taken.
 set -euo pipefail
 cd "$(dirname "$0")"
 # rustup's own programs install what a project asks for; nothing here may.
 export RUSTUP_AUTO_INSTALL=0
 
+older=
+[ "${1:-}" != --older ] || { older=1; shift; }
+[ $# -gt 0 ] || read -ra levels <<<"${LEVELS:-simd128 relaxed}"
+[ $# -eq 0 ] || levels=("$@")
+wanted=()
+for level in "${levels[@]}"; do
+  [[ $level == simd128 || $level == relaxed ]] || { echo "no level: $level; there are simd128 and relaxed" >&2; exit 1; }
+  for name in dq8 robots; do
+    file=package/$name.$level.wasm
+    [ "$older" ] && [ -e "$file" ] && [ -z "$(find build.sh Cargo.* src ../src ../simd/src ../robot/src ../Cargo.toml -newer "$file" -print -quit)" ] ||
+      wanted+=("$name.$level")
+  done
+done
+finish() {
+  cp ../LICENSE-MIT ../LICENSE-APACHE package/
+  for level in simd128 relaxed; do
+    [ -e "package/dq8.$level.wasm" ] && [ -e "package/robots.$level.wasm" ] || echo "The package has no modules of the level $level." >&2
+  done
+}
+[ ${#wanted[@]} -gt 0 ] || { finish; exit; }
+
 sources() { [ -d "$("$1" --print sysroot 2>/dev/null)/lib/rustlib/src/rust/library/std" ]; }
 compiled() { compgen -G "$("$1" --print sysroot 2>/dev/null)/lib/rustlib/wasm32-unknown-unknown/lib/libstd-*.rlib" >/dev/null; }
 found() { # which of the compilers has this; cargo is beside it
-  for rustc in "${RUSTC:-rustc}" /usr/bin/rustc; do
+  for rustc in ${RUSTC:-rustc /usr/bin/rustc}; do
     rustc=$(command -v "$rustc") && "$1" "$rustc" || continue
     cargo=$(dirname "$rustc")/cargo
     [ -x "$cargo" ] || cargo=$(command -v cargo) || continue
@@ -54,27 +77,17 @@ if sources "$rustc"; then
 fi
 target=${CARGO_TARGET_DIR:-target}
 
-[ $# -gt 0 ] || read -ra levels <<<"${LEVELS:-simd128 relaxed}"
-[ $# -eq 0 ] || levels=("$@")
-for level in "${levels[@]}"; do
-  features=()
-  case $level in
-    simd128) ;;
-    # The packages with lanes alone: the standard library is the same, and is not built again.
-    relaxed) for package in dq8 dq8-robot dq8-simd dq8-web; do
-        features+=(--config "profile.release.package.$package.rustflags=['-Ctarget-feature=+relaxed-simd']")
-      done ;;
-    *) echo "no level: $level; there are simd128 and relaxed" >&2; exit 1 ;;
-  esac
-  for module in skeletons robots; do
-    # What these packages run while they are built is compiled for the host, which says that it has no such feature.
-    { "$cargo" build --release --locked --target wasm32-unknown-unknown "${flags[@]}" -Zprofile-rustflags "${features[@]}" \
-        --no-default-features --features "$module" 2>&1 >&3 | { grep -v "'+relaxed-simd' is not a recognized feature" || :; } >&2; } 3>&1
-    name=dq8; [ "$module" = skeletons ] || name=robots
-    cp "$target/wasm32-unknown-unknown/release/dq8_web.wasm" "package/$name.$level.wasm"
+for made in "${wanted[@]}"; do
+  name=${made%.*} features=()
+  # The packages with lanes alone: the standard library is the same, and is not built again.
+  [ "${made#*.}" = simd128 ] || for package in dq8 dq8-robot dq8-simd dq8-web; do
+    features+=(--config "profile.release.package.$package.rustflags=['-Ctarget-feature=+relaxed-simd']")
   done
+  module=skeletons
+  [ "$name" = dq8 ] || module=robots
+  # What these packages run while they are built is compiled for the host, which says that it has no such feature.
+  { "$cargo" build --release --locked --target wasm32-unknown-unknown "${flags[@]}" -Zprofile-rustflags "${features[@]}" \
+      --no-default-features --features "$module" 2>&1 >&3 | { grep -v "'+relaxed-simd' is not a recognized feature" || :; } >&2; } 3>&1
+  cp "$target/wasm32-unknown-unknown/release/dq8_web.wasm" "package/$made.wasm"
 done
-cp ../LICENSE-MIT ../LICENSE-APACHE package/
-for level in simd128 relaxed; do
-  [ -e "package/dq8.$level.wasm" ] && [ -e "package/robots.$level.wasm" ] || echo "The package has no modules of the level $level." >&2
-done
+finish
