@@ -9,14 +9,19 @@ const URDF = `<robot name="door"><link name="frame"/><link name="leaf"/><joint n
 /** "3 6 9 | frame leaf | 1 2 3": translations along a chain, the links of a robot, and where the second hangs. */
 export async function answer(options = {}, robotOptions = {}) {
   if (!supports("simd128")) throw new LevelError("simd128");
-  const dq8 = await load(options), robots = await loadRobots(robotOptions);
-  const locals = dq8.motions(3), skeleton = dq8.skeleton([-1, 0, 1]), matrices = dq8.floats(48);
+  const dq8 = await load(options),
+    robots = await loadRobots(robotOptions);
+  const locals = dq8.motions(3),
+    skeleton = dq8.skeleton([-1, 0, 1]),
+    matrices = dq8.floats(48);
   for (let joint = 0; joint < 3; joint++) locals.view[8 * joint + 4] = 1.5;
   skeleton.localToModel(locals);
   dq8.matrices(locals, matrices);
-  const robot = robots.robot(URDF), poses = robots.floats(16);
+  const robot = robots.robot(URDF),
+    poses = robots.floats(16);
   robot.poses(robots.floats([0]), poses);
   const translations = [0, 1, 2].map((joint) => matrices.view[16 * joint + 12]);
   return [translations, robot.linkNames, [...poses.view.subarray(12, 15)].map((half) => 2 * half)]
-    .map((part) => part.join(" ")).join(" | ");
+    .map((part) => part.join(" "))
+    .join(" | ");
 }

@@ -3,5 +3,11 @@ import wasm from "dq8/dq8.simd128.wasm";
 import robots from "dq8/robots.simd128.wasm";
 import { answer } from "./app.js";
 
-answer({ wasm }, { wasm: robots }).then((text) => { globalThis.answer = text; },
-  (error) => { globalThis.answer = String(error); });
+answer({ wasm }, { wasm: robots }).then(
+  (text) => {
+    globalThis.answer = text;
+  },
+  (error) => {
+    globalThis.answer = String(error);
+  },
+);

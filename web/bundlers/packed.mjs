@@ -11,9 +11,15 @@ export const TOOLS = join(HERE, "node_modules");
 /** Runs a program, and throws what it said if it fails. */
 export function run(program, args, { cwd, env = {} } = {}) {
   try {
-    return execFileSync(program, args, { cwd, env: { ...process.env, ...env }, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+    return execFileSync(program, args, {
+      cwd,
+      env: { ...process.env, ...env },
+      encoding: "utf8",
+      stdio: ["ignore", "pipe", "pipe"],
+    });
   } catch (error) {
-    throw new Error(`${program} ${args.join(" ")}\n${error.stdout ?? ""}${error.stderr ?? error.message}`);
+    const said = `${error.stdout ?? ""}${error.stderr ?? error.message}`.split("\n").map((line) => line.slice(0, 300));
+    throw new Error(`${program} ${args.join(" ")}\n${said.slice(-60).join("\n")}`);
   }
 }
 
@@ -26,5 +32,9 @@ export function project() {
   run("npm", ["install", "--offline", "--no-audit", "--no-fund", join(folder, filename)], { cwd: folder });
   for (const name of readdirSync(HERE)) if (/\.js$/.test(name)) cpSync(join(HERE, name), join(folder, name));
   for (const tool of ["three"]) symlinkSync(join(TOOLS, tool), join(folder, "node_modules", tool));
-  return { folder, files: files.map(({ path }) => path), remove: () => rmSync(folder, { recursive: true, force: true }) };
+  return {
+    folder,
+    files: files.map(({ path }) => path),
+    remove: () => rmSync(folder, { recursive: true, force: true }),
+  };
 }

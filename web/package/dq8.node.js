@@ -3,5 +3,6 @@ import { read } from "./node.js";
 import { compile as compileBy, load as loadBy } from "./dq8.js";
 
 export * from "./dq8.js";
-export const compile = (options) => compileBy(options, read), load = (options) => loadBy(options, read);
+export const compile = (options) => compileBy(options, read),
+  load = (options) => loadBy(options, read);
 export default load;

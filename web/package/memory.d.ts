@@ -5,7 +5,10 @@ type View = ReturnType<typeof Float32Array.of>;
 /** Numbers in the module's memory. */
 export interface Floats {
   readonly length: number;
-  /** The numbers, without a copy. Take it again after anything that allocates: WebAssembly detaches old views when memory grows. */
+  /**
+   * The numbers, without a copy. Take it again after anything that allocates: WebAssembly detaches old views when
+   * memory grows.
+   */
   readonly view: View;
   free(): void;
   [Symbol.dispose](): void;

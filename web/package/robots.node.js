@@ -3,5 +3,6 @@ import { read } from "./node.js";
 import { compile as compileBy, load as loadBy } from "./robots.js";
 
 export * from "./robots.js";
-export const compile = (options) => compileBy(options, read), load = (options) => loadBy(options, read);
+export const compile = (options) => compileBy(options, read),
+  load = (options) => loadBy(options, read);
 export default load;
