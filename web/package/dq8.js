@@ -9,7 +9,8 @@ const SIMD128 = { module: "dq8", name: "simd128", url: () => new URL("./dq8.simd
 export const compile = (options, read) => compileFile(SIMD128, options, read);
 /** A module of its own, with its own memory. */
 export async function load(options, read) {
-  return new Dq8((await WebAssembly.instantiate(await compile(options, read), {})).exports);
+  const code = await compile(options, read);
+  return new Dq8((await WebAssembly.instantiate(code, {})).exports);
 }
 export { load as default, LevelError, supports };
 

@@ -6,7 +6,8 @@ const SIMD128 = { module: "dq8/robots", name: "simd128", url: () => new URL("./r
 
 export const compile = (options, read) => compileFile(SIMD128, options, read);
 export async function load(options, read) {
-  return new Robots((await WebAssembly.instantiate(await compile(options, read), {})).exports);
+  const code = await compile(options, read);
+  return new Robots((await WebAssembly.instantiate(code, {})).exports);
 }
 export { load as default, LevelError, supports };
 

@@ -1,4 +1,5 @@
-// What a page waits for, as servers compress it, in bytes, 1,000 to a kilobyte: modules, and the scripts that load them.
+// What a page waits for, as servers compress it, in bytes, 1,000 to a kilobyte: modules, and the scripts that load
+// them.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
