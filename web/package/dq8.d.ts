@@ -1,8 +1,13 @@
-import type { Floats, LoadOptions } from "./memory.js";
+import type { LoadOptions } from "./engine.js";
+import type { Floats } from "./memory.js";
+export { LevelError, supports } from "./engine.js";
 export type { Floats, LoadOptions };
 
 /** A module of its own, with its own memory. */
-export default function load(options?: LoadOptions): Promise<Dq8>;
+export function load(options?: LoadOptions<"dq8">): Promise<Dq8>;
+export default load;
+/** The compiled code, which can be posted to workers: `load({ wasm })` there. */
+export function compile(options?: LoadOptions<"dq8">): Promise<object>;
 
 interface Freed {
   free(): void;

@@ -1,19 +1,23 @@
 // dq8 for JavaScript: skeletons, clips and skins, many at a time. README.md begins with an example.
-import { Module, Noun, Numbers, count, dispose, instantiate } from "./memory.js";
+import { compile as compileFile, LevelError, supports } from "./engine.js";
+import { Module, Noun, Numbers, count, dispose } from "./memory.js";
 
-// Written out, so that bundlers find and copy the files.
-const FILES = {
-  simd128: () => new URL("./dq8.simd128.wasm", import.meta.url),
-  relaxed: () => new URL("./dq8.relaxed.wasm", import.meta.url),
-};
+// Written out, so that bundlers find and copy the file.
+const SIMD128 = { module: "dq8", name: "simd128", url: () => new URL("./dq8.simd128.wasm", import.meta.url) };
 
+/** The compiled code, which workers can be sent. */
+export const compile = (options, read) => compileFile(SIMD128, options, read);
 /** A module of its own, with its own memory. */
-export default async function load(options) { return new Dq8(await instantiate(FILES, options)); }
+export async function load(options, read) {
+  const code = await compile(options, read);
+  return new Dq8((await WebAssembly.instantiate(code, {})).exports);
+}
+export { load as default, LevelError, supports };
 
 // Nouns keep their module and their places to themselves: what has been checked cannot be written to.
 const modules = new WeakMap(), places = new WeakMap();
 const of = (noun, Type, name) => {
-  if (!(noun instanceof Type)) throw new TypeError(`${name} is no ${Type.name}`);
+  if (!(noun instanceof Type)) throw new TypeError(noun === undefined ? `${name} is missing` : `${name} is no ${Type.name}`);
   return places.get(noun).place;
 };
 const keep = (noun, module, at, free) => { modules.set(noun, module); places.set(noun, new Noun(module, at, free)); };
@@ -27,7 +31,7 @@ const run = (noun, name, plain, ...arrays) => modules.get(noun).call(name, [plac
 
 export class Dq8 {
   #module;
-  constructor(raw) { this.#module = new Module(raw); }
+  constructor(raw) { this.#module = new Module(raw, "dq8"); }
   /** Numbers: so many zeros, or those of an array. */
   floats(source) { return new Numbers(this.#module, Float32Array, source); }
   /** Motions, eight numbers each: so many identities, or those of an array. */
@@ -42,7 +46,7 @@ export class Dq8 {
   skin(options) { return new Skin(this.#module, options); }
   /** Motions of [x y z w tx ty tz] each. */
   fromRotationsTranslations(poses, motions) { this.#module.call("dq8_from_rotations_translations", [], { poses: [poses, 7] }, { motions: [motions, 8] }); }
-  mul(a, b, product) { this.#module.call("dq8_mul", [], { a: [a, 8], b: [b, 8] }, { product: [product, 8] }); }
+  mul(a, b, product) { this.#module.call("dq8_mul", [], { a: [a, 8], b: [b, 8] }, { product: [product, 8] }, {}, { names: { products: "product" } }); }
   /** From a[i] to b[i], t[i] of it, along one screw. */
   sclerpEach(a, b, t, between) { this.#module.call("dq8_sclerp_each", [], { a: [a, 8], b: [b, 8], t: [t, 1] }, { between: [between, 8] }); }
   transformPointsEach(motions, points, moved) {
@@ -52,6 +56,9 @@ export class Dq8 {
   matrices(motions, matrices) { this.#module.call("dq8_matrices", [], { motions: [motions, 8] }, { matrices: [matrices, 16] }); }
 }
 
+/** What the parts of poses hold; and what Rust calls palettes while they are models, and models where they are given. */
+const POSES = { names: { poses: "locals" }, sizes: { locals: 8, roots: 8, layer: 7, at: 1, clips: 1, weights: 1, mask: 1 } };
+const PALETTE = { ...POSES, names: { models: "palette" } }, MODELS = { names: { locals: "models" } };
 /** Words of `Source` in Rust. */
 const WORDS = 19;
 
@@ -59,9 +66,9 @@ export class Skeleton extends Handle {
   #source; #joints;
   constructor(module, parents) {
     super();
-    const bad = Array.from(parents).findIndex((parent) => !Number.isInteger(parent));
+    const bad = Array.from(parents ?? []).findIndex((parent) => !Number.isInteger(parent));
     if (bad >= 0) throw new TypeError(`parents[${bad}] is ${parents[bad]}, not a whole number`);
-    keep(this, module, module.lend(Int32Array, parents, (at, n) => module.raw.dq8_skeleton(at, n)), "dq8_skeleton_free");
+    keep(this, module, module.lend("parents", Int32Array, parents, (at, n) => module.made(module.raw.dq8_skeleton(at, n))), "dq8_skeleton_free");
     this.#joints = parents.length;
     this.#source = new Numbers(module, Uint32Array, WORDS);
   }
@@ -72,22 +79,22 @@ export class Skeleton extends Handle {
   /** Poses in blocks of four instances. */
   crowd(instances) { return new Crowd(modules.get(this), this, instances); }
   /** Calls with a source, which may be over itself, and roots. */
-  #pose(name, source, roots, reads, writes) {
+  #pose(name, source, roots, reads, writes, worded) {
     const m = modules.get(this), words = this.#source.view, inputs = { roots };
     words.fill(0);
     if (source instanceof Sampled) source.write(m, words, inputs);
     else { words.set(m.array("locals", source, 8), 17); if (writes.models?.[0] !== source) inputs.locals = source; }
-    run(this, name, [words.byteOffset, ...m.maybe("roots", roots, 8)], reads, writes, inputs);
+    run(this, name, [words.byteOffset, ...m.maybe("roots", roots, 8)], reads, writes, inputs, worded);
   }
   /** Model poses [instance][joint] of locals, or of sampled clips; over the locals themselves without `models`. */
-  localToModel(source, models = source, { roots } = {}) { this.#pose("dq8_skeleton_local_to_model", source, roots, {}, { models: [models, 8] }); }
+  localToModel(source, models = source instanceof Sampled ? undefined : source, { roots } = {}) { this.#pose("dq8_skeleton_local_to_model", source, roots, {}, { models: [models, 8] }, POSES); }
   /** Skinning palettes [instance][joint], 4×4 matrices by columns. */
-  palette(source, { roots, inverseBinds, palette }) {
-    this.#pose("dq8_skeleton_palette", source, roots, { inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] });
+  palette(source, { roots, inverseBinds, palette } = {}) {
+    this.#pose("dq8_skeleton_palette", source, roots, { inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] }, PALETTE);
   }
   /** The same of models, after something has changed them. */
-  modelPalette(models, { inverseBinds, palette }) {
-    run(this, "dq8_skeleton_model_palette", [], { models: [models, 8], inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] });
+  modelPalette(models, { inverseBinds, palette } = {}) {
+    run(this, "dq8_skeleton_model_palette", [], { models: [models, 8], inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] }, {}, MODELS);
   }
   /** Takes the end of a limb [hip, knee, foot] to the target of each instance, its knee toward the pole. */
   twoBone(limb, models, targets, poles) {
@@ -100,8 +107,8 @@ export class Clip extends Handle {
   constructor(module, joints, keys, rate, loops) {
     super();
     if (!(rate > 0 && rate < Infinity)) throw new RangeError(`rate is ${rate}, not a positive number`);
-    if (keys.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
-    keep(this, module, module.lend(Float32Array, keys, (at, n) => module.raw.dq8_clip(joints, rate, +loops, at, n / 7)), "dq8_clip_free");
+    if (keys?.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
+    keep(this, module, module.lend("keys", Float32Array, keys, (at, n) => module.made(module.raw.dq8_clip(joints, rate, +loops, at, n / 7), { keys: 7 })), "dq8_clip_free");
   }
   /** From the first frame to the last. */
   get duration() { return modules.get(this).raw.dq8_clip_duration(of(this, Clip, "clip"), 0); }
@@ -112,7 +119,7 @@ export class Clip extends Handle {
 export class PackedClip extends Handle {
   constructor(module, bytes) {
     super();
-    keep(this, module, module.lend(Uint8Array, new Uint8Array(bytes), (at, n) => module.raw.dq8_packed_clip(at, n)), "dq8_clip_free");
+    keep(this, module, module.lend("bytes", Uint8Array, bytes && new Uint8Array(bytes), (at, n) => module.made(module.raw.dq8_packed_clip(at, n))), "dq8_clip_free");
   }
   /** How many clips there are. */
   get clips() { return modules.get(this).raw.dq8_packed_clip_clips(of(this, PackedClip, "clip")); }
@@ -154,6 +161,9 @@ export class Sampled {
   }
 }
 
+/** What Rust packs. */
+const THINGS = { names: { things: "poses" } };
+
 export class Crowd extends Handle {
   #skeleton;
   constructor(module, skeleton, instances) {
@@ -164,36 +174,44 @@ export class Crowd extends Handle {
     this.#skeleton = skeleton;
   }
   /** Takes poses [instance][joint]. */
-  set(poses) { run(this, "dq8_crowd_set", [], { poses: [poses, 8] }); }
+  set(poses) { run(this, "dq8_crowd_set", [], { poses: [poses, 8] }, {}, {}, THINGS); }
   /** In place. */
   localToModel() { run(this, "dq8_crowd_local_to_model", [of(this.#skeleton, Skeleton, "skeleton")]); }
-  copyTo(poses) { run(this, "dq8_crowd_copy_to", [], {}, { poses: [poses, 8] }); }
+  copyTo(poses) { run(this, "dq8_crowd_copy_to", [], {}, { poses: [poses, 8] }, {}, THINGS); }
 }
 
+/** What Rust calls the parts of surfaces, and what they hold. */
+const SURFACE = {
+  names: { palette: "motions", matrices: "motions", positions: "rest", "posed positions": "posed", "posed normals": "posedNormals" },
+  sizes: { rest: 3, posed: 3, normals: 3, posedNormals: 3 },
+};
 const BLENDS = ["dual", "linear", "mixed"];
 
 export class Skin extends Handle {
   #mesh;
   /** Joints and weights are copied: [vertex][influence]. */
-  constructor(module, { jointCount, influences, joints, weights }) {
+  constructor(module, { jointCount, influences, joints, weights } = {}) {
     super();
-    const bad = Array.from(joints).findIndex((joint) => !(Number.isInteger(joint) && joint >= 0 && joint < 65536));
+    const bad = Array.from(joints ?? []).findIndex((joint) => !(Number.isInteger(joint) && joint >= 0 && joint < 65536));
     if (bad >= 0) throw new RangeError(`joints[${bad}] is ${joints[bad]}, no joint of 16 bits`);
-    const at = module.lend(Uint16Array, joints, (j, n) => module.lend(Float32Array, weights, (w, m) =>
-      module.raw.dq8_skin(count("jointCount", jointCount), count("influences", influences), j, n, w, m)));
+    const counts = [count("jointCount", jointCount), count("influences", influences)], sizes = { joints: 1, weights: 1 };
+    const at = module.lend("joints", Uint16Array, joints, (j, n) => module.lend("weights", Float32Array, weights, (w, m) =>
+      module.made(module.raw.dq8_skin(...counts, j, n, w, m), sizes, { each: "influence" })));
     keep(this, module, at, "dq8_skin_free");
     this.#mesh = new Numbers(module, Uint32Array, 8);
   }
   free() { super.free(); this.#mesh.free(); }
   /** Poses a mesh by the motions of its joints: "dual", "linear", or "mixed" by a share of dual for each vertex. */
-  pose({ blend = "dual", motions, shares, rest, posed, normals, posedNormals }) {
-    const m = modules.get(this), kind = BLENDS.indexOf(blend), mesh = this.#mesh.view, inputs = { rest, normals };
+  pose({ blend = "dual", motions, shares, rest, posed, normals, posedNormals } = {}) {
+    const m = modules.get(this), kind = BLENDS.indexOf(blend), mesh = this.#mesh.view;
     if (kind < 0) throw new RangeError(`blend is ${blend}, none of ${BLENDS.join(", ")}`);
     const reads = { motions: [motions, 8], shares: [kind === 2 ? shares : undefined, 1, kind !== 2] };
-    const from = m.array("rest", rest, 3), to = m.output("posed", posed, 3, { motions, shares, ...inputs });
-    const extra = normals || posedNormals ? [...m.array("normals", normals, 3), ...m.output("posedNormals", posedNormals, 3, { motions, shares, ...inputs, posed })] : [];
+    const from = m.array("rest", rest, 3), to = m.array("posed", posed, 3);
+    const extra = normals || posedNormals ? [...m.array("normals", normals, 3), ...m.array("posedNormals", posedNormals, 3)] : [];
+    m.apart("posed", posed, { motions, shares, rest, normals });
+    m.apart("posedNormals", posedNormals, { motions, shares, rest, normals, posed });
     mesh.fill(0);
     mesh.set([...from, ...to, ...extra]);
-    run(this, "dq8_skin_pose", [kind, mesh.byteOffset], reads);
+    run(this, "dq8_skin_pose", [kind, mesh.byteOffset], reads, {}, {}, SURFACE);
   }
 }

@@ -1,8 +1,13 @@
-import type { Floats, LoadOptions } from "./memory.js";
+import type { LoadOptions } from "./engine.js";
+import type { Floats } from "./memory.js";
+export { LevelError, supports } from "./engine.js";
 export type { Floats, LoadOptions };
 
 /** A module of its own, with its own memory: arrays of `dq8` are none of its. */
-export default function load(options?: LoadOptions): Promise<Robots>;
+export function load(options?: LoadOptions<"dq8/robots">): Promise<Robots>;
+export default load;
+/** The compiled code, which can be posted to workers: `load({ wasm })` there. */
+export function compile(options?: LoadOptions<"dq8/robots">): Promise<object>;
 
 export interface Robots {
   floats(source: number | ArrayLike<number>): Floats;
