@@ -1,5 +1,6 @@
 // Compiled by `tsc -p web`, never run: what the declarations allow, and what they refuse.
 import load, { type Floats, type Skeleton } from "../package/dq8.js";
+import { readGlb, readGltf, readThree } from "../package/gltf.js";
 import loadRobots from "../package/robots.js";
 
 const dq8 = await load({ level: "relaxed" });
@@ -20,7 +21,11 @@ skeleton.localToModel(walk);
 skeleton.palette(locals, { palette });
 // @ts-expect-error: there is no such level.
 await load({ level: "avx2" });
+const { parents, clips: [bow], skins: [{ inverseBinds: inverses, primitives: [part] }] } = readGltf(readGlb(new ArrayBuffer(8)), { rate: 60, skins: ["body", 0] });
+const posed = dq8.skeleton(parents).clip(bow!.keys, bow!), limb = dq8.skin({ jointCount: parents.length, ...part! }), moved = dq8.motions(inverses);
+// @ts-expect-error: meshes of three.js stay there.
+readThree({ bones: [], boneInverses: [] }).skins[0].primitives;
 const robot = (await loadRobots()).robot("<robot/>");
 const { outcome } = robot.reach(1, locals, at, { position: true });
 const known: "converged" | "outOfReach" | "atLimits" | "stalled" | "unfinished" | "invalid" = outcome;
-export { bytes, known };
+export { bytes, known, limb, moved, posed };
