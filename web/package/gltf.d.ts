@@ -1,6 +1,9 @@
 /** A skeleton of rigid joints with its clips and skins, in the arrays that `dq8` takes. */
 export interface Rig<S extends RigSkin = RigSkin> {
-  /** Of each joint the joint that it hangs from, -1 for none: for `dq8.skeleton`. Parents come first. */
+  /**
+   * Of each joint the joint that it hangs from, -1 for none: for `dq8.skeleton`. Parents come
+   * first.
+   */
   parents: Int32Array<ArrayBuffer>;
   /** Names of the joints. */
   names: string[];
@@ -14,7 +17,9 @@ export interface Rig<S extends RigSkin = RigSkin> {
 
 export interface RigClip {
   name: string;
-  /** Frames of local poses, [frame][joint][x y z w tx ty tz]: for `skeleton.clip(keys, { rate })`. */
+  /**
+   * Frames of local poses, [frame][joint][x y z w tx ty tz]: for `skeleton.clip(keys, { rate })`.
+   */
   keys: Float32Array<ArrayBuffer>;
   frames: number;
   /** Frames a second: the wanted rate, or a little more, so that the last frame lies on the end. */
@@ -22,10 +27,17 @@ export interface RigClip {
   /** Seconds from 0 to the last key. */
   duration: number;
   /**
-   * The largest difference between the tracks and the frames, between which `dq8` goes straight: an angle in radians, a distance,
-   * and the joint and the time of one of the two; joint -1 if there is none. A track that steps takes a frame for it.
+   * The largest difference between the tracks and the frames, between which `dq8` goes straight: an
+   * angle in radians and a distance, and where they are, if there is any. A track that steps takes
+   * the time of a frame for it.
    */
-  error: { rotation: number; translation: number; joint: number; time: number };
+  error: { rotation: number; translation: number; rotationAt?: RigPlace; translationAt?: RigPlace };
+}
+
+/** A joint at a time in seconds. */
+export interface RigPlace {
+  joint: number;
+  time: number;
 }
 
 export interface RigSkin {
@@ -34,7 +46,10 @@ export interface RigSkin {
   joints: Uint16Array<ArrayBuffer>;
   /** Inverse binds of all joints as motions, eight numbers each: for `dq8.motions`. */
   inverseBinds: Float32Array<ArrayBuffer>;
-  /** Positions of the mesh must be multiplied by this before the joints move them. It is 1 if inverse binds undo the scale of the joints. */
+  /**
+   * Positions of the mesh must be multiplied by this before the joints move them. It is 1 if
+   * inverse binds undo the scale of the joints.
+   */
   scale: number;
 }
 
@@ -87,14 +102,18 @@ export interface GltfSource {
 export function readGlb(file: ArrayBufferLike | ArrayBufferView): GltfSource;
 
 /**
- * The joints of all skins as one skeleton, with their clips and meshes: of a .glb, or of JSON and buffers. Nodes above the joints
- * that no clip moves are folded into them, and so is a constant uniform scale. A scale that changes or is not uniform, a matrix
- * that shears, or compressed numbers are an error that names them.
+ * The joints of all skins as one skeleton, with their clips and meshes: of a .glb, or of JSON and
+ * buffers. Nodes above the joints that no clip moves are folded into them, and so is a constant
+ * uniform scale. A scale that changes or is not uniform, a matrix that shears, or compressed
+ * numbers are an error that names them.
  */
 export function readGltf(file: ArrayBufferLike | ArrayBufferView | GltfSource, options?: GltfOptions): Rig<GltfSkin>;
 
 export interface ThreeOptions extends RigOptions {
-  /** The object whose space poses are in, such as the scene of a file; without it all that the bones hang from counts. */
+  /**
+   * The object whose space poses are in, such as the scene of a file; without it all that the bones
+   * hang from counts.
+   */
   root?: object;
   /** The bind matrix of the mesh, if it is not the identity: `mesh.bindMatrix`. */
   bindMatrix?: { elements: ArrayLike<number> };
@@ -108,7 +127,10 @@ interface ThreeNode {
   scale: { x: number; y: number; z: number };
 }
 
-/** The same of a `Skeleton` and `AnimationClip`s of three.js, whose meshes stay there. Bones that no clip moves stay where they are. */
+/**
+ * The same of a `Skeleton` and `AnimationClip`s of three.js, whose meshes stay there. Bones that no
+ * clip moves stay where they are.
+ */
 export function readThree(
   skeleton: { bones: readonly ThreeNode[]; boneInverses: readonly { elements: ArrayLike<number> }[] },
   clips?: readonly { name: string; duration: number; tracks: readonly { name: string }[] }[],

@@ -58,8 +58,10 @@ function arm(top, { joints = [3, 1, 4, 2], sets = 1, bindsOf = (nodes) => binds(
 }
 const KEYS = Array.from({ length: 31 }, (_, i) => i / RATE);
 const walk = (file, size = 1) => animation(file, "walk", [
-  [1, "rotation", KEYS, turns(KEYS, 0, 0.3)], [1, "translation", KEYS, steps(KEYS, size)], [2, "rotation", KEYS, turns(KEYS, 1, 0.3)],
-  [3, "rotation", [0, 1], turns([0, 1], 2, 0.1)],
+  [1, "rotation", KEYS, turns(KEYS, 0, 0.3)], [1, "translation", KEYS, steps(KEYS, size)],
+  // Every other key has the other sign, which is the same rotation.
+  [2, "rotation", KEYS, turns(KEYS, 1, 0.3).map((q, i) => q.map((x) => (i % 2 ? -x : x)))],
+  [3, "rotation", [0, 1], [turns([0], 2, 0.1)[0], turns([1], 2, 0.1)[0].map((x) => -x)]],
 ]);
 
 async function opened(bytes) {
@@ -119,6 +121,7 @@ describe("palettes are those of three.js", () => {
     assert.deepEqual([...read.skins[0].joints], [2, 0, 3, 1]);
     assert.equal(read.skins[0].scale, 1);
     assert.deepEqual(read.left, []);
+    assert.ok(read.clips[0].error.rotation < 1e-3, "keys of either sign are near each other");
   });
 
   test("of a matrix on a node above the joints, and of a mesh of another size than its joints", async () => {
@@ -155,6 +158,13 @@ describe("palettes are those of three.js", () => {
     const animations = [channels(file, [1, "rotation", times, turns(times, 0, 1), "STEP"], [2, "translation", times, steps(times, 1), "STEP"])];
     const { read } = await compared(file.bytes({ animations }), { options: { rate: 32 }, times: 32 });
     assert.ok(read.clips[0].error.rotation > 0.1, "between frames a step takes a frame, and the error says so");
+  });
+
+  test("of bones that are turned round any axis", async () => {
+    for (const q of [[1, 0.1, 0.2, 0.05], [0.2, 1, 0.1, -0.1], [0.1, -0.2, 1, 0.1], [0.3, 0.2, -0.1, 1]]) {
+      const file = arm({ rotation: unit(q) });
+      await compared(file.bytes({ animations: [walk(file)] }), { times: 3 });
+    }
   });
 
   test("of two animations, and those that are chosen", async () => {
@@ -203,10 +213,28 @@ describe("what is read", () => {
       worst.translation = Math.max(worst.translation, Math.hypot(...mix(1, 4, 3).map((x, k) => x - other[k])));
     }
     assert.equal(rate, 7);
-    assert.ok(error.joint >= 0 && error.time > 0 && error.time < 1);
+    assert.deepEqual([error.rotationAt.joint, error.translationAt.joint], [0, 1]);
+    assert.ok([error.rotationAt, error.translationAt].every(({ time }) => time > 0 && time < 1));
     for (const name of ["rotation", "translation"]) {
       assert.ok(worst[name] > 0.01 && error[name] >= 0.99 * worst[name] && error[name] <= 1.1 * worst[name], `${name}: ${error[name]} for ${worst[name]}`);
     }
+  });
+
+  test("a step is taken at the frame of its time, though times are rounded", async () => {
+    const file = arm({}), times = Array.from({ length: 11 }, (_, i) => i / 10), values = turns(times, 0, 1), moves = steps(times, 1);
+    const animations = [channels(file, [1, "rotation", times, values, "STEP"], [1, "translation", times, moves, "STEP"])], bytes = file.bytes({ animations });
+    const { meshes, animations: clips } = await opened(bytes);
+    for (const { clips: [{ keys }] } of [readGltf(bytes), readThree(meshes[0].skeleton, clips)]) times.forEach((_, i) => {
+      [...values[i], ...moves[i]].forEach((x, k) => assert.ok(Math.abs(keys[28 * 3 * i + k] - x) < 1e-6, `step ${i}`));
+    });
+  });
+
+  test("numbers that lie apart, and the smallest integer", () => {
+    const file = arm({}), [{ primitives: [{ attributes }] }] = file.json.meshes, rows = Array.from({ length: 48 }, (_, i) => (i % 4 === 3 ? 99 : i % 4 ? 100 * i : -32768));
+    attributes.POSITION = file.accessor("VEC3", Int16Array.from(rows), { normalized: true, count: 12 });
+    file.json.bufferViews.at(-1).byteStride = 8;
+    const [{ positions }] = readGltf(file.bytes()).skins[0].primitives;
+    positions.forEach((x, i) => assert.ok(Math.abs(x - (i % 3 ? 100 * (4 * Math.floor(i / 3) + i % 3) / 32767 : -1)) < 1e-7, `${i}: ${x}`));
   });
 
   test("eight joints of a vertex, several primitives, and weights that sum to one", () => {
@@ -252,7 +280,7 @@ describe("what is read", () => {
 describe("what three.js has is read by its fields", () => {
   const bones = () => {
     const [root, hips, knee] = [new three.Group(), new three.Bone(), new three.Bone()];
-    root.position.set(5, 0, 0); hips.name = "hips"; knee.name = "knee"; hips.position.set(0, 1, 0); knee.position.set(0, 0.5, 0.1);
+    root.position.set(5, 0, 0); hips.name = "hips"; hips.quaternion.set(...unit([1, 2, 0, 3])); knee.name = "knee"; hips.position.set(0, 1, 0); knee.position.set(0, 0.5, 0.1);
     root.add(hips); hips.add(knee); root.updateMatrixWorld(true);
     return { root, hips, knee, skeleton: new three.Skeleton([knee, hips]) };
   };
