@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { brotliCompressSync, constants } from "node:zlib";
 
-const MOST = { core: 70_000, both: 167_000 };
+const MOST = { core: 75_000, both: 185_000 };
 
 test(`the core is at most ${MOST.core} bytes, with robots ${MOST.both}; they import nothing`, (t) => {
   const [core, robots] = ["dq8", "robots"].map((name) => {

@@ -10,6 +10,9 @@ const palette = dq8.floats(32), inverseBinds = dq8.motions(2), at = dq8.floats(1
 const walk = skeleton.clip(new Float32Array(28)).sample(at);
 skeleton.localToModel(locals);
 skeleton.palette(walk.blend(walk, at), { inverseBinds, palette });
+skeleton.palette(walk.blend(dq8.poses(locals), 0.5, { law: "slerp" }).add(walk, at), { inverseBinds, palette });
+// @ts-expect-error: there is no such law.
+walk.blend(walk, at, { law: "lerp" });
 const packed = dq8.packedClip(new ArrayBuffer(8)), run = packed.sample(at, packed.clips - 1);
 skeleton.localToModel(run.blend(packed.sample(at, at), at), palette);
 // @ts-expect-error: which of the clips is a number, or one for each instance.
