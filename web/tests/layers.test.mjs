@@ -115,6 +115,7 @@ test("locals of a sampled pose leave, are changed and come back; models become l
   skeleton.localToModel(locals, back, { roots });
   assert.ok(back.view.slice(8 * child, 8 * child + 8).some((x, k) => Math.abs(x - models.view[8 * child + k]) > 1e-3));
   fails(() => skeleton.locals(locals, models), /^source is no sample/);
+  fails(() => skeleton.modelToLocal(models, back, { roots: back }), /^locals is the same array as roots$/);
 });
 
 test("one motion moves many points; motions are inverted, taken apart and made of matrices", () => {
