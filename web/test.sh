@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Tests the package in node against the native library and three.js, and the page in Debian's Chromium: `web/test.sh [LEVEL…]`, of levels
-# that `web/build.sh` has built; simd128 by default. A picture of the page is left in `web/target/page.png`.
+# Tests the package in node against the native library and three.js, and the page in Debian's Chromium:
+# `web/test.sh [LEVEL…]`, of levels that `web/build.sh` has built; simd128 by default. A picture of the page is left in
+# `web/target/page.png`.
 set -euo pipefail
 cd "$(dirname "$0")"
 

@@ -1,7 +1,10 @@
 // Jobs and contenders: dq8, flat arrays by hand, gl-matrix, three.js. The same file in node and in a page. Answers are compared
 // before anything is timed; contenders take turns, and the minimum of each counts.
+import relaxed from "../package/relaxed.js";
+import robotsRelaxed from "../package/robots-relaxed.js";
 import { animate, localToModel, skinDual, skinLinear } from "./plain.js";
 
+const LEVELS = { simd128: [], relaxed: [relaxed, robotsRelaxed] };
 const JOINTS = 64, FRAMES = 60, VERTICES = 32768, SKIN_JOINTS = 64;
 
 export async function run({ load, loadRobots, THREE, glMatrix, urdf, levels, instances = 400, people = 60, seconds = 2, clock = () => performance.now(), log = console.log }) {
@@ -9,7 +12,10 @@ export async function run({ load, loadRobots, THREE, glMatrix, urdf, levels, ins
   let seed = 1;
   const random = () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32, signed = () => 2 * random() - 1;
   const unit = () => { const q = [signed(), signed(), signed(), signed()], n = Math.hypot(...q); return q.map((x) => x / n); };
-  const modules = await Promise.all(levels.map(async (level) => [level, await load({ level }), await loadRobots({ level })]));
+  const modules = await Promise.all(levels.map(async (level) => {
+    const [core, arms] = LEVELS[level];
+    return [level, await load({ level: core }), await loadRobots({ level: arms })];
+  }));
 
   /** Contenders are { name, run, answer, before }; the first that has an answer is what the others are compared with. */
   function contest(job, unitOf, per, bound, contenders) {

@@ -2,8 +2,8 @@
 import { readFileSync } from "node:fs";
 import * as glMatrix from "gl-matrix";
 import * as THREE from "three";
-import load from "../package/dq8.js";
-import loadRobots from "../package/robots.js";
+import load from "../package/dq8.node.js";
+import loadRobots from "../package/robots.node.js";
 import { run } from "./jobs.mjs";
 
 const levels = process.argv.length > 2 ? process.argv.slice(2) : ["simd128"], quick = process.env.QUICK;

@@ -1,8 +1,13 @@
-import type { Floats, LoadOptions } from "./memory.js";
+import type { LoadOptions } from "./engine.js";
+import type { Floats } from "./memory.js";
+export { LevelError, supports } from "./engine.js";
 export type { Floats, LoadOptions };
 
 /** A module of its own, with its own memory. */
-export default function load(options?: LoadOptions): Promise<Dq8>;
+export function load(options?: LoadOptions<"dq8">): Promise<Dq8>;
+export default load;
+/** The compiled code, which can be posted to workers: `load({ wasm })` there. */
+export function compile(options?: LoadOptions<"dq8">): Promise<object>;
 
 interface Freed {
   free(): void;
@@ -25,8 +30,6 @@ export interface Dq8 {
   fromRotationsTranslations(poses: Floats, motions: Floats): void;
   /** [x y z w tx ty tz] of unit motions. */
   toRotationsTranslations(motions: Floats, poses: Floats): void;
-  /** Motions of 4×4 matrices by columns, such as `boneInverses`; one that scales or shears is an error. */
-  fromMatrices(matrices: Float32Array | Float64Array | number[], motions: Floats): void;
   /** Inverses of unit motions. */
   inverse(motions: Floats, inverses: Floats): void;
   /** product[i] = a[i] * b[i]: b acts first. One motion in `a` is the parent of all. */

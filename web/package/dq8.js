@@ -1,22 +1,25 @@
 // dq8 for JavaScript: skeletons, clips and skins, many at a time. README.md begins with an example.
 import { floats, motions } from "./arrays.js";
-import { Module, Noun, Numbers, count, dispose, instantiate } from "./memory.js";
-import { decompose, writeMotion } from "./rigid.js";
+import { compile as compileFile, LevelError, supports } from "./engine.js";
+import { Module, Noun, Numbers, count, dispose } from "./memory.js";
 import { LOCALS, Sampled, Scratch } from "./sampled.js";
 
-// Written out, so that bundlers find and copy the files.
-const FILES = {
-  simd128: () => new URL("./dq8.simd128.wasm", import.meta.url),
-  relaxed: () => new URL("./dq8.relaxed.wasm", import.meta.url),
-};
+// Written out, so that bundlers find and copy the file.
+const SIMD128 = { module: "dq8", name: "simd128", url: () => new URL("./dq8.simd128.wasm", import.meta.url) };
 
+/** The compiled code, which workers can be sent. */
+export const compile = (options, read) => compileFile(SIMD128, options, read);
 /** A module of its own, with its own memory. */
-export default async function load(options) { return new Dq8(await instantiate(FILES, options)); }
+export async function load(options, read) {
+  const code = await compile(options, read);
+  return new Dq8((await WebAssembly.instantiate(code, {})).exports);
+}
+export { load as default, LevelError, supports };
 
 // Nouns keep their module and their places to themselves: what has been checked cannot be written to.
 const modules = new WeakMap(), places = new WeakMap();
 const of = (noun, Type, name) => {
-  if (!(noun instanceof Type)) throw new TypeError(`${name} is no ${Type.name}`);
+  if (!(noun instanceof Type)) throw new TypeError(noun === undefined ? `${name} is missing` : `${name} is no ${Type.name}`);
   return places.get(noun).place;
 };
 const keep = (noun, module, at, free) => { modules.set(noun, module); places.set(noun, new Noun(module, at, free)); };
@@ -29,9 +32,13 @@ export { Sampled };
 /** Calls what a noun can do. */
 const run = (noun, name, plain, ...arrays) => modules.get(noun).call(name, [places.get(noun).place, ...plain], ...arrays);
 
+const same = (name, found, needed) => {
+  if (found !== needed) throw new RangeError(`${name} holds ${found} motions where ${needed} are needed`);
+};
+
 export class Dq8 {
   #module;
-  constructor(raw) { this.#module = new Module(raw); }
+  constructor(raw) { this.#module = new Module(raw, "dq8"); }
   /** Numbers: so many zeros, or those of an array. */
   floats(source) { return floats(this.#module, source); }
   /** Motions, eight numbers each: so many identities, or those of an array. */
@@ -46,23 +53,15 @@ export class Dq8 {
   fromRotationsTranslations(poses, motions) { this.#module.call("dq8_from_rotations_translations", [], { poses: [poses, 7] }, { motions: [motions, 8] }); }
   /** [x y z w tx ty tz] of unit motions. */
   toRotationsTranslations(motions, poses) { this.#module.call("dq8_to_rotations_translations", [], { motions: [motions, 8] }, { poses: [poses, 7] }); }
-  /** Motions of 4×4 matrices by columns, which turn and move and neither scale nor shear. */
-  fromMatrices(matrices, motions) {
-    const { length } = matrices, made = new Float32Array(length / 2), place = (i) => `matrices[${i}]`;
-    if (length % 16) throw new RangeError(`matrices holds ${length} numbers, which is not a multiple of 16`);
-    this.#module.array("motions", motions, 8);
-    if (2 * motions.length !== length) throw new RangeError(`motions holds ${motions.length / 8} motions where ${length / 16} are needed`);
-    for (let i = 0; 16 * i < length; i++) {
-      const parts = decompose(matrices.slice(16 * i, 16 * i + 16), 1e-3);
-      if (typeof parts === "string") throw new RangeError(`${place(i)} ${parts}`);
-      if (!(Math.abs(parts.s - 1) < 1e-3)) throw new RangeError(`${place(i)} scales by ${parts.s}, and motions do not`);
-      writeMotion(parts.q, parts.t, made, 8 * i);
-    }
-    motions.view.set(made);
-  }
   /** Inverses of unit motions. */
-  inverse(motions, inverses) { this.#module.call("dq8_inverse", [], { motions: [motions, 8] }, { inverses: [inverses, 8] }); }
-  mul(a, b, product) { this.#module.call("dq8_mul", [], { a: [a, 8], b: [b, 8] }, { product: [product, 8] }); }
+  inverse(motions, inverses) {
+    const m = this.#module, [from, to] = [m.array("motions", motions, 8), m.array("inverses", inverses, 8)];
+    m.apart("inverses", inverses, { motions });
+    same("inverses", to[1], from[1]);
+    inverses.view.set(motions.view);
+    inverses.view.forEach((x, i, all) => { if (i % 4 !== 3) all[i] = -x; });
+  }
+  mul(a, b, product) { this.#module.call("dq8_mul", [], { a: [a, 8], b: [b, 8] }, { product: [product, 8] }, {}, { names: { products: "product" } }); }
   /** From a[i] to b[i], t[i] of it, along one screw. */
   sclerpEach(a, b, t, between) { this.#module.call("dq8_sclerp_each", [], { a: [a, 8], b: [b, 8], t: [t, 1] }, { between: [between, 8] }); }
   /** All points by one motion. */
@@ -76,13 +75,17 @@ export class Dq8 {
   matrices(motions, matrices) { this.#module.call("dq8_matrices", [], { motions: [motions, 8] }, { matrices: [matrices, 16] }); }
 }
 
+/** What the parts of poses hold; and what Rust calls palettes while they are models, and models where they are given. */
+const POSES = { names: { poses: "locals" }, sizes: { locals: 8, roots: 8, layer: 7, at: 1, clips: 1, weights: 1, mask: 1 } };
+const PALETTE = { ...POSES, names: { models: "palette" } }, MODELS = { names: { locals: "models" } };
+
 export class Skeleton extends Handle {
   #scratch; #joints;
   constructor(module, parents) {
     super();
-    const bad = Array.from(parents).findIndex((parent) => !(Number.isInteger(parent) && Math.abs(parent) < 2 ** 31));
+    const bad = Array.from(parents ?? []).findIndex((parent) => !(Number.isInteger(parent) && Math.abs(parent) < 2 ** 31));
     if (bad >= 0) throw new TypeError(`parents[${bad}] is ${parents[bad]}, not a whole number`);
-    keep(this, module, module.lend(Int32Array, parents, (at, n) => module.raw.dq8_skeleton(at, n)), "dq8_skeleton_free");
+    keep(this, module, module.lend("parents", Int32Array, parents, (at, n) => module.made(module.raw.dq8_skeleton(at, n))), "dq8_skeleton_free");
     this.#joints = parents.length;
     this.#scratch = new Scratch(module, this.#joints, () => places.get(this).place);
   }
@@ -93,12 +96,13 @@ export class Skeleton extends Handle {
   /** Poses in blocks of four instances. */
   crowd(instances) { return new Crowd(modules.get(this), this, instances); }
   /** Calls with a source, which may be over itself. */
-  #pose(name, source, plain, reads, writes, inputs = {}) {
-    const m = modules.get(this), call = (at) => run(this, name, [at, ...plain], reads, writes, inputs);
+  #pose(name, source, plain, reads, writes, inputs = {}, words = POSES) {
+    const m = modules.get(this), call = (at) => run(this, name, [at, ...plain], reads, writes, inputs, words);
     if (source instanceof Sampled) {
       const [[output, [numbers, size]]] = Object.entries(writes);
       Object.assign(inputs, source.arrays());
-      return this.#scratch.run(source, Math.floor(m.array(output, numbers, size)[1] / this.#joints), call);
+      const instances = Math.floor(m.array(output, numbers, size)[1] / this.#joints);
+      return this.#scratch.run(source, instances, call, words);
     }
     const locals = m.array("locals", source, 8);
     if (writes.models?.[0] !== source) inputs.locals = source;
@@ -106,25 +110,27 @@ export class Skeleton extends Handle {
   }
   #roots(roots) { return modules.get(this).maybe("roots", roots, 8); }
   /** Model poses [instance][joint] of locals, or of sampled clips; over the locals themselves without `models`. */
-  localToModel(source, models = source, { roots } = {}) {
+  localToModel(source, models = source instanceof Sampled ? undefined : source, { roots } = {}) {
     this.#pose("dq8_skeleton_local_to_model", source, this.#roots(roots), {}, { models: [models, 8] }, { roots });
   }
   /** Locals of models. */
   modelToLocal(models, locals, { roots } = {}) {
-    run(this, "dq8_skeleton_model_to_local", this.#roots(roots), { models: [models, 8] }, { locals: [locals, 8] }, { roots });
+    const plain = this.#roots(roots);
+    run(this, "dq8_skeleton_model_to_local", plain, { models: [models, 8] }, { locals: [locals, 8] }, { roots }, POSES);
   }
   /** Locals of sampled clips, to change them and give them back. */
   locals(source, locals) {
-    if (!(source instanceof Sampled)) throw new TypeError("source is no sample of a clip and no dq8.poses of locals");
+    if (!(source instanceof Sampled)) throw new TypeError("source is neither a sample nor dq8.poses");
     this.#pose("dq8_skeleton_locals", source, [], {}, { locals: [locals, 8] });
   }
   /** Skinning palettes [instance][joint], 4×4 matrices by columns. */
-  palette(source, { roots, inverseBinds, palette }) {
-    this.#pose("dq8_skeleton_palette", source, this.#roots(roots), { inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] }, { roots });
+  palette(source, { roots, inverseBinds, palette } = {}) {
+    const reads = { inverseBinds: [inverseBinds, 8] }, plain = this.#roots(roots);
+    this.#pose("dq8_skeleton_palette", source, plain, reads, { palette: [palette, 16] }, { roots }, PALETTE);
   }
   /** The same of models, after something has changed them. */
-  modelPalette(models, { inverseBinds, palette }) {
-    run(this, "dq8_skeleton_model_palette", [], { models: [models, 8], inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] });
+  modelPalette(models, { inverseBinds, palette } = {}) {
+    run(this, "dq8_skeleton_model_palette", [], { models: [models, 8], inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] }, {}, MODELS);
   }
   /** Takes the end of a limb [hip, knee, foot] to the target of each instance, its knee toward the pole. */
   twoBone(limb, models, targets, poles) {
@@ -138,20 +144,21 @@ export class Clip extends Handle {
   constructor(module, joints, keys, rate, loops) {
     super();
     if (!(rate > 0 && rate < Infinity)) throw new RangeError(`rate is ${rate}, not a positive number`);
-    if (keys.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
-    for (let i = 0; i < keys.length; i += 7) {
-      const turn = keys[i] ** 2 + keys[i + 1] ** 2 + keys[i + 2] ** 2 + keys[i + 3] ** 2, place = turn + keys[i + 4] + keys[i + 5] + keys[i + 6];
-      if (turn > 0 && Number.isFinite(place)) continue;
-      throw new RangeError(`keys[${i}…], of frame ${Math.floor(i / 7 / joints)} and joint ${i / 7 % joints}, is no pose: ${Array.from(keys.slice(i, i + 7))}`);
+    if (keys?.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
+    for (let i = 0; i < keys?.length; i += 7) {
+      let turn = 0, shift = 0;
+      for (let k = i; k < i + 7; k++) if (k < i + 4) turn += keys[k] ** 2; else shift += keys[k];
+      if (turn > 0 && Number.isFinite(turn + shift)) continue;
+      throw new RangeError(`keys[${i}] of frame ${Math.floor(i / 7 / joints)}, joint ${i / 7 % joints} begins no pose`);
     }
-    this.#frames = keys.length / 7 / joints;
-    keep(this, module, module.lend(Float32Array, keys, (at, n) => module.raw.dq8_clip(joints, rate, +loops, at, n / 7)), "dq8_clip_free");
+    this.#frames = keys?.length / 7 / joints;
+    keep(this, module, module.lend("keys", Float32Array, keys, (at, n) => module.made(module.raw.dq8_clip(joints, rate, +loops, at, n / 7), { keys: 7 })), "dq8_clip_free");
   }
   /** From the first frame to the last. */
   get duration() { return modules.get(this).raw.dq8_clip_duration(of(this, Clip, "clip"), 0); }
   /** Its poses, instance i at the time at[i]. */
   sample(at, clips) {
-    if (clips !== undefined) throw new TypeError("a clip of keys takes a time alone: a packed clip has more clips to choose from");
+    if (clips !== undefined) throw new TypeError("clips are of packed clips alone");
     return new Sampled({ module: modules.get(this), place: (name) => of(this, Clip, name), at, clips: 0 });
   }
   get frames() { return this.#frames; }
@@ -160,7 +167,7 @@ export class Clip extends Handle {
 export class PackedClip extends Handle {
   constructor(module, bytes) {
     super();
-    keep(this, module, module.lend(Uint8Array, new Uint8Array(bytes), (at, n) => module.raw.dq8_packed_clip(at, n)), "dq8_clip_free");
+    keep(this, module, module.lend("bytes", Uint8Array, bytes && new Uint8Array(bytes), (at, n) => module.made(module.raw.dq8_packed_clip(at, n))), "dq8_clip_free");
   }
   /** How many clips there are. */
   get clips() { return modules.get(this).raw.dq8_packed_clip_clips(of(this, PackedClip, "clip")); }
@@ -171,6 +178,9 @@ export class PackedClip extends Handle {
   /** Poses, instance i at the time at[i] of clip clips[i], or all of one clip. */
   sample(at, clips = 0) { return new Sampled({ module: modules.get(this), place: (name) => of(this, PackedClip, name), at, clips }); }
 }
+
+/** What Rust packs. */
+const THINGS = { names: { things: "poses" } };
 
 export class Crowd extends Handle {
   #skeleton; #poses;
@@ -185,38 +195,46 @@ export class Crowd extends Handle {
   /** Takes poses [instance][joint]. */
   set(poses) {
     const [, found] = modules.get(this).array("poses", poses, 8);
-    if (found !== this.#poses) throw new RangeError(`poses holds ${found} motions where ${this.#poses} are needed`);
-    run(this, "dq8_crowd_set", [], { poses: [poses, 8] });
+    same("poses", found, this.#poses);
+    run(this, "dq8_crowd_set", [], { poses: [poses, 8] }, {}, {}, THINGS);
   }
   /** In place. */
   localToModel() { run(this, "dq8_crowd_local_to_model", [of(this.#skeleton, Skeleton, "skeleton")]); }
-  copyTo(poses) { run(this, "dq8_crowd_copy_to", [], {}, { poses: [poses, 8] }); }
+  copyTo(poses) { run(this, "dq8_crowd_copy_to", [], {}, { poses: [poses, 8] }, {}, THINGS); }
 }
 
+/** What Rust calls the parts of surfaces, and what they hold. */
+const SURFACE = {
+  names: { palette: "motions", matrices: "motions", positions: "rest", "posed positions": "posed", "posed normals": "posedNormals" },
+  sizes: { rest: 3, posed: 3, normals: 3, posedNormals: 3 },
+};
 const BLENDS = ["dual", "linear", "mixed"];
 
 export class Skin extends Handle {
   #mesh;
   /** Joints and weights are copied: [vertex][influence]. */
-  constructor(module, { jointCount, influences, joints, weights }) {
+  constructor(module, { jointCount, influences, joints, weights } = {}) {
     super();
-    const bad = Array.from(joints).findIndex((joint) => !(Number.isInteger(joint) && joint >= 0 && joint < 65536));
+    const bad = Array.from(joints ?? []).findIndex((joint) => !(Number.isInteger(joint) && joint >= 0 && joint < 65536));
     if (bad >= 0) throw new RangeError(`joints[${bad}] is ${joints[bad]}, no joint of 16 bits`);
-    const at = module.lend(Uint16Array, joints, (j, n) => module.lend(Float32Array, weights, (w, m) =>
-      module.raw.dq8_skin(count("jointCount", jointCount), count("influences", influences), j, n, w, m)));
+    const counts = [count("jointCount", jointCount), count("influences", influences)], sizes = { joints: 1, weights: 1 };
+    const at = module.lend("joints", Uint16Array, joints, (j, n) => module.lend("weights", Float32Array, weights, (w, m) =>
+      module.made(module.raw.dq8_skin(...counts, j, n, w, m), sizes, { each: "influence" })));
     keep(this, module, at, "dq8_skin_free");
     this.#mesh = new Numbers(module, Uint32Array, 8);
   }
   free() { super.free(); this.#mesh.free(); }
   /** Poses a mesh by the motions of its joints: "dual", "linear", or "mixed" by a share of dual for each vertex. */
-  pose({ blend = "dual", motions, shares, rest, posed, normals, posedNormals }) {
-    const m = modules.get(this), kind = BLENDS.indexOf(blend), mesh = this.#mesh.view, inputs = { rest, normals };
+  pose({ blend = "dual", motions, shares, rest, posed, normals, posedNormals } = {}) {
+    const m = modules.get(this), kind = BLENDS.indexOf(blend), mesh = this.#mesh.view;
     if (kind < 0) throw new RangeError(`blend is ${blend}, none of ${BLENDS.join(", ")}`);
     const reads = { motions: [motions, 8], shares: [kind === 2 ? shares : undefined, 1, kind !== 2] };
-    const from = m.array("rest", rest, 3), to = m.output("posed", posed, 3, { motions, shares, ...inputs });
-    const extra = normals || posedNormals ? [...m.array("normals", normals, 3), ...m.output("posedNormals", posedNormals, 3, { motions, shares, ...inputs, posed })] : [];
+    const from = m.array("rest", rest, 3), to = m.array("posed", posed, 3);
+    const extra = normals || posedNormals ? [...m.array("normals", normals, 3), ...m.array("posedNormals", posedNormals, 3)] : [];
+    m.apart("posed", posed, { motions, shares, rest, normals });
+    m.apart("posedNormals", posedNormals, { motions, shares, rest, normals, posed });
     mesh.fill(0);
     mesh.set([...from, ...to, ...extra]);
-    run(this, "dq8_skin_pose", [kind, mesh.byteOffset], reads);
+    run(this, "dq8_skin_pose", [kind, mesh.byteOffset], reads, {}, {}, SURFACE);
   }
 }

@@ -4,11 +4,11 @@ export interface Rig<S extends RigSkin = RigSkin> {
    * Of each joint the joint that it hangs from, -1 for none: for `dq8.skeleton`. Parents come
    * first.
    */
-  parents: Int32Array<ArrayBuffer>;
+  parents: Int32Array;
   /** Names of the joints. */
   names: string[];
   /** Local poses at rest, [joint][x y z w tx ty tz]. */
-  rest: Float32Array<ArrayBuffer>;
+  rest: Float32Array;
   clips: RigClip[];
   skins: S[];
   /** Parts of the source that have no place here, such as morph targets. */
@@ -20,7 +20,7 @@ export interface RigClip {
   /**
    * Frames of local poses, [frame][joint][x y z w tx ty tz]: for `skeleton.clip(keys, { rate })`.
    */
-  keys: Float32Array<ArrayBuffer>;
+  keys: Float32Array;
   frames: number;
   /** Frames a second: the wanted rate, or a little more, so that the last frame lies on the end. */
   rate: number;
@@ -43,9 +43,9 @@ export interface RigPlace {
 export interface RigSkin {
   name: string;
   /** Of each joint of the source's skin the joint of `parents`: where its skin indices lead. */
-  joints: Uint16Array<ArrayBuffer>;
+  joints: Uint16Array;
   /** Inverse binds of all joints as motions, eight numbers each: for `dq8.motions`. */
-  inverseBinds: Float32Array<ArrayBuffer>;
+  inverseBinds: Float32Array;
   /**
    * Positions of the mesh must be multiplied by this before the joints move them. It is 1 if
    * inverse binds undo the scale of the joints.
@@ -66,15 +66,15 @@ export interface GltfPrimitive {
   /** 4 for triangles, as in WebGL. */
   mode: number;
   /** Multiplied by the scale of the skin. */
-  positions: Float32Array<ArrayBuffer>;
-  normals?: Float32Array<ArrayBuffer>;
-  indices: Uint32Array<ArrayBuffer>;
+  positions: Float32Array;
+  normals?: Float32Array;
+  indices: Uint32Array;
   /** 4, or 8 with JOINTS_1. */
   influences: number;
   /** Joints of the skeleton, [vertex][influence]. */
-  joints: Uint16Array<ArrayBuffer>;
+  joints: Uint16Array;
   /** Weights of a vertex have the sum 1. */
-  weights: Float32Array<ArrayBuffer>;
+  weights: Float32Array;
 }
 
 export interface RigOptions {
@@ -97,6 +97,12 @@ export interface GltfSource {
   json: object;
   buffers?: readonly (ArrayBufferLike | ArrayBufferView | undefined)[];
 }
+
+/**
+ * Motions, eight numbers each, of 4×4 matrices by columns: for `dq8.motions`. A matrix that scales
+ * or shears is an error.
+ */
+export function fromMatrices(matrices: Float32Array | Float64Array | number[]): Float32Array;
 
 /** Takes a binary glTF apart. */
 export function readGlb(file: ArrayBufferLike | ArrayBufferView): GltfSource;

@@ -6,11 +6,14 @@ import { TOLERANCE, rig } from "./rig.js";
 import { Track } from "./tracks.js";
 
 export { readGlb } from "./accessors.js";
+export { fromMatrices } from "./rigid.js";
 export { readThree } from "./three.js";
 
 /** What a file may require though it changes no number that is read here, or is read. */
-const HARMLESS =
-  /^(KHR_(materials|texture|lights|xmp|animation_pointer|node_visibility)|EXT_(texture|lights)|MSFT_(texture|lod)|KHR_mesh_quantization$)/;
+const HARMLESS = new RegExp(
+  "^(KHR_(materials|texture|lights|xmp|animation_pointer|node_visibility)|EXT_(texture|lights)" +
+    "|MSFT_(texture|lod)|KHR_mesh_quantization$)",
+);
 const PATHS = { rotation: "VEC4", translation: "VEC3", scale: "VEC3" };
 const DRACO = "KHR_draco_mesh_compression";
 const LATER = ["EXT_meshopt_compression", "KHR_meshopt_compression", DRACO];

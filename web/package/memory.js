@@ -4,44 +4,41 @@ const text = new TextDecoder();
 /** So that `using` frees what has it; older engines have `free` alone. */
 export const dispose = Symbol.dispose ?? Symbol("dispose");
 
-async function bytes(url) {
-  if (url.protocol === "file:") { // node, whose fetch reads no files
-    const { readFile } = await import(/* webpackIgnore: true */ "node:fs/promises");
-    return readFile(url);
-  }
-  const answer = await fetch(url);
-  if (!answer.ok) throw new Error(`${url}: ${answer.status} ${answer.statusText}`);
-  return answer.arrayBuffer();
+/** What elements are, by how many numbers each has. */
+const UNITS = {
+  1: ["number", "numbers"], 3: ["point", "points"], 6: ["column", "columns"], 7: ["pose", "poses"],
+  8: ["motion", "motions"], 16: ["matrix", "matrices"],
+};
+
+/**
+ * Rust's text in the words of the call: the names of its arguments, where Rust has others, what their elements are, and
+ * what there is a number of in `each` instance.
+ */
+function worded(text, sizes = {}, { names = {}, each } = {}) {
+  const unit = (name, n) => (UNITS[sizes[name]] ?? ["element", "elements"])[n === "1" || n === "no" ? 0 : 1];
+  return text.replace(/\b[a-z]+(?:_[a-z]+)+\b/g, (name) => name.replace(/_(.)/g, (_, c) => c.toUpperCase()))
+    .replace(/^[\w ]+?(?= holds )/, (name) => names[name] ?? name)
+    .replace(/^(\w+) holds (\w+) elements?/, (_, name, n) => `${name} holds ${n} ${unit(name, n)}`)
+    .replace(/(multiple of the \d+) joint/, each ? `$1 ${each}` : "$&");
 }
-
-/** The exports of a module from the file of its level, or from what the caller has. */
-export async function instantiate(files, { level = "simd128", wasm } = {}) {
-  if (!Object.hasOwn(files, level)) throw new RangeError(`level is ${level}, none of ${Object.keys(files).join(", ")}`);
-  const from = wasm ?? await bytes(files[level]());
-  const module = from instanceof WebAssembly.Module ? from : await WebAssembly.compile(from);
-  return (await WebAssembly.instantiate(module, {})).exports;
-}
-
-/** Rust's names of arguments, as they are called here. */
-const asWritten = (message) => message.replace(/\b[a-z]+(?:_[a-z]+)+\b/g, (name) => name.replace(/_(.)/g, (_, c) => c.toUpperCase()));
-
-export let placeOf;
 
 /** Numbers in a module's memory. */
 export class Numbers {
   #module; #Type; #view; #at; #length;
   constructor(module, Type, source) {
-    const length = typeof source === "number" ? source : source.length;
+    const length = typeof source === "number" ? source : source?.length;
+    if (length === undefined) throw new TypeError(`source is ${source}, neither a number nor an array`);
     if (!(Number.isInteger(length) && length >= 0)) throw new RangeError(`length is ${length}, not a whole number`);
     this.#module = module; this.#Type = Type; this.#length = length;
-    this.#at = length * Type.BYTES_PER_ELEMENT < 2 ** 31 ? module.raw.dq8_allocate(length * Type.BYTES_PER_ELEMENT) >>> 0 : 0;
+    const bytes = length * Type.BYTES_PER_ELEMENT;
+    this.#at = bytes < 2 ** 31 ? module.raw.dq8_allocate(bytes) >>> 0 : 0;
     if (this.#at === 0) throw new RangeError(`there is no memory for ${length} numbers`);
     if (typeof source !== "number") this.view.set(source);
   }
   get length() { return this.#length; }
   /** The numbers, without a copy. Take it again after anything that allocates, which may move all memory. */
   get view() {
-    if (this.#at === 0) throw new Error("it has been freed");
+    if (this.#at === 0) throw new Error("the array has been freed");
     const { buffer } = this.#module.raw.memory;
     if (this.#view?.buffer !== buffer) this.#view = new this.#Type(buffer, this.#at, this.#length);
     return this.#view;
@@ -52,63 +49,83 @@ export class Numbers {
     this.#view = undefined;
   }
   [dispose]() { this.free(); }
-  static {
-    placeOf = (module, name, numbers, size) => {
-      if (!(numbers instanceof Numbers) || numbers.#Type !== Float32Array) throw new TypeError(`${name} is no array of dq8.floats`);
-      if (numbers.#module !== module) throw new TypeError(`${name} is an array of another module`);
-      if (numbers.#at === 0) throw new Error(`${name} has been freed`);
-      if (numbers.#length % size) throw new RangeError(`${name} holds ${numbers.#length} numbers, which is not a multiple of ${size}`);
-      return [numbers.#at, numbers.#length / size];
-    };
+  /** Place and count of an array of things of `size` numbers. */
+  static place(module, name, numbers, size) {
+    if (numbers === undefined || numbers === null) throw new TypeError(`${name} is missing`);
+    if (!(numbers instanceof Numbers) || numbers.#Type !== Float32Array) {
+      throw new TypeError(`${name} is no array of ${module.name}.floats`);
+    }
+    if (numbers.#module !== module) throw new TypeError(`${name} is an array of another module`);
+    if (numbers.#at === 0) throw new Error(`${name} has been freed`);
+    if (numbers.#length % size) {
+      throw new RangeError(`${name} holds ${numbers.#length} numbers, which is not a multiple of ${size}`);
+    }
+    return [numbers.#at, numbers.#length / size];
   }
 }
 
 /** An instance of a module. */
 export class Module {
-  raw;
-  constructor(raw) { this.raw = raw; }
+  raw; name;
+  constructor(raw, name) { this.raw = raw; this.name = name; }
   string(at, length) { return text.decode(new Uint8Array(this.raw.memory.buffer, at, length)); }
-  error() { return new Error(asWritten(this.string(this.raw.dq8_error(), this.raw.dq8_error_length()))); }
-  check(status) { if (status !== 0) throw this.error(); }
+  error(sizes, words) {
+    return new Error(worded(this.string(this.raw.dq8_error(), this.raw.dq8_error_length()), sizes, words));
+  }
   /** The place of what has been made. */
-  made(at) { if (at === 0) throw this.error(); return at; }
+  made(at, sizes, words) { if (at === 0) throw this.error(sizes, words); return at; }
   /** Runs with numbers that are needed no longer. */
-  lend(Type, source, run) {
+  lend(name, Type, source, run) {
+    const missing = source === undefined ? "missing" : "no array";
+    if (source?.length === undefined) throw new TypeError(`${name} is ${missing}`);
     const numbers = new Numbers(this, Type, source);
     try { return run(numbers.view.byteOffset, numbers.length); } finally { numbers.free(); }
   }
   /** Place and count of an array of things of `size` numbers. */
-  array(name, numbers, size = 1) { return placeOf(this, name, numbers, size); }
+  array(name, numbers, size = 1) { return Numbers.place(this, name, numbers, size); }
   /** The same of one that may be missing. */
-  maybe(name, numbers, size = 1) { return numbers ? this.array(name, numbers, size) : [0, 0]; }
-  /** Calls a function of numbers, arrays that are read and arrays that are written: { name: [array, size, whether it may be missing] }. */
-  call(name, plain, reads = {}, writes = {}, inputs = {}) {
+  maybe(name, numbers, size = 1) { return (numbers ?? null) === null ? [0, 0] : this.array(name, numbers, size); }
+  /**
+   * Calls a function of numbers, arrays that are read and arrays that are written: { name: [array, size, whether it may
+   * be missing] }. What is written can be none of those, nor of further `inputs`.
+   */
+  call(name, plain, reads = {}, writes = {}, inputs = {}, words = {}) {
+    const all = Object.entries({ ...reads, ...writes });
     for (const input in reads) inputs[input] = reads[input][0];
-    const write = Object.entries(writes).flatMap(([name, [numbers, size]]) => this.output(name, numbers, size, inputs));
-    const read = Object.entries(reads).flatMap(([name, [numbers, size, missing]]) => missing ? this.maybe(name, numbers, size) : this.array(name, numbers, size));
-    this.check(this.raw[name](...plain, ...read, ...write));
+    for (const written in writes) this.apart(written, writes[written][0], inputs);
+    const place = ([name, [numbers, size, missing]]) => this[missing ? "maybe" : "array"](name, numbers, size);
+    const places = all.map(place);
+    if (this.raw[name](...plain, ...places.flat()) !== 0) {
+      throw this.error({ ...words.sizes, ...Object.fromEntries(all.map(([name, [, size]]) => [name, size])) }, words);
+    }
   }
-  /** Of one that is written, and so can be none of those that are read. */
-  output(name, numbers, size, inputs) {
-    for (const [input, other] of Object.entries(inputs)) if (other === numbers) throw new RangeError(`${name} is the same array as ${input}`);
-    return this.array(name, numbers, size);
+  /** What is written can be none of what is read. */
+  apart(name, numbers, inputs) {
+    for (const input in inputs) {
+      if (numbers && inputs[input] === numbers) throw new RangeError(`${name} is the same array as ${input}`);
+    }
   }
 }
 
 /** A number that Rust counts by. */
 export function count(name, value) {
-  if (!(Number.isInteger(value) && value >= 0 && value < 2 ** 31)) throw new RangeError(`${name} is ${value}, not a whole number`);
+  if (value === undefined) throw new TypeError(`${name} is missing`);
+  const whole = Number.isInteger(value) && value >= 0 && value < 2 ** 31;
+  if (!whole) throw new RangeError(`${name} is ${value}, not a whole number`);
   return value;
 }
 
 /** What lives in the module until it is freed. */
 export class Noun {
-  #at; #free;
-  constructor(module, at, free) { this.#at = module.made(at); this.#free = () => module.raw[free](this.#at); }
+  #at; #name; #free;
+  constructor(module, at, free) {
+    this.#at = at;
+    this.#name = free.slice("dq8_".length, -"_free".length);
+    this.#free = () => module.raw[free](this.#at);
+  }
   get place() {
-    if (this.#at === 0) throw new Error(`the ${this.constructor.name} has been freed`);
+    if (this.#at === 0) throw new Error(`the ${this.#name} has been freed`);
     return this.#at;
   }
   free() { if (this.#at) this.#free(); this.#at = 0; }
-  [dispose]() { this.free(); }
 }

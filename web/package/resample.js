@@ -100,7 +100,8 @@ export function resample(clip, locals, wanted) {
     slack = 1e-3 / rate;
   if (!(stride * frames < 2 ** 28)) {
     throw new Error(
-      `${clip.place}: ${short(clip.duration)} s of ${joints} joints at ${wanted} frames a second are more than memory holds`,
+      `${clip.place}: ${short(clip.duration)} s of ${joints} joints at ${wanted} frames a second ` +
+        "are more than memory holds",
     );
   }
   const keys = new Float32Array(stride * frames),

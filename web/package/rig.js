@@ -72,7 +72,8 @@ function bound(skin, nodes, joint, scale, { tolerance }) {
     if (!(Math.abs(whole - size) <= tolerance * Math.abs(size))) {
       fail(
         where,
-        `makes the mesh ${short(whole)} times as large, and the first joint ${short(size)} times: only one scale can be folded away`,
+        `makes the mesh ${short(whole)} times as large, and the first joint ${short(size)} times: ` +
+          "only one scale can be folded away",
       );
     }
     writeMotion(

@@ -67,5 +67,23 @@ export function decompose(m, tolerance) {
   return { q: rotation(...axes), t: [m[12], m[13], m[14]], s };
 }
 
+/**
+ * Motions, eight numbers each, of 4×4 matrices by columns, which turn and move and neither scale nor
+ * shear.
+ */
+export function fromMatrices(matrices) {
+  const { length } = matrices,
+    motions = new Float32Array(length / 2);
+  if (length % 16) throw new RangeError(`matrices holds ${length} numbers, which is not a multiple of 16`);
+  for (let i = 0; 16 * i < length; i++) {
+    const parts = decompose(matrices.slice(16 * i, 16 * i + 16), 1e-3);
+    if (typeof parts === "string") throw new RangeError(`matrices[${i}] ${parts}`);
+    if (!(Math.abs(parts.s - 1) < 1e-3))
+      throw new RangeError(`matrices[${i}] scales by ${parts.s}, and motions do not`);
+    writeMotion(parts.q, parts.t, motions, 8 * i);
+  }
+  return motions;
+}
+
 /** A number as errors have it. */
 export const short = (x) => String(Number(x.toPrecision(6)));

@@ -1,8 +1,13 @@
-import type { Floats, LoadOptions } from "./memory.js";
+import type { LoadOptions } from "./engine.js";
+import type { Floats } from "./memory.js";
+export { LevelError, supports } from "./engine.js";
 export type { Floats, LoadOptions };
 
 /** A module of its own, with its own memory: arrays of `dq8` are none of its. */
-export default function load(options?: LoadOptions): Promise<Robots>;
+export function load(options?: LoadOptions<"dq8/robots">): Promise<Robots>;
+export default load;
+/** The compiled code, which can be posted to workers: `load({ wasm })` there. */
+export function compile(options?: LoadOptions<"dq8/robots">): Promise<object>;
 
 export interface Robots {
   floats(source: number | ArrayLike<number>): Floats;
@@ -40,7 +45,12 @@ export interface Robot {
   /** [configuration][rate] of six numbers, angular first, in the axes of the world. */
   jacobians(link: number | string, values: Floats, columns: Floats): void;
   /** Moves `values` until `link` is at `target`, a motion; a link is given by its number or name. */
-  reach(link: number | string, target: Floats, values: Floats, options?: { position?: boolean; restarts?: boolean }): Report;
+  reach(
+    link: number | string,
+    target: Floats,
+    values: Floats,
+    options?: { position?: boolean; restarts?: boolean },
+  ): Report;
   free(): void;
   [Symbol.dispose](): void;
 }

@@ -75,7 +75,8 @@ export function readThree(skeleton, clips = [], options = {}) {
       if (!path) {
         if (!/^(position|quaternion|scale|rotation)/.test(property)) return left.add(property);
         throw new Error(
-          `${place}: ${track.name} moves a part of ${property.split("[")[0]}: only position, quaternion and scale are read`,
+          `${place}: ${track.name} moves a part of ${property.split("[")[0]}: ` +
+            "only position, quaternion and scale are read",
         );
       }
       if (!tracks.has(node)) tracks.set(node, {});

@@ -16,6 +16,7 @@ mod limb;
 mod memory;
 #[cfg(feature = "skeletons")]
 mod motions;
+mod pool;
 #[cfg(feature = "robots")]
 mod robots;
 #[cfg(feature = "skeletons")]

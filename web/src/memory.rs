@@ -1,13 +1,8 @@
-//! Memory for arrays, and what is true of all functions here: places become slices, errors become a
-//! text.
+//! What is true of all functions here: places become slices, errors become a text.
 
-use std::alloc::{Layout, alloc_zeroed, dealloc};
 use std::cell::RefCell;
 use std::fmt::Display;
 use std::slice;
-
-/// Blocks of lanes need the most.
-const ALIGNMENT: usize = 64;
 
 thread_local!(static ERROR: RefCell<String> = const { RefCell::new(String::new()) });
 
@@ -86,27 +81,6 @@ macro_rules! frees {
     )*};
 }
 pub(crate) use frees;
-
-fn layout(bytes: usize) -> Option<Layout> {
-    Layout::from_size_align(bytes.max(1), ALIGNMENT).ok()
-}
-
-/// So many bytes, all zero; null if they are not to be had.
-#[unsafe(no_mangle)]
-extern "C" fn dq8_allocate(bytes: usize) -> *mut u8 {
-    // SAFETY: the size is not zero.
-    layout(bytes).map_or(std::ptr::null_mut(), |layout| unsafe { alloc_zeroed(layout) })
-}
-
-/// # Safety
-/// They are as [`dq8_allocate`] gave them.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_free(at: *mut u8, bytes: usize) {
-    if let Some(layout) = layout(bytes) {
-        // SAFETY: promised.
-        unsafe { dealloc(at, layout) }
-    }
-}
 
 /// The text of the last error.
 #[unsafe(no_mangle)]

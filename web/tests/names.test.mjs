@@ -38,7 +38,6 @@ const TABLE = [
   ["src/slices/transform.rs", "transform_points", "transformPoints", "points", "transform_points"],
   ["src/slices/kernels.rs", "conjugate", "inverse", "conjugate", "conjugate"],
   ["src/scalar/rigid.rs", "translation", "toRotationsTranslations", "motion_to_rotation_translation", "translation"],
-  ["src/scalar/matrix.rs", null, "fromMatrices", "motion_from_matrix_3x4", "from_matrix"],
   ["src/slices/matrix.rs", "matrices", "matrices", "matrices_4x4", "to_matrix"],
   ["src/scalar/rigid.rs", "from_rotation_translation", "fromRotationsTranslations", "motion_from_rotation_translation", "from_rotation_translation"],
   ["robot/src/urdf/robot.rs", "from_urdf", "robot", none("C reads no files"), "from_urdf"],

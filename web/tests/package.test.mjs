@@ -4,8 +4,10 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
-import load from "../package/dq8.js";
-import loadRobots, { OUTCOMES } from "../package/robots.js";
+import load from "../package/dq8.node.js";
+import relaxed from "../package/relaxed.js";
+import robotsRelaxed from "../package/robots-relaxed.js";
+import loadRobots, { OUTCOMES } from "../package/robots.node.js";
 import { CONFIGURATIONS, FRAMES, INSTANCES, JOINTS, VERTICES, given, parents } from "./given.mjs";
 
 const URDF = new URL("../../robot/robots/arm7.urdf", import.meta.url);
@@ -42,7 +44,8 @@ const levels = (process.env.LEVELS ?? "simd128 relaxed").split(" ");
 
 for (const level of levels) describe(level, { skip: !built(level) && "not built" }, () => {
   let dq8, robots;
-  before(async () => { [dq8, robots] = await Promise.all([load({ level }), loadRobots({ level })]); });
+  const [core, arms] = level === "relaxed" ? [relaxed, robotsRelaxed] : [level, level];
+  before(async () => { [dq8, robots] = await Promise.all([load({ level: core }), loadRobots({ level: arms })]); });
 
   test("answers are those of the native library", (t) => {
     read = 0;
@@ -161,10 +164,19 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     assert.equal(old.length, 0, "memory has grown under the view");
     assert.deepEqual([...numbers.view], [1, 2, 3]);
     assert.equal(numbers.view, numbers.view, "no view is made twice");
-    const bytes = more.view.buffer.byteLength, stride = readFileSync(STRIDE);
+    const stride = readFileSync(STRIDE), cycle = () => {
+      const s = dq8.skeleton(parents);
+      s.crowd(1000).free();
+      s.clip(given.clipA).free();
+      dq8.packedClip(stride).free();
+      s.free();
+    };
+    // Nouns have memory of their own, which no array gives back to them.
+    cycle();
+    const bytes = numbers.view.buffer.byteLength;
     for (let i = 0; i < 50; i++) { more.free(); const again = dq8.floats(1 << 22); again.free(); }
     assert.equal(numbers.view.buffer.byteLength, bytes, "what is freed is used again");
-    for (let i = 0; i < 200; i++) { const s = dq8.skeleton(parents); s.crowd(1000).free(); s.clip(given.clipA).free(); dq8.packedClip(stride).free(); s.free(); }
+    for (let i = 0; i < 200; i++) cycle();
     assert.ok(numbers.view.buffer.byteLength <= bytes + (1 << 16));
   });
 
@@ -173,23 +185,23 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     const fails = (run, text) => assert.throws(run, (error) => { assert.match(error.message, text); return true; });
     fails(() => dq8.skeleton([-1, 2, 0]), /parent/);
     fails(() => dq8.skeleton([-1, 0.5]), /parents\[1\] is 0.5/);
-    fails(() => skeleton.localToModel(three), /holds 3 elements, which is not a multiple of the 2 joints/);
-    fails(() => skeleton.localToModel(four, dq8.motions(2)), /^models holds 2 elements where 4 are needed$/);
-    fails(() => skeleton.palette(four, { inverseBinds: three, palette }), /^inverseBinds holds 3 elements where 2 are needed$/);
+    fails(() => skeleton.localToModel(three), /holds 3 motions, which is not a multiple of the 2 joints/);
+    fails(() => skeleton.localToModel(four, dq8.motions(2)), /^models holds 2 motions where 4 are needed$/);
+    fails(() => skeleton.palette(four, { inverseBinds: three, palette }), /^inverseBinds holds 3 motions where 2 are needed$/);
     fails(() => skeleton.palette(four, { inverseBinds: palette, palette }), /^palette is the same array as inverseBinds$/);
-    fails(() => skeleton.palette(four, { palette }), /^inverseBinds is no array of dq8.floats$/);
+    fails(() => skeleton.palette(four, { palette }), /^inverseBinds is missing$/);
     fails(() => dq8.mul(four, dq8.floats(7), four), /^product is the same array as a$/);
     fails(() => dq8.mul(four, dq8.floats(7), dq8.motions(4)), /^b holds 7 numbers, which is not a multiple of 8$/);
-    fails(() => skeleton.clip(new Float32Array(0)), /^keys holds no element$/);
+    fails(() => skeleton.clip(new Float32Array(0)), /^keys holds no pose$/);
     for (const rate of [0, -30, NaN, Infinity]) fails(() => skeleton.clip(given.clipA, { rate }), /^rate is .*, not a positive number$/);
     const clip = skeleton.clip(given.clipA.slice(0, 28)), at = dq8.floats(2);
-    fails(() => skeleton.localToModel(clip.sample(at).blend(clip.sample(at), at, { mask: dq8.floats(0) }), four), /^mask holds 0 elements where 2 are needed$/);
+    fails(() => skeleton.localToModel(clip.sample(at).blend(clip.sample(at), at, { mask: dq8.floats(0) }), four), /^mask holds 0 numbers where 2 are needed$/);
     const stride = readFileSync(STRIDE), walk = dq8.packedClip(stride), damaged = Uint8Array.from(stride);
     damaged[8] = 7;
     fails(() => dq8.packedClip(damaged), /^not a packed clip file: unsupported version at byte 8$/);
     fails(() => dq8.packedClip([]), /at byte 0$/);
     fails(() => skeleton.localToModel(walk.sample(at), four), /^each frame of the clip holds 21 elements where 2 are needed$/);
-    fails(() => skeleton.localToModel(walk.sample(at, dq8.floats(1)), four), /^clips holds 1 element where 2 are needed$/);
+    fails(() => skeleton.localToModel(walk.sample(at, dq8.floats(1)), four), /^clips holds 1 number where 2 are needed$/);
     for (const clip of [1, -1, 0.5, NaN]) fails(() => skeleton.localToModel(walk.sample(at, dq8.floats([0, clip])), four), /^instance 1 is sampled at a place in other clips/);
     fails(() => skeleton.localToModel(walk.sample(at, 1), four), /^instance 0 is sampled at a place in other clips/);
     fails(() => skeleton.localToModel(walk.sample(at, -1), four), /^clips is -1, not a whole number$/);
@@ -229,5 +241,4 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
   });
 });
 
-test("a level that there is not is refused", () => assert.rejects(load({ level: "avx512" }), /level is avx512, none of simd128, relaxed/));
 after(() => assert.ok(levels.some(built), "nothing has been built: web/build.sh"));

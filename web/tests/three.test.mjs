@@ -1,4 +1,5 @@
-// The example for three.js in Chromium: its palettes are those of three.js' own bones, and what is drawn is what they draw.
+// The example for three.js in Chromium: its palettes are those of three.js' own bones, and what is drawn is what
+// they draw.
 import assert from "node:assert/strict";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -11,7 +12,10 @@ before(async () => {
   page = await browser.page(`${server.url}/web/examples/three/index.html`, { width: 800, height: 500 });
   await page.until("window.ready");
 });
-after(async () => { await browser?.close(); server?.close(); });
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
 
 test("a thousand characters have the palettes of three.js", async (t) => {
   for (const seconds of [0, 0.3, 7.77]) {

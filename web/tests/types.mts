@@ -1,9 +1,18 @@
-// Compiled by `tsc -p web`, never run: what the declarations allow, and what they refuse.
-import load, { type Floats, type Skeleton } from "../package/dq8.js";
-import { readGlb, readGltf, readThree } from "../package/gltf.js";
-import loadRobots from "../package/robots.js";
+// Compiled by `bundlers`, never run: what the declarations allow, and what they refuse.
+import load, { LevelError, compile, load as named, supports, type Floats, type Skeleton } from "dq8";
+import relaxed from "dq8/relaxed";
+import { fromMatrices, readGlb, readGltf, readThree } from "dq8/gltf";
+import loadRobots from "dq8/robots";
+import robotsRelaxed from "dq8/robots-relaxed";
 
-const dq8 = await load({ level: "relaxed" });
+const dq8 = await load({ level: relaxed, fallback: supports("relaxed") });
+await named({ wasm: new Uint8Array(8) });
+await loadRobots({ level: robotsRelaxed });
+// @ts-expect-error: levels are of one module.
+await load({ level: robotsRelaxed });
+// @ts-expect-error: a level that has to be imported.
+await load({ level: "relaxed" });
+const lacking: "simd128" | "relaxed" | undefined = await compile().then(() => undefined, (error: unknown) => error instanceof LevelError ? error.level : undefined);
 const skeleton: Skeleton = dq8.skeleton([-1, 0]);
 const locals: Floats = dq8.motions(2);
 const palette = dq8.floats(32), inverseBinds = dq8.motions(2), at = dq8.floats(1);
@@ -17,7 +26,7 @@ const packed = dq8.packedClip(new ArrayBuffer(8)), run = packed.sample(at, packe
 skeleton.localToModel(run.blend(packed.sample(at, at), at), palette);
 // @ts-expect-error: which of the clips is a number, or one for each instance.
 packed.sample(at, "walk");
-const bytes: Float32Array<ArrayBuffer> = palette.view;
+const bytes: Float32Array = palette.view;
 // @ts-expect-error: sampled clips have no memory to go to.
 skeleton.localToModel(walk);
 // @ts-expect-error: palettes need inverse binds.
@@ -25,10 +34,11 @@ skeleton.palette(locals, { palette });
 // @ts-expect-error: there is no such level.
 await load({ level: "avx2" });
 const { parents, clips: [bow], skins: [{ inverseBinds: inverses, primitives: [part] }] } = readGltf(readGlb(new ArrayBuffer(8)), { rate: 60, skins: ["body", 0] });
-const posed = dq8.skeleton(parents).clip(bow!.keys, bow!), limb = dq8.skin({ jointCount: parents.length, ...part! }), moved = dq8.motions(inverses);
+const posed = dq8.skeleton(parents).clip(bow!.keys, bow!), limb = dq8.skin({ jointCount: parents.length, ...part! }), moved = dq8.motions(inverses.length ? inverses : fromMatrices([]));
 // @ts-expect-error: meshes of three.js stay there.
 readThree({ bones: [], boneInverses: [] }).skins[0].primitives;
 const robot = (await loadRobots()).robot("<robot/>");
 const { outcome } = robot.reach(1, locals, at, { position: true });
 const known: "converged" | "outOfReach" | "atLimits" | "stalled" | "unfinished" | "invalid" = outcome;
-export { bytes, known, limb, moved, posed };
+palette[Symbol.dispose]();
+export { bytes, known, lacking, limb, moved, posed };

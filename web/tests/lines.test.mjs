@@ -1,0 +1,25 @@
+// Sizes are counted on what ships, so lines of source may be as long as is good to read, and no longer.
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { test } from "node:test";
+
+const MOST = 120;
+/** Still to be wrapped. */
+const LONG = new Set([
+  "package/dq8.js", "package/dq8.d.ts", "page/between.js", "page/crowd.js", "page/files.js", "page/index.html",
+  "page/page.js", "page/robot.js", "page/scene.js", "page/sleeve.js", "page/yours.js", "bench/chromium.mjs",
+  "bench/index.html", "bench/jobs.mjs", "bench/node.mjs", "bench/plain.js", "tests/browser.mjs",
+  "tests/files.test.mjs", "tests/given.mjs", "tests/names.test.mjs", "tests/package.test.mjs",
+  "tests/page.test.mjs", "tests/server.mjs", "tests/types.mts",
+]);
+
+test(`lines have at most ${MOST} characters`, () => {
+  for (const folder of ["package", "bundlers", "page", "tests", "bench"]) {
+    for (const name of readdirSync(new URL(`../${folder}`, import.meta.url))) {
+      if (!/\.(m?js|m?ts|html)$/.test(name)) continue;
+      const lines = readFileSync(new URL(`../${folder}/${name}`, import.meta.url), "utf8").split("\n");
+      const long = lines.findIndex((line) => line.length > MOST);
+      if (!LONG.has(`${folder}/${name}`)) assert.equal(long, -1, `${folder}/${name}:${long + 1}`);
+    }
+  }
+});
