@@ -40,9 +40,9 @@ pub struct Sclerp;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NlerpLerp;
 
-/// The law of [`NlerpLerp`] with rotations by slerp, at a constant speed, as three.js has it; it takes
-/// more time. Between rotations that are near each other, as neighbouring frames are, the two laws
-/// hardly differ. See [`Quat::slerp`](crate::Quat::slerp).
+/// The law of [`NlerpLerp`] with rotations by slerp, at a constant speed, as three.js has it; it
+/// takes more time. Between rotations that are near each other, as neighbouring frames are, the two
+/// laws hardly differ. See [`Quat::slerp`](crate::Quat::slerp).
 ///
 /// ```
 /// use dq8::hierarchy::{Layered, RotationsTranslations};
