@@ -4,7 +4,7 @@ use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
 /// A law by which poses of `C` components are interpolated: [`Nlerp`] or [`Sclerp`] for motions,
-/// [`NlerpLerp`] for rotations and translations. The trait is sealed.
+/// [`NlerpLerp`] or [`SlerpLerp`] for rotations and translations. The trait is sealed.
 pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::Sealed {
     /// Interpolates from `a` (t = 0) to `b` (t = 1).
     #[must_use]
@@ -41,6 +41,33 @@ pub struct Sclerp;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NlerpLerp;
 
+/// The law of [`NlerpLerp`] with rotations by slerp, at a constant speed, as three.js has it; it
+/// takes more time. Between rotations that are near each other, as neighbouring frames are, the two
+/// laws hardly differ. See [`Quat::slerp`](crate::Quat::slerp).
+///
+/// ```
+/// use dq8::hierarchy::{Layered, RotationsTranslations};
+/// use dq8::law::{NlerpLerp, SlerpLerp};
+/// use dq8::{DualQuat, Hierarchy, Quat};
+/// let joint = Hierarchy::new(&[Hierarchy::ROOT])?;
+/// let turned = |angle| {
+///     let [x, y, z, w] = Quat::from_rotation_z(angle).to_array();
+///     [[x, y, z, w, 0.0_f32, 0.0, 0.0]]
+/// };
+/// let (still, far) = (turned(0.0), turned(2.0));
+/// let [a, b] = [&still, &far].map(|pose| RotationsTranslations(pose));
+/// let mut models = [DualQuat::IDENTITY];
+/// joint.job().locals_to_model(Layered::blend(SlerpLerp, a, b, &[0.25]), &mut models)?;
+/// let angle = models[0].rotation().angle_to(Quat::IDENTITY);
+/// assert!((angle - 0.5).abs() < 1e-6);
+/// // A quarter of the way takes nlerp a little less than a quarter of the turn.
+/// joint.job().locals_to_model(Layered::blend(NlerpLerp, a, b, &[0.25]), &mut models)?;
+/// assert!((0.4..0.48).contains(&models[0].rotation().angle_to(Quat::IDENTITY)));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SlerpLerp;
+
 impl Law<8> for Nlerp {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8] {
@@ -73,32 +100,41 @@ impl Law<8> for Sclerp {
     }
 }
 
-impl Law<7> for NlerpLerp {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn between<L: Lanes>(self, a: [L; 7], b: [L; 7], t: L) -> [L; 7] {
-        let ([ax, ay, az, aw, from @ ..], [bx, by, bz, bw, to @ ..]) = (a, b);
-        let turn = Quat::from_xyzw(ax, ay, az, aw).nlerp(Quat::from_xyzw(bx, by, bz, bw), t);
-        let [x, y, z, w] = turn.to_array();
-        let from = vector::scale(from, t.constant(1.0) - t);
-        let [tx, ty, tz] = vector::scale_onto(to, t, from);
-        [x, y, z, w, tx, ty, tz]
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add<L: Lanes>(self, base: [L; 7], delta: [L; 7], weight: L) -> [L; 7] {
-        let ([x, y, z, w, from @ ..], [dx, dy, dz, dw, step @ ..]) = (base, delta);
-        let turn = Quat::identity(weight.level()).nlerp(Quat::from_xyzw(dx, dy, dz, dw), weight);
-        let [x, y, z, w] = (turn * Quat::from_xyzw(x, y, z, w)).to_array();
-        let [tx, ty, tz] = vector::scale_onto(step, weight, from);
-        [x, y, z, w, tx, ty, tz]
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn motion<L: Lanes>(self, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
-        DualQuat::from_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<L: Lanes>(self, parent: DualQuat<L>, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
-        parent.mul_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
-    }
+/// Implements [`Law`] for rotations and translations, by what lies between two rotations.
+macro_rules! apart {
+    ($($law:ty: $between:ident;)*) => {$(
+        impl Law<7> for $law {
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn between<L: Lanes>(self, a: [L; 7], b: [L; 7], t: L) -> [L; 7] {
+                let ([ax, ay, az, aw, from @ ..], [bx, by, bz, bw, to @ ..]) = (a, b);
+                let turn = Quat::from_xyzw(ax, ay, az, aw).$between(Quat::from_xyzw(bx, by, bz, bw), t);
+                let [x, y, z, w] = turn.to_array();
+                let from = vector::scale(from, t.constant(1.0) - t);
+                let [tx, ty, tz] = vector::scale_onto(to, t, from);
+                [x, y, z, w, tx, ty, tz]
+            }
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn add<L: Lanes>(self, base: [L; 7], delta: [L; 7], weight: L) -> [L; 7] {
+                let ([x, y, z, w, from @ ..], [dx, dy, dz, dw, step @ ..]) = (base, delta);
+                let turn = Quat::identity(weight.level()).$between(Quat::from_xyzw(dx, dy, dz, dw), weight);
+                let [x, y, z, w] = (turn * Quat::from_xyzw(x, y, z, w)).to_array();
+                let [tx, ty, tz] = vector::scale_onto(step, weight, from);
+                [x, y, z, w, tx, ty, tz]
+            }
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn motion<L: Lanes>(self, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
+                DualQuat::from_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
+            }
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn onto<L: Lanes>(self, parent: DualQuat<L>, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
+                parent.mul_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
+            }
+        }
+    )*};
+}
+apart! {
+    NlerpLerp: nlerp;
+    SlerpLerp: slerp;
 }
 
 mod sealed {
@@ -106,4 +142,5 @@ mod sealed {
     impl Sealed for super::Nlerp {}
     impl Sealed for super::Sclerp {}
     impl Sealed for super::NlerpLerp {}
+    impl Sealed for super::SlerpLerp {}
 }

@@ -7,7 +7,7 @@ use dq8::law::Law;
 use dq8::{
     DualQuat, Quat,
     hierarchy::{Poses, RotationsTranslations},
-    law::{Nlerp, NlerpLerp, Sclerp},
+    law::{Nlerp, NlerpLerp, Sclerp, SlerpLerp},
 };
 use dq8_contract::random::Random;
 
@@ -75,30 +75,44 @@ fn turned(a: Quat<f64>, b: Quat<f64>, t: f64) -> Quat<f64> {
     Quat::from_array(std::array::from_fn(|i| (1.0 - t) * a[i] + sign * t * b[i])).normalize()
 }
 
-impl Reference<7> for NlerpLerp {
-    const LAW: Self = Self;
-    type Stored<'a, L: Memory>
-        = RotationsTranslations<'a, L::Record<7>>
-    where
-        L::Record<7>: 'a;
-    fn stored<L: Memory>(poses: &[L::Record<7>]) -> Self::Stored<'_, L> {
-        RotationsTranslations(poses)
-    }
-    fn key(random: &mut Random) -> [f64; 7] {
-        let step = step(random);
-        seven(Quat::from_axis_angle(step.axis, step.angle), step.shift)
-    }
-    fn between_by_the_book(a: [f64; 7], b: [f64; 7], t: f64) -> [f64; 7] {
-        let ((p, from), (q, to)) = (turn_and_shift(a), turn_and_shift(b));
-        seven(turned(p, q, t), std::array::from_fn(|i| (1.0 - t) * from[i] + t * to[i]))
-    }
-    fn add_by_the_book(base: [f64; 7], delta: [f64; 7], weight: f64) -> [f64; 7] {
-        let ((p, from), (q, step)) = (turn_and_shift(base), turn_and_shift(delta));
-        let turn = turned(Quat::IDENTITY, q, weight) * p;
-        seven(turn, std::array::from_fn(|i| from[i] + weight * step[i]))
-    }
-    fn as_motion(pose: [f64; 7]) -> [f64; 8] {
-        let (turn, shift) = turn_and_shift(pose);
-        DualQuat::from_rotation_translation(turn, shift).to_array()
-    }
+/// At a constant speed about one axis, by the shorter way.
+fn slerped(a: Quat<f64>, b: Quat<f64>, t: f64) -> Quat<f64> {
+    a.slerp(b, t)
+}
+
+/// Both keep rotations and translations apart.
+macro_rules! apart {
+    ($($law:ty: $between:ident;)*) => {$(
+        impl Reference<7> for $law {
+            const LAW: Self = Self;
+            type Stored<'a, L: Memory>
+                = RotationsTranslations<'a, L::Record<7>>
+            where
+                L::Record<7>: 'a;
+            fn stored<L: Memory>(poses: &[L::Record<7>]) -> Self::Stored<'_, L> {
+                RotationsTranslations(poses)
+            }
+            fn key(random: &mut Random) -> [f64; 7] {
+                let step = step(random);
+                seven(Quat::from_axis_angle(step.axis, step.angle), step.shift)
+            }
+            fn between_by_the_book(a: [f64; 7], b: [f64; 7], t: f64) -> [f64; 7] {
+                let ((p, from), (q, to)) = (turn_and_shift(a), turn_and_shift(b));
+                seven($between(p, q, t), std::array::from_fn(|i| (1.0 - t) * from[i] + t * to[i]))
+            }
+            fn add_by_the_book(base: [f64; 7], delta: [f64; 7], weight: f64) -> [f64; 7] {
+                let ((p, from), (q, step)) = (turn_and_shift(base), turn_and_shift(delta));
+                let turn = $between(Quat::IDENTITY, q, weight) * p;
+                seven(turn, std::array::from_fn(|i| from[i] + weight * step[i]))
+            }
+            fn as_motion(pose: [f64; 7]) -> [f64; 8] {
+                let (turn, shift) = turn_and_shift(pose);
+                DualQuat::from_rotation_translation(turn, shift).to_array()
+            }
+        }
+    )*};
+}
+apart! {
+    NlerpLerp: turned;
+    SlerpLerp: slerped;
 }

@@ -9,7 +9,7 @@ use dq8::storage::{AoSoA, Aos};
 use dq8::{
     Backend, DualQuat, Hierarchy, Real, Scalar, ShapeError,
     hierarchy::Poses,
-    law::{Nlerp, NlerpLerp, Sclerp},
+    law::{Nlerp, NlerpLerp, Sclerp, SlerpLerp},
     simd::Float,
 };
 use dq8_contract::bound::{unit_roundoff, within};
@@ -196,6 +196,7 @@ fn check_all<L: Memory>() {
         check::<L, Nlerp, 8>(instances);
         check::<L, Sclerp, 8>(instances);
         check::<L, NlerpLerp, 7>(instances);
+        check::<L, SlerpLerp, 7>(instances);
     }
 }
 

@@ -19,6 +19,8 @@ export interface Dq8 {
   floats(source: number | ArrayLike<number>): Floats;
   /** So many identities, or the numbers of an array. */
   motions(source: number | ArrayLike<number>): Floats;
+  /** Locals in an array as poses that can be blended and added; the array is read when they are. */
+  poses(locals: Floats): Sampled;
   /** A skeleton of parents that come before their children; -1 for none. */
   skeleton(parents: ArrayLike<number>): Skeleton;
   /** Packed clips, of bytes that Rust, Python or the example mocap wrote, copied. */
@@ -26,10 +28,16 @@ export interface Dq8 {
   skin(options: SkinOptions): Skin;
   /** Motions of [x y z w tx ty tz] each. */
   fromRotationsTranslations(poses: Floats, motions: Floats): void;
-  /** product[i] = a[i] * b[i]: b acts first. */
+  /** [x y z w tx ty tz] of unit motions. */
+  toRotationsTranslations(motions: Floats, poses: Floats): void;
+  /** Inverses of unit motions. */
+  inverse(motions: Floats, inverses: Floats): void;
+  /** product[i] = a[i] * b[i]: b acts first. One motion in `a` is the parent of all. */
   mul(a: Floats, b: Floats, product: Floats): void;
   /** From a[i] to b[i], t[i] of it, along one screw. */
   sclerpEach(a: Floats, b: Floats, t: Floats, between: Floats): void;
+  /** All points by one motion. */
+  transformPoints(motion: Floats, points: Floats, moved: Floats): void;
   transformPointsEach(motions: Floats, points: Floats, moved: Floats): void;
   /** 4×4 matrices by columns: what WebGL, WebGPU and three.js read. */
   matrices(motions: Floats, matrices: Floats): void;
@@ -44,7 +52,11 @@ export interface Skeleton extends Freed {
   clip(keys: ArrayLike<number>, options?: { rate?: number; loops?: boolean }): Clip;
   /** Poses in blocks of four instances: the quickest form where nothing else wants them plain. */
   crowd(instances: number): Crowd;
-  /** Model poses [instance][joint] of locals or of sampled clips; over the locals themselves without `models`. */
+  /** Locals [instance][joint] of sampled clips: to turn a head or to take the motion of a root, and then as locals again. */
+  locals(poses: Sampled, locals: Floats): void;
+  /** The locals of models, as after a simulation; with the roots that the models have. */
+  modelToLocal(models: Floats, locals: Floats, options?: { roots?: Floats }): void;
+  /** `roots` are a motion for each instance, or one for all. Model poses [instance][joint] of locals or of sampled clips; over the locals themselves without `models`. */
   localToModel(locals: Floats, models?: Floats, options?: { roots?: Floats }): void;
   localToModel(poses: Sampled, models: Floats, options?: { roots?: Floats }): void;
   /** Skinning palettes [instance][joint], 4×4 matrices by columns. */
@@ -58,8 +70,12 @@ export interface Skeleton extends Freed {
 export interface Clip extends Freed {
   /** The time from the first frame to the last. */
   readonly duration: number;
-  /** Its poses, instance i at the time at[i]; held at both ends if it does not loop. */
-  sample(at: Floats): Sampled;
+  readonly frames: number;
+  /**
+   * Its poses, instance i at the time at[i], or all at one time; held at both ends if it does not loop. Between two frames rotations
+   * are normalized means (NLERP): of frames that are an angle θ apart, within θ³/249 of slerp, which is 4e-6 for 0.1 radians.
+   */
+  sample(at: number | Floats): Sampled;
 }
 
 /** Clips of one skeleton in 8 bytes for each track that moves, and frame. */
@@ -74,15 +90,19 @@ export interface PackedClip extends Freed {
    * Poses, instance i at the time at[i] of clip clips[i], or all of one clip, the first if none is given. Held at both ends if the
    * clip does not loop.
    */
-  sample(at: Floats, clips?: number | Floats): Sampled;
+  sample(at: number | Floats, clips?: number | Floats): Sampled;
 }
 
-/** Poses that are made as they are loaded, of plain clips or packed ones. */
+/** Poses that are made as they are loaded, of plain clips, of packed ones, or of an array. What blends and adds can be blended and added again. */
 export interface Sampled {
-  /** From these to those of another clip, by a weight for each instance, times one for each joint. */
-  blend(layer: Sampled, weights: Floats, options?: { mask?: Floats }): Sampled;
-  /** These, then so much of those of another clip on top. */
-  add(layer: Sampled, weights: Floats, options?: { mask?: Floats }): Sampled;
+  /**
+   * From these to those of a layer, by a weight for each instance, or one for all, times one for each joint. The law is "nlerp" for
+   * rotations, the normalized mean, where none is given. "slerp" turns at constant speed, as three.js does, and takes longer; between
+   * poses that are 90° apart the two differ by up to 0.92°.
+   */
+  blend(layer: Sampled, weights: number | Floats, options?: { mask?: Floats; law?: "nlerp" | "slerp" }): Sampled;
+  /** These, then so much of those of a layer on top: its rotations from the left, its translations added. */
+  add(layer: Sampled, weights: number | Floats, options?: { mask?: Floats }): Sampled;
 }
 
 export interface Crowd extends Freed {

@@ -1,6 +1,8 @@
 // dq8 for JavaScript: skeletons, clips and skins, many at a time. README.md begins with an example.
+import { floats, motions } from "./arrays.js";
 import { compile as compileFile, LevelError, supports } from "./engine.js";
 import { Module, Noun, Numbers, count, dispose } from "./memory.js";
+import { LOCALS, Sampled, Scratch } from "./sampled.js";
 
 // Written out, so that bundlers find and copy the file.
 const SIMD128 = { module: "dq8", name: "simd128", url: () => new URL("./dq8.simd128.wasm", import.meta.url) };
@@ -26,29 +28,46 @@ class Handle {
   free() { places.get(this).free(); }
   [dispose]() { this.free(); }
 }
+export { Sampled };
 /** Calls what a noun can do. */
 const run = (noun, name, plain, ...arrays) => modules.get(noun).call(name, [places.get(noun).place, ...plain], ...arrays);
+
+const same = (name, found, needed) => {
+  if (found !== needed) throw new RangeError(`${name} holds ${found} motions where ${needed} are needed`);
+};
 
 export class Dq8 {
   #module;
   constructor(raw) { this.#module = new Module(raw, "dq8"); }
   /** Numbers: so many zeros, or those of an array. */
-  floats(source) { return new Numbers(this.#module, Float32Array, source); }
+  floats(source) { return floats(this.#module, source); }
   /** Motions, eight numbers each: so many identities, or those of an array. */
-  motions(source) {
-    const made = this.floats(typeof source === "number" ? 8 * source : source);
-    if (typeof source === "number") for (let view = made.view, i = 3; i < view.length; i += 8) view[i] = 1;
-    return made;
-  }
+  motions(source) { return motions(this.#module, source); }
+  /** Locals of an array as a source of poses, to blend and to add. */
+  poses(locals) { return new Sampled({ module: this.#module, locals }); }
   skeleton(parents) { return new Skeleton(this.#module, parents); }
   /** Packed clips of bytes that Rust, Python or the example mocap wrote, copied. */
   packedClip(bytes) { return new PackedClip(this.#module, bytes); }
   skin(options) { return new Skin(this.#module, options); }
   /** Motions of [x y z w tx ty tz] each. */
   fromRotationsTranslations(poses, motions) { this.#module.call("dq8_from_rotations_translations", [], { poses: [poses, 7] }, { motions: [motions, 8] }); }
+  /** [x y z w tx ty tz] of unit motions. */
+  toRotationsTranslations(motions, poses) { this.#module.call("dq8_to_rotations_translations", [], { motions: [motions, 8] }, { poses: [poses, 7] }); }
+  /** Inverses of unit motions. */
+  inverse(motions, inverses) {
+    const m = this.#module, [from, to] = [m.array("motions", motions, 8), m.array("inverses", inverses, 8)];
+    m.apart("inverses", inverses, { motions });
+    same("inverses", to[1], from[1]);
+    inverses.view.set(motions.view);
+    inverses.view.forEach((x, i, all) => { if (i % 4 !== 3) all[i] = -x; });
+  }
   mul(a, b, product) { this.#module.call("dq8_mul", [], { a: [a, 8], b: [b, 8] }, { product: [product, 8] }, {}, { names: { products: "product" } }); }
   /** From a[i] to b[i], t[i] of it, along one screw. */
   sclerpEach(a, b, t, between) { this.#module.call("dq8_sclerp_each", [], { a: [a, 8], b: [b, 8], t: [t, 1] }, { between: [between, 8] }); }
+  /** All points by one motion. */
+  transformPoints(motion, points, moved) {
+    this.#module.call("dq8_transform_points", [], { motion: [motion, 8], points: [points, 3] }, { moved: [moved, 3] });
+  }
   transformPointsEach(motions, points, moved) {
     this.#module.call("dq8_transform_points_each", [], { motions: [motions, 8], points: [points, 3] }, { moved: [moved, 3] });
   }
@@ -59,38 +78,55 @@ export class Dq8 {
 /** What the parts of poses hold; and what Rust calls palettes while they are models, and models where they are given. */
 const POSES = { names: { poses: "locals" }, sizes: { locals: 8, roots: 8, layer: 7, at: 1, clips: 1, weights: 1, mask: 1 } };
 const PALETTE = { ...POSES, names: { models: "palette" } }, MODELS = { names: { locals: "models" } };
-/** Words of `Source` in Rust. */
-const WORDS = 19;
 
 export class Skeleton extends Handle {
-  #source; #joints;
+  #scratch; #joints;
   constructor(module, parents) {
     super();
-    const bad = Array.from(parents ?? []).findIndex((parent) => !Number.isInteger(parent));
+    const bad = Array.from(parents ?? []).findIndex((parent) => !(Number.isInteger(parent) && Math.abs(parent) < 2 ** 31));
     if (bad >= 0) throw new TypeError(`parents[${bad}] is ${parents[bad]}, not a whole number`);
     keep(this, module, module.lend("parents", Int32Array, parents, (at, n) => module.made(module.raw.dq8_skeleton(at, n))), "dq8_skeleton_free");
     this.#joints = parents.length;
-    this.#source = new Numbers(module, Uint32Array, WORDS);
+    this.#scratch = new Scratch(module, this.#joints, () => places.get(this).place);
   }
   get joints() { return this.#joints; }
-  free() { super.free(); this.#source.free(); }
+  free() { super.free(); this.#scratch.free(); }
   /** A clip of keys [frame][joint][x y z w tx ty tz], copied; its times are frames, or seconds if it has a rate. */
   clip(keys, { rate = 1, loops = false } = {}) { return new Clip(modules.get(this), this.#joints, keys, rate, loops); }
   /** Poses in blocks of four instances. */
   crowd(instances) { return new Crowd(modules.get(this), this, instances); }
-  /** Calls with a source, which may be over itself, and roots. */
-  #pose(name, source, roots, reads, writes, worded) {
-    const m = modules.get(this), words = this.#source.view, inputs = { roots };
-    words.fill(0);
-    if (source instanceof Sampled) source.write(m, words, inputs);
-    else { words.set(m.array("locals", source, 8), 17); if (writes.models?.[0] !== source) inputs.locals = source; }
-    run(this, name, [words.byteOffset, ...m.maybe("roots", roots, 8)], reads, writes, inputs, worded);
+  /** Calls with a source, which may be over itself. */
+  #pose(name, source, plain, reads, writes, inputs = {}, words = POSES) {
+    const m = modules.get(this), call = (at) => run(this, name, [at, ...plain], reads, writes, inputs, words);
+    if (source instanceof Sampled) {
+      const [[output, [numbers, size]]] = Object.entries(writes);
+      Object.assign(inputs, source.arrays());
+      const instances = Math.floor(m.array(output, numbers, size)[1] / this.#joints);
+      return this.#scratch.run(source, instances, call, words);
+    }
+    const locals = m.array("locals", source, 8);
+    if (writes.models?.[0] !== source) inputs.locals = source;
+    return call(this.#scratch.words(locals, LOCALS));
   }
+  #roots(roots) { return modules.get(this).maybe("roots", roots, 8); }
   /** Model poses [instance][joint] of locals, or of sampled clips; over the locals themselves without `models`. */
-  localToModel(source, models = source instanceof Sampled ? undefined : source, { roots } = {}) { this.#pose("dq8_skeleton_local_to_model", source, roots, {}, { models: [models, 8] }, POSES); }
+  localToModel(source, models = source instanceof Sampled ? undefined : source, { roots } = {}) {
+    this.#pose("dq8_skeleton_local_to_model", source, this.#roots(roots), {}, { models: [models, 8] }, { roots });
+  }
+  /** Locals of models. */
+  modelToLocal(models, locals, { roots } = {}) {
+    const plain = this.#roots(roots);
+    run(this, "dq8_skeleton_model_to_local", plain, { models: [models, 8] }, { locals: [locals, 8] }, { roots }, POSES);
+  }
+  /** Locals of sampled clips, to change them and give them back. */
+  locals(source, locals) {
+    if (!(source instanceof Sampled)) throw new TypeError("source is neither a sample nor dq8.poses");
+    this.#pose("dq8_skeleton_locals", source, [], {}, { locals: [locals, 8] });
+  }
   /** Skinning palettes [instance][joint], 4×4 matrices by columns. */
   palette(source, { roots, inverseBinds, palette } = {}) {
-    this.#pose("dq8_skeleton_palette", source, roots, { inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] }, PALETTE);
+    const reads = { inverseBinds: [inverseBinds, 8] }, plain = this.#roots(roots);
+    this.#pose("dq8_skeleton_palette", source, plain, reads, { palette: [palette, 16] }, { roots }, PALETTE);
   }
   /** The same of models, after something has changed them. */
   modelPalette(models, { inverseBinds, palette } = {}) {
@@ -104,16 +140,28 @@ export class Skeleton extends Handle {
 }
 
 export class Clip extends Handle {
+  #frames;
   constructor(module, joints, keys, rate, loops) {
     super();
     if (!(rate > 0 && rate < Infinity)) throw new RangeError(`rate is ${rate}, not a positive number`);
     if (keys?.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
+    for (let i = 0; i < keys?.length; i += 7) {
+      let turn = 0, shift = 0;
+      for (let k = i; k < i + 7; k++) if (k < i + 4) turn += keys[k] ** 2; else shift += keys[k];
+      if (turn > 0 && Number.isFinite(turn + shift)) continue;
+      throw new RangeError(`keys[${i}] of frame ${Math.floor(i / 7 / joints)}, joint ${i / 7 % joints} begins no pose`);
+    }
+    this.#frames = keys?.length / 7 / joints;
     keep(this, module, module.lend("keys", Float32Array, keys, (at, n) => module.made(module.raw.dq8_clip(joints, rate, +loops, at, n / 7), { keys: 7 })), "dq8_clip_free");
   }
   /** From the first frame to the last. */
   get duration() { return modules.get(this).raw.dq8_clip_duration(of(this, Clip, "clip"), 0); }
   /** Its poses, instance i at the time at[i]. */
-  sample(at) { return new Sampled(this, at); }
+  sample(at, clips) {
+    if (clips !== undefined) throw new TypeError("clips are of packed clips alone");
+    return new Sampled({ module: modules.get(this), place: (name) => of(this, Clip, name), at, clips: 0 });
+  }
+  get frames() { return this.#frames; }
 }
 
 export class PackedClip extends Handle {
@@ -128,53 +176,28 @@ export class PackedClip extends Handle {
   /** From the first frame of one of them to its last, in seconds if it has a rate; 0 if there is none of this number. */
   duration(clip = 0) { return modules.get(this).raw.dq8_clip_duration(of(this, PackedClip, "clip"), count("clip", clip)); }
   /** Poses, instance i at the time at[i] of clip clips[i], or all of one clip. */
-  sample(at, clips = 0) { return new Sampled(this, at, clips); }
-}
-
-/** Poses that are made as they are loaded: those of one clip, or of one over another. */
-export class Sampled {
-  #clip; #at; #clips; #layer; #weights; #mask; #adds;
-  constructor(clip, at, clips = 0) { this.#clip = clip; this.#at = at; this.#clips = clips; }
-  #with(layer, weights, mask, adds) {
-    if (!(layer instanceof Sampled) || layer.#layer || this.#layer) throw new TypeError("layer is no sample of one clip over one other");
-    const made = new Sampled(this.#clip, this.#at, this.#clips);
-    made.#layer = layer; made.#weights = weights; made.#mask = mask; made.#adds = adds;
-    return made;
-  }
-  /** From these poses to those of another clip, by a weight for each instance, times one for each joint. */
-  blend(layer, weights, { mask } = {}) { return this.#with(layer, weights, mask, false); }
-  /** These poses, then so much of those of another clip on top. */
-  add(layer, weights, { mask } = {}) { return this.#with(layer, weights, mask, true); }
-  /** Words of `Playing` in Rust. */
-  #playing(m, name, before) {
-    if (modules.get(this.#clip) !== m) throw new TypeError(`${name} is of another module`);
-    const [place, clips] = [of(this.#clip, Handle, name), this.#clips];
-    return [place, ...m.array(`${before}at`, this.#at), ...(typeof clips === "number" ? [0, 0, count("clips", clips)] : [...m.array(`${before}clips`, clips), 0])];
-  }
-  write(m, words, inputs) {
-    const layer = this.#layer;
-    words.set(this.#playing(m, "clip", ""));
-    Object.assign(inputs, { at: this.#at, clips: this.#clips });
-    if (!layer) return;
-    words.set([...layer.#playing(m, "layer", "layer."), ...m.array("weights", this.#weights), ...m.maybe("mask", this.#mask), +this.#adds], 6);
-    Object.assign(inputs, { layerAt: layer.#at, layerClips: layer.#clips, weights: this.#weights, mask: this.#mask });
-  }
+  sample(at, clips = 0) { return new Sampled({ module: modules.get(this), place: (name) => of(this, PackedClip, name), at, clips }); }
 }
 
 /** What Rust packs. */
 const THINGS = { names: { things: "poses" } };
 
 export class Crowd extends Handle {
-  #skeleton;
+  #skeleton; #poses;
   constructor(module, skeleton, instances) {
     super();
     const bytes = 128 * skeleton.joints * Math.ceil(count("instances", instances) / 4);
     if (bytes >= 2 ** 31) throw new RangeError(`there is no memory for ${instances} instances`);
     keep(this, module, module.raw.dq8_crowd(of(skeleton, Skeleton, "skeleton"), instances), "dq8_crowd_free");
     this.#skeleton = skeleton;
+    this.#poses = skeleton.joints * instances;
   }
   /** Takes poses [instance][joint]. */
-  set(poses) { run(this, "dq8_crowd_set", [], { poses: [poses, 8] }, {}, {}, THINGS); }
+  set(poses) {
+    const [, found] = modules.get(this).array("poses", poses, 8);
+    same("poses", found, this.#poses);
+    run(this, "dq8_crowd_set", [], { poses: [poses, 8] }, {}, {}, THINGS);
+  }
   /** In place. */
   localToModel() { run(this, "dq8_crowd_local_to_model", [of(this.#skeleton, Skeleton, "skeleton")]); }
   copyTo(poses) { run(this, "dq8_crowd_copy_to", [], {}, { poses: [poses, 8] }, {}, THINGS); }

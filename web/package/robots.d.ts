@@ -11,6 +11,8 @@ export function compile(options?: LoadOptions<"dq8/robots">): Promise<object>;
 
 export interface Robots {
   floats(source: number | ArrayLike<number>): Floats;
+  /** So many identities, or the numbers of an array. */
+  motions(source: number | ArrayLike<number>): Floats;
   /** A robot of the text or the bytes of a URDF file. Throws with the line where something is wrong. */
   robot(urdf: string | ArrayBuffer | Uint8Array): Robot;
 }
@@ -41,9 +43,14 @@ export interface Robot {
   /** [configuration][value] to [configuration][link]. */
   poses(values: Floats, poses: Floats): void;
   /** [configuration][rate] of six numbers, angular first, in the axes of the world. */
-  jacobians(link: number, values: Floats, columns: Floats): void;
-  /** Moves `values` until `link` is at `target`, a motion. */
-  reach(link: number, target: Floats, values: Floats, options?: { position?: boolean; restarts?: boolean }): Report;
+  jacobians(link: number | string, values: Floats, columns: Floats): void;
+  /** Moves `values` until `link` is at `target`, a motion; a link is given by its number or name. */
+  reach(
+    link: number | string,
+    target: Floats,
+    values: Floats,
+    options?: { position?: boolean; restarts?: boolean },
+  ): Report;
   free(): void;
   [Symbol.dispose](): void;
 }

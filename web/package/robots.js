@@ -1,4 +1,5 @@
 // Robots of URDF files: poses of links, Jacobians, inverse kinematics. The only file that knows what a robot exports.
+import { floats, motions } from "./arrays.js";
 import { compile as compileFile, LevelError, supports } from "./engine.js";
 import { Module, Noun, Numbers, count, dispose } from "./memory.js";
 
@@ -20,28 +21,47 @@ function decode(bytes) {
   return new TextDecoder(/^<\?xml[^>]*encoding=["']([\w-]+)/.exec(start)?.[1] ?? "utf-8").decode(bytes);
 }
 
+const refuse = (text) => {
+  throw new RangeError(text);
+};
+
 export class Robots {
   #module;
-  constructor(raw) { this.#module = new Module(raw, "robots"); }
-  floats(source) { return new Numbers(this.#module, Float32Array, source); }
+  constructor(raw) {
+    this.#module = new Module(raw, "robots");
+  }
+  floats(source) {
+    return floats(this.#module, source);
+  }
+  /** Motions, eight numbers each: so many identities, or those of an array. */
+  motions(source) {
+    return motions(this.#module, source);
+  }
   /** A robot of the text or the bytes of a URDF file. */
-  robot(urdf) { return new Robot(this.#module, urdf); }
+  robot(urdf) {
+    return new Robot(this.#module, urdf);
+  }
 }
 
 /** What instances of a robot are made of, and the names that Rust has for many goals. */
-const VALUES = { each: "value" }, REACH = { names: { targets: "target" } };
+const VALUES = { each: "value" },
+  REACH = { names: { targets: "target" } };
 
 export class Robot {
-  #module; #noun; #report;
+  #module;
+  #noun;
+  #report;
   constructor(module, urdf) {
     if (typeof urdf !== "string" && !(urdf instanceof ArrayBuffer || ArrayBuffer.isView(urdf))) {
       throw new TypeError(`urdf is ${urdf === undefined ? "missing" : "neither text nor bytes"}`);
     }
-    const { raw } = module, bytes = new TextEncoder().encode(typeof urdf === "string" ? urdf : decode(urdf));
+    const { raw } = module,
+      bytes = new TextEncoder().encode(typeof urdf === "string" ? urdf : decode(urdf));
     this.#module = module;
     const made = module.lend("urdf", Uint8Array, bytes, (at, n) => module.made(raw.dq8_robot(at, n)));
     this.#noun = new Noun(module, made, "dq8_robot_free");
-    const at = this.#noun.place, words = (line) => line === "" ? [] : line.split("\t");
+    const at = this.#noun.place,
+      words = (line) => (line === "" ? [] : line.split("\t"));
     const text = module.string(raw.dq8_robot_text(at), raw.dq8_robot_text_length(at));
     const [links, values, parents, warnings] = text.split("\n").map(words);
     this.linkNames = links;
@@ -54,7 +74,15 @@ export class Robot {
     this.valueLimits = values.map((_, i) => [...limits(i)]);
     this.#report = new Numbers(module, Float32Array, 4);
   }
-  link(name) { const link = this.linkNames.indexOf(name); return link < 0 ? undefined : link; }
+  link(name) {
+    const link = this.linkNames.indexOf(name);
+    return link < 0 ? undefined : link;
+  }
+  /** The number of a link, which may be given by its name. */
+  #link(link) {
+    if (typeof link !== "string") return count("link", link);
+    return this.link(link) ?? refuse(`link is ${link}, none of ${this.linkNames.join(", ")}`);
+  }
   /** [configuration][value] to [configuration][link]. */
   poses(values, poses) {
     const plain = [this.#noun.place];
@@ -62,12 +90,13 @@ export class Robot {
   }
   /** [configuration][rate] of six numbers, angular first, in the axes of the world. */
   jacobians(link, values, columns) {
-    const plain = [this.#noun.place, count("link", link)];
+    const plain = [this.#noun.place, this.#link(link)];
     this.#module.call("dq8_robot_jacobians", plain, { values: [values, 1] }, { columns: [columns, 6] }, {}, VALUES);
   }
   /** Moves `values` until `link` is at `target`, a motion; only its position with `position`. */
   reach(link, target, values, { position = false, restarts = true } = {}) {
-    const m = this.#module, options = [count("link", link), +position, +restarts, this.#report.view.byteOffset];
+    const m = this.#module,
+      options = [this.#link(link), +position, +restarts, this.#report.view.byteOffset];
     const places = [...m.array("target", target, 8), ...m.array("values", values)];
     m.apart("values", values, { target });
     const outcome = m.raw.dq8_robot_reach(this.#noun.place, ...options, ...places);
@@ -75,6 +104,11 @@ export class Robot {
     const [iterations, again, angularError, linearError] = this.#report.view;
     return { outcome: OUTCOMES[outcome], iterations, restarts: again, angularError, linearError };
   }
-  free() { this.#noun.free(); this.#report.free(); }
-  [dispose]() { this.free(); }
+  free() {
+    this.#noun.free();
+    this.#report.free();
+  }
+  [dispose]() {
+    this.free();
+  }
 }

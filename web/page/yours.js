@@ -11,11 +11,8 @@ export function yours(dq8, section) {
       next.skeleton.localToModel(next.clip.sample(next.at), next.models);
       if (next.models.view.some((x) => !Number.isFinite(x))) throw new Error("a number in it is not finite");
       if (mesh) {
-        const binds = keep(dq8.floats(mesh.inverseBinds));
-        next.binds = keep(dq8.motions(joints)); next.motions = keep(dq8.motions(joints));
-        dq8.fromRotationsTranslations(binds, next.binds);
-        if (mesh.indices.some((i) => i >= mesh.rest.length / 3)) throw new Error("indices: one is beyond the vertices");
-        next.skin = keep(dq8.skin({ jointCount: joints, influences: 4, joints: mesh.joints, weights: mesh.weights })); next.rest = keep(dq8.floats(mesh.rest)); next.posed = keep(dq8.floats(mesh.rest.length));
+        next.binds = keep(dq8.motions(mesh.inverseBinds)); next.motions = keep(dq8.motions(joints));
+        next.skin = keep(dq8.skin({ jointCount: joints, influences: mesh.influences, joints: mesh.joints, weights: mesh.weights })); next.rest = keep(dq8.floats(mesh.rest)); next.posed = keep(dq8.floats(mesh.rest.length));
       }
     } catch (error) { for (const thing of next.own) thing.free(); throw error; }
     for (const thing of made?.own ?? []) thing.free();

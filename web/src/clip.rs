@@ -4,9 +4,10 @@ use crate::Motion;
 use crate::memory::{exports, frees, made, slice};
 use dq8::ShapeError;
 use dq8::hierarchy::{
-    Either, Frames, Layered, OwnedClip, PackedClip, Playback, Sampled, TrackPlace,
+    Either, Frames, Layered, OwnedClip, PackedClip, Playback, RotationsTranslations, Sampled,
+    TrackPlace,
 };
-use dq8::law::NlerpLerp;
+use dq8::law::{NlerpLerp, SlerpLerp};
 
 type Key = [f32; 7];
 
@@ -36,10 +37,13 @@ impl Clip {
 
 type Plain<'s> = Sampled<'s, NlerpLerp, Frames<'s, Key, f32>, f32, 7>;
 /// Poses of a clip.
-type Sample<'s> = Either<Plain<'s>, Sampled<'s, NlerpLerp, Playback<'s>, f32, 7>>;
-type Layers<'s, const ADDS: bool> = Layered<'s, NlerpLerp, Sample<'s>, Sample<'s>, f32, 7, ADDS>;
-/// Poses of one clip, or of one over another: one kernel for all of them, and not ten.
-pub(crate) type Poses<'s> = Either<Sample<'s>, Either<Layers<'s, false>, Layers<'s, true>>>;
+type Played<'s> = Either<Plain<'s>, Sampled<'s, NlerpLerp, Playback<'s>, f32, 7>>;
+/// Poses of a clip, or poses that lie in memory, as those of layers below do.
+type Sample<'s> = Either<Played<'s>, RotationsTranslations<'s, Key>>;
+type Layers<'s, W, const ADDS: bool> = Layered<'s, W, Sample<'s>, Sample<'s>, f32, 7, ADDS>;
+type Blended<'s> = Either<Layers<'s, NlerpLerp, false>, Layers<'s, SlerpLerp, false>>;
+/// Poses of one sample, or of one over another: one kernel for all of them, and not ten.
+pub(crate) type Poses<'s> = Either<Sample<'s>, Either<Blended<'s>, Layers<'s, NlerpLerp, true>>>;
 
 /// Where in a clip each instance is, kept so that no frame of an animation allocates.
 #[derive(Debug, Default)]
@@ -49,12 +53,14 @@ pub(crate) struct Places {
     t: Vec<f32>,
 }
 
-/// A clip, and where in it instances are, as JavaScript writes it.
+/// A clip, and where in it instances are, as JavaScript writes it; or poses that lie in memory.
 #[derive(Debug)]
 #[repr(C)]
 struct Playing {
     /// Null if there is none.
     clip: *const Clip,
+    /// Times in the clip; without a clip they are poses of seven numbers, and null if there are
+    /// none of those either.
     at: *const f32,
     at_count: usize,
     /// Which of packed clips each instance plays; null if all play the same.
@@ -64,7 +70,11 @@ struct Playing {
 }
 
 impl Playing {
-    /// `None` if there is no clip.
+    fn is_missing(&self) -> bool {
+        self.clip.is_null() && self.at.is_null()
+    }
+
+    /// `None` if there is neither a clip nor a pose.
     ///
     /// # Safety
     /// All that it names is there.
@@ -73,8 +83,13 @@ impl Playing {
         places: &'s mut Places,
     ) -> Result<Option<Sample<'s>>, ShapeError> {
         // SAFETY: promised.
-        let (clip, at) = unsafe { (self.clip.as_ref(), slice(self.at, self.at_count)) };
-        let Some(clip) = clip else { return Ok(None) };
+        let Some(clip) = (unsafe { self.clip.as_ref() }) else {
+            // SAFETY: promised.
+            let poses = || unsafe { slice(self.at.cast::<Key>(), self.at_count) };
+            return Ok((!self.is_missing()).then(|| Either::Other(RotationsTranslations(poses()))));
+        };
+        // SAFETY: promised.
+        let at = unsafe { slice(self.at, self.at_count) };
         let Places { frames, places, t } = places;
         t.clear();
         let sample = match clip {
@@ -111,7 +126,7 @@ impl Playing {
                 Either::Other(Sampled::new(NlerpLerp, packed, places, t)?)
             }
         };
-        Ok(Some(sample))
+        Ok(Some(Either::One(sample)))
     }
 }
 
@@ -126,7 +141,8 @@ pub(crate) struct Source {
     /// Null if there is none.
     mask: *const f32,
     mask_count: usize,
-    adds: u32,
+    /// 0 blends by [`NlerpLerp`], 1 by [`SlerpLerp`]; 2 adds.
+    kind: u32,
     locals: *const Motion,
     local_count: usize,
 }
@@ -134,7 +150,7 @@ pub(crate) struct Source {
 impl Source {
     /// Whether it is locals that lie there.
     pub(crate) fn is_at(&self, models: *const Motion) -> bool {
-        self.base.clip.is_null() && self.locals == models
+        self.base.is_missing() && self.locals == models
     }
 
     /// Locals that lie in memory, if there is no clip.
@@ -143,7 +159,7 @@ impl Source {
     /// They are there.
     pub(crate) unsafe fn locals(&self) -> Option<&[Motion]> {
         // SAFETY: promised.
-        self.base.clip.is_null().then(|| unsafe { slice(self.locals, self.local_count) })
+        self.base.is_missing().then(|| unsafe { slice(self.locals, self.local_count) })
     }
 
     /// Poses of clips.
@@ -162,13 +178,31 @@ impl Source {
         let of = |at, count| unsafe { slice(at, count) };
         let weights = of(self.weights, self.weight_count);
         let mask = (!self.mask.is_null()).then(|| of(self.mask, self.mask_count));
-        Ok(Either::Other(if self.adds == 0 {
-            let both = Layered::blend(NlerpLerp, base, layer, weights);
-            Either::One(mask.map_or(both, |mask| both.mask(mask)))
-        } else {
-            let both = Layered::add(NlerpLerp, base, layer, weights);
-            Either::Other(mask.map_or(both, |mask| both.mask(mask)))
-        }))
+        let blended = |both| Either::Other(Either::One(both));
+        Ok(match self.kind {
+            0 => {
+                blended(Either::One(masked(Layered::blend(NlerpLerp, base, layer, weights), mask)))
+            }
+            1 => blended(Either::Other(masked(
+                Layered::blend(SlerpLerp, base, layer, weights),
+                mask,
+            ))),
+            _ => {
+                let both = masked(Layered::add(NlerpLerp, base, layer, weights), mask);
+                Either::Other(Either::Other(both))
+            }
+        })
+    }
+}
+
+/// Layers with a mask, if there is one.
+fn masked<'s, W, const ADDS: bool>(
+    layers: Layers<'s, W, ADDS>,
+    mask: Option<&'s [f32]>,
+) -> Layers<'s, W, ADDS> {
+    match mask {
+        Some(mask) => layers.mask(mask),
+        None => layers,
     }
 }
 

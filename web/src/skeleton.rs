@@ -2,6 +2,7 @@
 
 use crate::clip::{Places, Source};
 use crate::memory::{exports, frees, made, slice, status};
+use crate::motions::to_rotations_translations;
 use crate::{Columns, Motion};
 use dq8::hierarchy::{MatrixOrder, Poses, Root};
 use dq8::{Hierarchy, ShapeError, Skeleton};
@@ -20,11 +21,25 @@ pub(crate) struct Rig {
     models: Vec<Motion>,
 }
 
+impl Rig {
+    fn locals(&mut self, source: &Source, locals: &mut [Motion]) -> Result<(), ShapeError> {
+        let Self { skeleton, places, .. } = self;
+        // SAFETY: JavaScript promises that all that the source names is there.
+        let poses = unsafe { source.poses(places)? };
+        skeleton.hierarchy().job().locals(poses, locals)
+    }
+}
+
 /// # Safety
 /// So many are there.
 unsafe fn root<'a>(roots: *const Motion, count: usize) -> Root<'a, Motion> {
     // SAFETY: promised.
-    if roots.is_null() { Root::None } else { Root::Each(unsafe { slice(roots, count) }) }
+    match unsafe { slice(roots, count) } {
+        _ if roots.is_null() => Root::None,
+        // One motion serves any number of instances.
+        &[root] => Root::Same(root),
+        roots => Root::Each(roots),
+    }
 }
 
 /// Palettes of models that are there.
@@ -71,6 +86,30 @@ exports! {
                 None => source.poses(places).and_then(|poses| job.locals_to_model(poses, models)),
             }
         })
+    }
+
+    /// Locals of models, each in its parent; those of root joints in the roots.
+    fn dq8_skeleton_model_to_local(
+        rig: &Rig, roots: *const Motion, root_count: usize; models[model_count]: Motion; locals[count]: Motion
+    ) -> u32 {
+        // SAFETY: promised.
+        let root = unsafe { root(roots, root_count) };
+        status(rig.skeleton.hierarchy().job().on(root).model_to_local(models, locals))
+    }
+
+    /// Locals of poses of clips, `[instance][joint]`.
+    fn dq8_skeleton_locals(rig: &mut Rig, source: &Source;; locals[count]: Motion) -> u32 {
+        status(rig.locals(source, locals))
+    }
+
+    /// The same as rotations and translations, which a layer above them reads.
+    fn dq8_skeleton_layer(rig: &mut Rig, source: &Source;; poses[count]: [f32; 7]) -> u32 {
+        let mut motions = std::mem::take(&mut rig.models);
+        motions.resize(count, Motion::IDENTITY);
+        let done = rig.locals(source, &mut motions);
+        to_rotations_translations(&motions, poses);
+        rig.models = motions;
+        status(done)
     }
 
     /// Skinning palettes, `[instance][joint]`, 4×4 matrices by columns.

@@ -113,6 +113,55 @@ const ROWS = [
     writes: { models: [8, 3 * N] },
     call: ({ models, targets, poles }) => dq8.skeleton([-1, 0, 1]).twoBone([0, 1, 2], models, targets, poles),
   },
+  {
+    of: "Dq8",
+    method: "toRotationsTranslations",
+    reads: { motions: [8, N] },
+    writes: { poses: [7, N] },
+    call: ({ motions, poses }) => dq8.toRotationsTranslations(motions, poses),
+  },
+  {
+    of: "Dq8",
+    method: "inverse",
+    reads: { motions: [8, N] },
+    writes: { inverses: [8, N] },
+    call: ({ motions, inverses }) => dq8.inverse(motions, inverses),
+  },
+  {
+    of: "Dq8",
+    method: "transformPoints",
+    reads: { motion: [8, 1], points: [3, N] },
+    writes: { moved: [3, N] },
+    call: ({ motion, points, moved }) => dq8.transformPoints(motion, points, moved),
+  },
+  {
+    of: "Skeleton",
+    method: "modelToLocal",
+    reads: { models: [8, J * N], roots: [8, N] },
+    writes: { locals: [8, J * N] },
+    optional: ["roots"],
+    call: ({ models, locals, roots }) => skeleton.modelToLocal(models, locals, { roots }),
+  },
+  {
+    of: "Skeleton",
+    method: "locals",
+    reads: { at: [1, N], layerAt: [1, N], weights: [1, N], mask: [1, J], baseAt: [1, N] },
+    writes: { locals: [8, J * N] },
+    optional: ["mask"],
+    names: { layerAt: "layer.at", baseAt: "base.layer.at", at: "base.at" },
+    call: ({ at, layerAt, baseAt, weights, mask, locals }) => {
+      const below = clip.sample(at).blend(clip.sample(baseAt), 0.5);
+      skeleton.locals(below.add(clip.sample(layerAt), weights, { mask }), locals);
+    },
+  },
+  {
+    of: "Dq8",
+    method: "poses",
+    reads: { of: [8, J * N], at: [1, N] },
+    writes: { models: [8, J * N] },
+    names: { of: "locals", at: "layer.at" },
+    call: ({ of, at, models }) => skeleton.localToModel(dq8.poses(of).blend(clip.sample(at), 0.5), models),
+  },
   { of: "Crowd", method: "set", reads: { poses: [8, J * N] }, writes: {}, call: ({ poses }) => crowd.set(poses) },
   { of: "Crowd", method: "copyTo", reads: {}, writes: { poses: [8, J * N] }, call: ({ poses }) => crowd.copyTo(poses) },
   {

@@ -2,66 +2,36 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { bvh, glb } from "../page/files.js";
+import { File } from "./glb.mjs";
 
-/** A binary glTF of this JSON, whose accessors are these arrays of floats, by type. */
-function file(json, arrays) {
-  const floats = arrays.flatMap(([, numbers]) => numbers);
-  let start = 0;
-  json.bufferViews = []; json.accessors = [];
-  for (const [type, numbers] of arrays) {
-    const width = { SCALAR: 1, VEC3: 3, VEC4: 4 }[type];
-    json.bufferViews.push({ buffer: 0, byteOffset: 4 * start, byteLength: 4 * numbers.length });
-    json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType: 5126, type, count: numbers.length / width });
-    start += numbers.length;
-  }
-  json.buffers = [{ byteLength: 4 * start }];
-  let text = JSON.stringify({ asset: { version: "2.0" }, ...json });
-  text += " ".repeat(-text.length & 3);
-  const bytes = new ArrayBuffer(12 + 8 + text.length + 8 + 4 * start), data = new DataView(bytes);
-  [0x46546c67, 2, bytes.byteLength, text.length, 0x4e4f534a].forEach((word, i) => data.setUint32(4 * i, word, true));
-  new Uint8Array(bytes, 20, text.length).set(new TextEncoder().encode(text));
-  data.setUint32(20 + text.length, 4 * start, true);
-  data.setUint32(24 + text.length, 0x004e4942, true);
-  floats.forEach((x, i) => data.setFloat32(28 + text.length + 4 * i, x, true));
-  return bytes;
-}
-
-const skeleton = { nodes: [{ children: [1] }, {}], skins: [{ joints: [0, 1] }] };
 const frame = ({ keys, parents }, f, joint) => Array.from(keys.subarray(7 * (f * parents.length + joint), 7 * (f * parents.length + joint) + 7));
-const near = (found, wanted) => found.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-6, `${found} for ${wanted}`));
-
-test("cubic splines are Hermite's, of quaternions normalized", () => {
-  // From (0, 1, 0) with the tangent (3, 0, 0) to (0, 2, 0) with (0, 3, 0), over one second; rotations over two.
-  const animations = [{
-    channels: [{ target: { node: 1, path: "translation" }, sampler: 0 }, { target: { node: 0, path: "rotation" }, sampler: 1 }],
-    samplers: [{ input: 0, output: 1, interpolation: "CUBICSPLINE" }, { input: 2, output: 3, interpolation: "CUBICSPLINE" }],
-  }];
-  const h = Math.SQRT1_2, made = glb(file({ ...skeleton, animations }, [
-    ["SCALAR", [0, 1]],
-    ["VEC3", [9, 9, 9, 0, 1, 0, 3, 0, 0, 0, 3, 0, 0, 2, 0, 9, 9, 9]],
-    ["SCALAR", [0, 2]],
-    ["VEC4", [0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, h, h, 0, 0, 0, 0]],
-  ]));
-  const hermite = (s) => {
-    const out = s * (1 - s) ** 2, into = s * s * (s - 1), last = s * s * (3 - 2 * s);
-    return [3 * out, 1 - last + 2 * last + 3 * into, 0];
-  };
-  near(hermite(0.25), [0.421875, 1.015625, 0]);
-  near(hermite(0.5), [0.375, 1.125, 0]);
-  for (const f of [0, 3, 15, 21, 30]) near(frame(made, f, 1).slice(4), hermite(f / 30));
-  // Half way: (0, 0, 1, 0) · 2 s · ⅛, and the mean of the ends.
-  const z = 0.25 + h / 2, w = (1 + h) / 2, n = Math.hypot(z, w);
-  near(frame(made, 30, 0).slice(0, 4), [0, 0, z / n, w / n]);
-});
 
 test("what a file holds and the page does not play is said", () => {
-  const animations = [{
-    channels: [{ target: { node: 1, path: "scale" }, sampler: 0 }, { target: { node: 1, path: "weights" }, sampler: 0 }],
-    samplers: [{ input: 0, output: 0 }],
-  }, { channels: [], samplers: [] }];
-  const { what } = glb(file({ ...skeleton, animations }, [["SCALAR", [0, 1]]]));
-  assert.match(what, /not played: 1 more animations, scale, morph targets/);
-  assert.doesNotMatch(glb(file({ ...skeleton }, [["SCALAR", [0]]])).what, /not played/);
+  const file = new File(), input = file.accessor("SCALAR", [0, 1]), skeleton = { nodes: [{ children: [1] }, {}], skins: [{ joints: [0, 1] }] };
+  const moved = { channels: [{ target: { node: 1, path: "weights" }, sampler: 0 }], samplers: [{ input, output: input }] };
+  const { what } = glb(file.bytes({ ...skeleton, animations: [moved, { channels: [], samplers: [] }] }));
+  assert.match(what, /^2 joints, 2 frames at 30 a second; not played: 1 more animations, morph targets$/);
+  assert.doesNotMatch(glb(file.bytes(skeleton)).what, /not played/);
+});
+
+test("parts of a mesh with four and with eight joints for a vertex are one mesh", () => {
+  const file = new File(), part = (x, sets) => {
+    const attributes = { POSITION: file.accessor("VEC3", [x, 0, 0, 0, x, 0, 0, 0, x]) };
+    for (let k = 0; k < sets; k++) {
+      attributes[`JOINTS_${k}`] = file.accessor("VEC4", Uint8Array.of(0, 1, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0));
+      attributes[`WEIGHTS_${k}`] = file.accessor("VEC4", [1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0, 0, 0.5].map((w) => w / sets));
+    }
+    return { attributes };
+  };
+  const meshes = [{ primitives: [part(1, 1), part(2, 2)] }], nodes = [{ children: [1] }, {}, { mesh: 0, skin: 0 }];
+  const { mesh, keys, what } = glb(file.bytes({ nodes, meshes, skins: [{ joints: [0, 1] }] }));
+  assert.match(what, /^2 joints, 2 frames at 30 a second, 6 vertices$/);
+  assert.deepEqual([...mesh.rest].filter((x) => x), [1, 1, 1, 2, 2, 2]);
+  assert.deepEqual([...mesh.indices], [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual([...mesh.weights.subarray(16, 24)], [0.5, 0, 0, 0.5, 0, 0, 0, 0]);
+  assert.deepEqual([...mesh.weights.subarray(40)], [0.25, 0, 0, 0.25, 0.25, 0, 0, 0.25]);
+  assert.deepEqual([...mesh.joints.subarray(32, 40)], [1, 0, 0, 0, 1, 0, 0, 0], "joints without weight are the first");
+  assert.deepEqual(keys.length, 2 * 2 * 7);
 });
 
 test("names with spaces, a frame too many, a byte 0x1A and no space behind a colon are read", () => {

@@ -13,6 +13,9 @@ const none = (reason) => ({ reason });
 const TABLE = [
   ["src/hierarchy/skeleton.rs", "new", "skeleton", "check_parents", "class Hierarchy"],
   ["src/hierarchy/job.rs", "local_to_model", "localToModel", "local_to_model", "local_to_model"],
+  ["src/hierarchy/job.rs", "model_to_local", "modelToLocal", "model_to_local", "model_to_local"],
+  ["src/hierarchy/job.rs", "locals", "locals", none("C has packed clips alone"), none(WHOLE)],
+  ["src/hierarchy/locals.rs", null, "poses", none("C has packed clips alone"), none(WHOLE)],
   ["src/hierarchy/job.rs", "palette", "palette", "palette_matrices", none(WHOLE)],
   ["src/hierarchy/job.rs", "palette", "modelPalette", none("of models, mul and matrices_4x4 have it"), none(WHOLE)],
   ["src/hierarchy/clip.rs", "new", "clip", none("C has packed clips alone"), none(WHOLE)],
@@ -32,6 +35,9 @@ const TABLE = [
   ["src/slices/kernels.rs", "mul", "mul", "mul", "mul"],
   ["src/slices/kernels.rs", "sclerp_each", "sclerpEach", "sclerp_each", "sclerp"],
   ["src/slices/kernels.rs", "transform_points_each", "transformPointsEach", "points_each", "transform_points"],
+  ["src/slices/transform.rs", "transform_points", "transformPoints", "points", "transform_points"],
+  ["src/slices/kernels.rs", "conjugate", "inverse", "conjugate", "conjugate"],
+  ["src/scalar/rigid.rs", "translation", "toRotationsTranslations", "motion_to_rotation_translation", "translation"],
   ["src/slices/matrix.rs", "matrices", "matrices", "matrices_4x4", "to_matrix"],
   ["src/scalar/rigid.rs", "from_rotation_translation", "fromRotationsTranslations", "motion_from_rotation_translation", "from_rotation_translation"],
   ["robot/src/urdf/robot.rs", "from_urdf", "robot", none("C reads no files"), "from_urdf"],
@@ -80,7 +86,7 @@ test("every method of the package is declared, and every export is called", () =
   for (const [, name] of files.join("\n").matchAll(/^ {2}(\w+)\(.*\{/gm)) {
     if (!internal.has(name) && !["for", "if"].includes(name)) assert.match(declared, new RegExp(`\\b${name}\\(`), `${name} is not declared`);
   }
-  const called = [...files, text("web/package/memory.js")].join("\n");
+  const called = [...files, ...["memory", "sampled"].map((file) => text(`web/package/${file}.js`))].join("\n");
   const sources = readdirSync(new URL("../src", import.meta.url)).map((file) => text(`web/src/${file}`)).join("\n");
   for (const [, name] of sources.matchAll(/(?:fn |frees!\()(dq8_\w+)/g)) assert.ok(called.includes(name), `${name} is called by nobody`);
 });

@@ -96,10 +96,11 @@ test("a dropped file plays; a bad one says where it is bad and changes nothing",
   assert.match(await dropped("bad.bvh", BVH.replace("OFFSET 0 -0.5 0", "OFFSET 0 x 0")), /^bad\|bad\.bvh: line 8: a number is expected, not x/);
   assert.match(await dropped("short.bvh", BVH.slice(0, -20)), /^bad\|short\.bvh: line 19: the file ends too early/);
   assert.match(await dropped("bad.urdf", "<robot name='r'>\n<link/></robot>"), /^bad\|bad\.urdf: .*line 2/);
-  assert.match(await dropped("scaled.glb", model({ scale: [2, 2, 2] })), /^bad\|scaled\.glb: node 1 \(arm\): scales/);
+  assert.match(await dropped("scaled.glb", model({ scale: [2, 2, 1] })), /^bad\|scaled\.glb: nodes\[1\] \(arm\): scale is 2, 2, 1/);
   assert.match(await dropped("cut.glb", model().subarray(0, 60)), /^bad\|cut\.glb: byte 12: a chunk ends beyond the file/);
   assert.match(await dropped("notes.txt", "x"), /^bad\|notes\.txt: none of/);
   assert.deepEqual(await page.evaluate("[dq8.yours.name, dq8.yours.joints]"), ["legs.bvh", 3], "what played goes on");
+  assert.match(await dropped("armature.glb", model({ scale: [0.01, 0.01, 0.01] })), /^\|armature\.glb: 2 joints/);
   assert.match(await dropped("arm.glb", model()), /^\|arm\.glb: 2 joints, .*3 vertices/);
   const robot = readFileSync(new URL("../../robot/robots/arm6.urdf", import.meta.url));
   assert.match(await dropped("arm6.urdf", robot), /^\|arm6\.urdf: \d+ links, \d+ values/);

@@ -1,6 +1,7 @@
 // Compiled by `bundlers`, never run: what the declarations allow, and what they refuse.
 import load, { LevelError, compile, load as named, supports, type Floats, type Skeleton } from "dq8";
 import relaxed from "dq8/relaxed";
+import { fromMatrices, readGlb, readGltf, readThree } from "dq8/gltf";
 import loadRobots from "dq8/robots";
 import robotsRelaxed from "dq8/robots-relaxed";
 
@@ -18,6 +19,9 @@ const palette = dq8.floats(32), inverseBinds = dq8.motions(2), at = dq8.floats(1
 const walk = skeleton.clip(new Float32Array(28)).sample(at);
 skeleton.localToModel(locals);
 skeleton.palette(walk.blend(walk, at), { inverseBinds, palette });
+skeleton.palette(walk.blend(dq8.poses(locals), 0.5, { law: "slerp" }).add(walk, at), { inverseBinds, palette });
+// @ts-expect-error: there is no such law.
+walk.blend(walk, at, { law: "lerp" });
 const packed = dq8.packedClip(new ArrayBuffer(8)), run = packed.sample(at, packed.clips - 1);
 skeleton.localToModel(run.blend(packed.sample(at, at), at), palette);
 // @ts-expect-error: which of the clips is a number, or one for each instance.
@@ -29,8 +33,12 @@ skeleton.localToModel(walk);
 skeleton.palette(locals, { palette });
 // @ts-expect-error: there is no such level.
 await load({ level: "avx2" });
+const { parents, clips: [bow], skins: [{ inverseBinds: inverses, primitives: [part] }] } = readGltf(readGlb(new ArrayBuffer(8)), { rate: 60, skins: ["body", 0] });
+const posed = dq8.skeleton(parents).clip(bow!.keys, bow!), limb = dq8.skin({ jointCount: parents.length, ...part! }), moved = dq8.motions(inverses.length ? inverses : fromMatrices([]));
+// @ts-expect-error: meshes of three.js stay there.
+readThree({ bones: [], boneInverses: [] }).skins[0].primitives;
 const robot = (await loadRobots()).robot("<robot/>");
 const { outcome } = robot.reach(1, locals, at, { position: true });
 const known: "converged" | "outOfReach" | "atLimits" | "stalled" | "unfinished" | "invalid" = outcome;
 palette[Symbol.dispose]();
-export { bytes, known, lacking };
+export { bytes, known, lacking, limb, moved, posed };
