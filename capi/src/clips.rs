@@ -158,6 +158,10 @@ unsafe fn place<R: Scalar>(
     let (place, to) = (Output::<TrackPlace>::new(place, 1)?, Output::<R>::new(t, 1)?);
     disjoint(&[place.span, to.span], &[span, bytes])?;
     let (found, t) = clips.place(clip, at).ok_or(Status::UnknownValue)?;
+    // The time is NaN, or infinite in a clip that loops.
+    if t.is_nan() {
+        return Err(Status::NotFinite);
+    }
     // SAFETY: `place` and `t` point to a `Place` and a float, as the caller guarantees, and
     // `disjoint` has checked that they overlap neither each other nor the clips.
     unsafe {
@@ -210,7 +214,7 @@ macro_rules! functions {
             /// are in seconds if the clip has a rate, and in frames otherwise. A time before the
             /// first frame counts as the first frame, and a time after the last frame as the last
             /// frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
-            /// clip.
+            /// clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN, or infinite in a clip that loops.
             clips::place(
                 clips: *const Clips, clip: usize, at: $R, place: *mut Place, t: *mut $R,
             ) = super::place(clips, clip, at, place, t)
