@@ -168,7 +168,8 @@ def _read(value: Any) -> tuple[_Form, list[_Owner]]:
         if get(address, ctypes.addressof(into)):
             raise ValueError(f"Arrow: {(stream.get_last_error(address) or b'').decode()}")
 
-    form, chunks = _Form(_Schema()), []
+    chunks: list[_Owner] = []
+    form = _Form(_Schema())
     got(stream.get_schema, form.schema)
     while True:
         array = _Array()

@@ -40,7 +40,7 @@ use std::ops::{Add, Mul, Sub};
 /// --------
 /// >>> import dq8, numpy as np
 /// >>> dq8.from_matrix(np.eye(4))
-/// array([ 0.,  0.,  0.,  1.,  0.,  0.,  0., -0.])
+/// array([0., 0., 0., 1., 0., 0., 0., 0.])
 #[pyfunction]
 #[pyo3(signature = (matrices, *, check=true, out=None))]
 pub fn from_matrix<'py>(
