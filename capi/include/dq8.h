@@ -1378,7 +1378,7 @@ dq8_status dq8_clips_duration(const struct dq8_clips *clips, size_t clip, double
  * are in seconds if the clip has a rate, and in frames otherwise. A time before the
  * first frame counts as the first frame, and a time after the last frame as the last
  * frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
- * clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN.
+ * clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN, or infinite in a clip that loops.
  */
 dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
                                size_t clip,
@@ -1410,7 +1410,7 @@ dq8_status dq8_clips_to_model_f32(const int32_t *parents,
  * are in seconds if the clip has a rate, and in frames otherwise. A time before the
  * first frame counts as the first frame, and a time after the last frame as the last
  * frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
- * clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN.
+ * clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN, or infinite in a clip that loops.
  */
 dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
                                size_t clip,
@@ -2660,13 +2660,15 @@ dq8_status dq8_motion_blend_f32(const float *motions,
 
 /**
  * Writes the logarithm of a unit motion. It has six components: the real part x y z,
- * which is half the angle times the axis, then the dual part x y z.
+ * which is half the angle times the axis, then the dual part x y z. What other
+ * libraries call the logarithm, twice as large, is the twist that dq8_motion_to_twist
+ * writes.
  */
 dq8_status dq8_motion_log_f32(const float *motion, float *log);
 
 /**
  * Writes the unit motion whose logarithm is `log`: six components, as dq8_motion_log
- * writes them.
+ * writes them. Of a twist, dq8_from_twist computes the motion.
  */
 dq8_status dq8_motion_exp_f32(const float *log, float *out);
 
@@ -2719,13 +2721,15 @@ dq8_status dq8_motion_blend_f64(const double *motions,
 
 /**
  * Writes the logarithm of a unit motion. It has six components: the real part x y z,
- * which is half the angle times the axis, then the dual part x y z.
+ * which is half the angle times the axis, then the dual part x y z. What other
+ * libraries call the logarithm, twice as large, is the twist that dq8_motion_to_twist
+ * writes.
  */
 dq8_status dq8_motion_log_f64(const double *motion, double *log);
 
 /**
  * Writes the unit motion whose logarithm is `log`: six components, as dq8_motion_log
- * writes them.
+ * writes them. Of a twist, dq8_from_twist computes the motion.
  */
 dq8_status dq8_motion_exp_f64(const double *log, double *out);
 

@@ -158,10 +158,11 @@ unsafe fn place<R: Scalar>(
     let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let (place, to) = (Output::<TrackPlace>::new(place, 1)?, Output::<R>::new(t, 1)?);
     disjoint(&[place.span, to.span], &[span, bytes])?;
-    if at.is_nan() {
+    let (found, t) = clips.place(clip, at).ok_or(Status::UnknownValue)?;
+    // The time is NaN, or infinite in a clip that loops.
+    if t.is_nan() {
         return Err(Status::NotFinite);
     }
-    let (found, t) = clips.place(clip, at).ok_or(Status::UnknownValue)?;
     // SAFETY: `place` and `t` point to a `Place` and a float, as the caller guarantees, and
     // `disjoint` has checked that they overlap neither each other nor the clips.
     unsafe {
@@ -214,7 +215,7 @@ macro_rules! functions {
             /// are in seconds if the clip has a rate, and in frames otherwise. A time before the
             /// first frame counts as the first frame, and a time after the last frame as the last
             /// frame, unless the clip loops. Returns DQ8_STATUS_UNKNOWN_VALUE if there is no such
-            /// clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN.
+            /// clip, and DQ8_STATUS_NOT_FINITE if `at` is NaN, or infinite in a clip that loops.
             clips::place(
                 clips: *const Clips, clip: usize, at: $R, place: *mut Place, t: *mut $R,
             ) = super::place(clips, clip, at, place, t)

@@ -74,7 +74,9 @@ macro_rules! functions {
         }
         export_one! { $R
             /// Writes the logarithm of a unit motion. It has six components: the real part x y z,
-            /// which is half the angle times the axis, then the dual part x y z.
+            /// which is half the angle times the axis, then the dual part x y z. What other
+            /// libraries call the logarithm, twice as large, is the twist that dq8_motion_to_twist
+            /// writes.
             motion::log(motion: *const $R, log: *mut $R) =
                 one(motion, log, |motion: DualQuat<$R>| {
                     let log = motion.log();
@@ -83,7 +85,7 @@ macro_rules! functions {
         }
         export_one! { $R
             /// Writes the unit motion whose logarithm is `log`: six components, as dq8_motion_log
-            /// writes them.
+            /// writes them. Of a twist, dq8_from_twist computes the motion.
             motion::exp(log: *const $R, out: *mut $R) =
                 one(log, out, |[real, dual]: [[$R; 3]; 2]| {
                     Ok(DualQuat::exp(DualVector { real, dual }))

@@ -59,7 +59,7 @@ mod _core {
     };
     #[pymodule_export]
     use dq8_python_arrays::functions::distances::{
-        angle_to, distance_to, distance_weighted, point_error,
+        angle_to, distance_to, distance_weighted, point_error, unit_defect,
     };
     #[pymodule_export]
     use dq8_python_arrays::functions::matrices::from_matrix;
@@ -88,6 +88,8 @@ mod _core {
     use dq8_python_ik::reach_report::ReachReport;
     #[pymodule_export]
     use dq8_python_robots::mechanism::Mechanism;
+    #[pymodule_export]
+    use dq8_python_robots::rates::{manipulability, rates_for, velocity};
     #[pymodule_export]
     use dq8_python_robots::solutions::solutions;
     #[pymodule_export]

@@ -45,6 +45,7 @@ PLANES = lambda rng: rng.normal(size=(COUNT, 4))
 ROTATIONS = lambda rng: Rotation.random(COUNT, rng=rng).as_quat()
 MATRICES = lambda rng: dq8.to_matrix(motions(rng, COUNT))
 SCREWS = lambda rng: dq8.to_screw(motions(rng, COUNT))
+LOGS = lambda rng: dq8.log(motions(rng, COUNT))
 TIMES = lambda rng: np.cumsum(0.5 + rng.random(COUNT))
 WINDOW = lambda rng: rng.random(3)
 PALETTE = lambda rng: neighbours(rng, JOINTS)
@@ -78,7 +79,7 @@ def of_transform(method: str) -> Callable:
 
 def made_of(parameters: dict[str, tuple[int, ...]]) -> list[Callable]:
     """What the arguments of a function of the table are made of: by their shape, unless their name says more."""
-    by_name = {"rotations": ROTATIONS, "screws": SCREWS}
+    by_name = {"rotations": ROTATIONS, "screws": SCREWS, "logs": LOGS}
     # Interpolations and means take motions that are close together, where they do not jump.
     several = sum(shape == (8,) for shape in parameters.values()) > 1
     by_shape = {
@@ -89,7 +90,7 @@ def made_of(parameters: dict[str, tuple[int, ...]]) -> list[Callable]:
         (): NUMBERS,
         (4, 4): MATRICES,
     }
-    return [by_name.get(name, by_shape[shape]) for name, shape in parameters.items()]
+    return [by_name.get(name) or by_shape[shape] for name, shape in parameters.items()]
 
 
 CALLS: dict[str, tuple[Callable, list[Callable]]] = {
@@ -105,6 +106,9 @@ CALLS: dict[str, tuple[Callable, list[Callable]]] = {
     "Hierarchy.model_to_local": (HIERARCHY.model_to_local, [LOCALS]),
     "Mechanism.poses": (ARM.poses, [VALUES]),
     "Mechanism.jacobian": (lambda values, out=None: ARM.jacobian(values, 3, out=out), [VALUES]),
+    "Mechanism.velocity": (lambda values, rates, out=None: ARM.velocity(values, rates, 3, out=out), [VALUES, VALUES]),
+    "Mechanism.rates_for": (lambda values, twists, out=None: ARM.rates_for(values, twists, 3, out=out), [VALUES, TWISTS]),
+    "Mechanism.manipulability": (lambda values, out=None: ARM.manipulability(values, 3, out=out), [VALUES]),
     "Mechanism.reach": (reach, [VALUES, VALUES]),
     "RigidTransform.as_matrix": (of_transform("as_matrix"), [MOTIONS]),
     "RigidTransform.as_exp_coords": (of_transform("as_exp_coords"), [MOTIONS]),

@@ -16,7 +16,7 @@ A = np.tile(dq8.identity(), (5, 1))
         (lambda: dq8.log([]), ValueError, r"Expected `motions` to have shape \(\.\.\., 8\), got \(0,\)"),
         (lambda: dq8.mul(A, A[:3]), ValueError, r"could not be broadcast.*`a` \(5,\), `b` \(3,\)"),
         (lambda: dq8.sclerp(A, A, [0.5] * 4), ValueError, r"could not be broadcast.*`t` \(4,\)"),
-        (lambda: dq8.from_matrix(np.eye(3)), ValueError, r"Expected `matrix` to have shape \(\.\.\., 4, 4\), got \(3, 3\)"),
+        (lambda: dq8.from_matrix(np.eye(3)), ValueError, r"Expected `matrices` to have shape \(\.\.\., 4, 4\), got \(3, 3\)"),
         (lambda: dq8.mul(A.astype(complex), A), TypeError, r"Expected `a` to hold real numbers.*complex128"),
         (lambda: dq8.mul(A, A.astype(object)), TypeError, r"Expected `b` to hold real numbers.*object"),
         (lambda: dq8.mul(A, "text"), TypeError, r"Expected `b` to hold real numbers"),

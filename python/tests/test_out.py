@@ -13,11 +13,13 @@ from dq8 import RigidTransform, _core
 
 def public():
     """Functions and methods, by the names that users see."""
-    yield from ((name, f) for name, f in vars(_core).items() if inspect.isbuiltin(f))
+    # Some compute what a method has.
+    own = vars(dq8.Mechanism)
+    yield from ((name, f) for name, f in vars(_core).items() if inspect.isbuiltin(f) and name not in own)
     for owner in (dq8.Hierarchy, dq8.Mechanism, RigidTransform):
         for name, method in vars(owner).items():
-            # Methods of a mechanism that Python has written have no kernel that could write.
-            written = owner is dq8.Mechanism and inspect.isfunction(method)
+            # Of the methods of a mechanism that Python has written, some have no kernel that could write.
+            written = owner is dq8.Mechanism and inspect.isfunction(method) and name not in vars(_core)
             if not name.startswith("_") and callable(method) and not written:
                 yield f"{owner.__name__}.{name}", method
 

@@ -62,30 +62,58 @@ def test_deviation_is_that_of_models():
 
 def test_times_are_seconds_and_rounds_follow_each_other():
     frames = walk()
-    clip, timed = dq8.PackedClip(frames), dq8.PackedClip(frames, rate=30, loops=True)
-    assert (clip.rate, clip.loops, clip.duration) == (1.0, False, FRAMES - 1)
-    assert (timed.rate, timed.loops, timed.duration) == (30.0, True, (FRAMES - 1) / 30)
+    clip, timed = dq8.PackedClip(frames), dq8.PackedClip(frames, fps=30, loops=True)
+    assert (clip.fps, clip.loops, clip.duration) == (1.0, False, FRAMES - 1)
+    assert (timed.fps, timed.loops, timed.duration) == (30.0, True, (FRAMES - 1) / 30)
     at = np.array([0.0, 2.25, 17.5])
     np.testing.assert_allclose(timed.sample(at / 30), clip.sample(at), atol=1e-5)
     np.testing.assert_allclose(timed.sample(at / 30 + 3 * timed.duration), clip.sample(at), atol=1e-5)
-    assert np.isnan(clip.sample(np.nan)).all()
+    out = np.full((3, JOINTS, 8), 7.0)
+    for own, time in ((clip, np.nan), (timed, np.nan), (timed, np.inf)):
+        with pytest.raises(ValueError, match=f"`at`: sample 1 is asked for at {str(time).replace('nan', 'NaN')}"):
+            own.sample([0.0, time, time], out=out)
+    assert (out == 7.0).all()
+    np.testing.assert_array_equal(clip.sample([-np.inf, np.inf]), clip.sample([0, FRAMES - 1]))
     for rate in (0, -30, np.nan):
         with pytest.raises(ValueError, match="frames a second, which must be a positive number"):
-            dq8.PackedClip(frames, rate=rate)
+            dq8.PackedClip(frames, fps=rate)
 
 
 def test_a_turn_of_a_half_turn_has_frames_between():
     frames = walk()
     frames[5, 1] = dq8.from_rotation_translation([0, 1.0, 0, 0], [0.0, 0.4, 0.1])
-    clip = dq8.PackedClip(frames, rate=30)
-    assert (clip.frames, clip.rate) == (FRAMES, 30) and clip.duration == pytest.approx((FRAMES - 1) / 30)
+    clip = dq8.PackedClip(frames, fps=30)
+    assert (clip.frames, clip.fps) == (FRAMES, 30) and clip.duration == pytest.approx((FRAMES - 1) / 30)
     turned = dq8.angle_to(clip.sample(np.arange(FRAMES) / 30), frames)
     assert turned.max() < 1e-4
     worst, _ = clip.deviation(dq8.Hierarchy([-1, 0, 1, 2]), frames, 0.03)
     assert worst < 1.5e-4
 
 
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("loops", [False, True])
+def test_an_error_is_bounded_where_a_bound_is_asked_for(dtype, loops):
+    frames = walk()
+    frames[:, 2] = dq8.mul(dq8.from_translation(np.linspace(0, 1, FRAMES)[:, np.newaxis] * [1e6, 2e5, 0]), frames[:, 2])
+    frames = frames.astype(dtype)
+    clip = dq8.PackedClip(frames, fps=30, loops=loops, max_error=1e6 * 2**-16)
+    at = np.arange(FRAMES - loops)
+    error = dq8.distance_to(clip.sample(at / 30), frames[at]).max(axis=0)
+    # Half a step along each axis, and what float32 has lost of the way.
+    assert error.max() == error[2] <= (np.sqrt(3) / 2 + 0.1) * 1e6 * 2**-16
+    with pytest.raises(ValueError, match=r"`max_error`: packing moves joint 2 by up to \S+, more than 1\.00e-3, because it goes far"):
+        dq8.PackedClip(frames, fps=30, loops=loops, max_error=1e-3)
+    for wrong in (-1.0, np.nan):
+        with pytest.raises(ValueError, match="Expected `max_error` to be a length"):
+            dq8.PackedClip(frames, max_error=wrong)
+
+
 def test_what_cannot_be_held_is_named():
     frames = walk()
+    for at, message in (((3, 1, 0), "joint 1"), ((3, 1, 5), "joint 1")):
+        wrong = frames.copy()
+        wrong[at] = np.nan
+        with pytest.raises(ValueError, match=message):
+            dq8.PackedClip(wrong)
     with pytest.raises(ValueError, match="frames"):
         dq8.PackedClip(frames[0])

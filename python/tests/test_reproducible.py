@@ -22,12 +22,12 @@ def results(dtype):
     yield dq8.mul(a[0], b)
     yield dq8.nlerp(a, b, t)
     yield dq8.sclerp(a, b, t)
-    yield dq8.log(a)
+    yield dq8.log(a)[..., [0, 1, 2, 4, 5, 6]]
     yield dq8.transform_points(a, points)
     yield dq8.chain_products(a)
     yield dq8.Hierarchy([-1, 0, 1, 1]).local_to_model(a.reshape(-1, 4, 8))
     yield arm.poses(values)
-    yield arm.jacobian(values, arm.links[-1])
+    yield arm.jacobian(values, arm.links[-1], "world")
 
 
 @pytest.mark.parametrize(("dtype", "bits"), [("float32", "1eccf9b32928424e"), ("float64", "3396da6c7a21533b")])

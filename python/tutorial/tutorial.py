@@ -226,7 +226,7 @@ single = noisy.astype(np.float32)
 assert dq8.mul(single, single).dtype == np.float32
 out = np.empty_like(noisy)
 dq8.conjugate(noisy, out=out)
-every_other = dq8.log(noisy[::2])
+every_other = dq8.to_twist(noisy[::2])
 assert every_other.shape == (100, 6)
 
 # %% [markdown]

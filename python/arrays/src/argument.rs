@@ -1,11 +1,10 @@
 //! Arguments: arrays of `f32` or `f64`.
 
 use crate::axis::Axis;
-use crate::error::misshapen;
+use crate::cure::of_another_kind;
 use crate::number::Number;
 use crate::output::Output;
 use crate::plain::{held, is_number, real, view};
-use crate::shape::pattern;
 use numpy::prelude::*;
 use numpy::{PyArrayDescrMethods, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::PyValueError;
@@ -112,7 +111,7 @@ impl<'py, R: Number> Input<'py, R> {
         };
         let shape = array.shape();
         let Some(leading) = shape.strip_suffix(argument.core) else {
-            return Err(misshapen(argument.name, &pattern(argument.core), shape));
+            return Err(of_another_kind(argument.name, argument.core, shape));
         };
         let full_leading = leading.to_vec();
         let mut leading = full_leading.clone();

@@ -1,11 +1,12 @@
 //! Values with names, as tables, records and dicts have them, in the order of a mechanism.
 
-use crate::plain::{is_number, real};
+use crate::plain::{is_arrow, is_number, real};
 use crate::shape::NUMBER;
 use numpy::PyUntypedArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::intern;
 use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyList, PyTuple};
 
 /// Values as they were given: one array of all, or a column for each name, in order.
@@ -43,6 +44,8 @@ pub fn named<'py>(
             rows.iter().map(|row| in_order(name, &row, names)).collect::<PyResult<Vec<_>>>()?;
         return Ok(Named::Rows(PyList::new(value.py(), rows)?.into_any()));
     }
+    let columns = columns_of_arrow(value)?;
+    let value = columns.as_ref().unwrap_or(value);
     let Some(labels) = labels(value)? else { return Ok(Named::Rows(value.clone())) };
     let names = names();
     let given: Vec<_> = labels.iter().map(|label| label.extract::<String>().ok()).collect();
@@ -59,10 +62,12 @@ pub fn named<'py>(
     }
     for (index, (label, own)) in labels.iter().zip(&given).enumerate() {
         let wrong = match own {
-            Some(own) if !names.contains(own) => "is not a value of this mechanism",
-            Some(_) if given[..index].contains(own) => "is there twice",
+            Some(own) if !names.contains(own) => {
+                format!("is not a {} of this mechanism", one(name))
+            }
+            Some(_) if given[..index].contains(own) => "is there twice".to_owned(),
             Some(_) => continue,
-            None => "is no name of a value",
+            None => format!("is no name of a {}", one(name)),
         };
         return Err(mismatch(name, &format!("the column {} {wrong}", label.repr()?), &names));
     }
@@ -91,7 +96,24 @@ pub fn misfit(name: &str, error: &dyn std::fmt::Display) -> PyErr {
 }
 
 fn mismatch(name: &str, what: &str, names: &[String]) -> PyErr {
-    PyValueError::new_err(format!("`{name}`: {what}; the values are {}.", names.join(", ")))
+    let one = one(name);
+    PyValueError::new_err(format!("`{name}`: {what}; the {one}s are {}.", names.join(", ")))
+}
+
+/// Of which kind a number of the argument `name` is.
+fn one(name: &str) -> &'static str {
+    if name == "rates" { "rate" } else { "value" }
+}
+
+/// The columns of a table or of structs of Arrow by name; nothing if it is neither.
+fn columns_of_arrow<'py>(value: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyAny>>> {
+    static COLUMNS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    let py = value.py();
+    if is_number(value) || value.is_instance_of::<PyUntypedArray>() || !is_arrow(value)? {
+        return Ok(None);
+    }
+    let columns = COLUMNS.import(py, "dq8._arrow", "columns")?.call1((value,))?;
+    Ok((!columns.is_none()).then_some(columns))
 }
 
 /// Single numbers are the same in all rows.

@@ -3,6 +3,8 @@
 use crate::plain::check_whole;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyFrozenSet, PySet};
+use std::collections::HashSet;
 
 /// Links that were asked for.
 #[derive(Debug)]
@@ -17,6 +19,11 @@ impl Chosen {
     pub fn of(names: &[String], links: &Bound<'_, PyAny>) -> PyResult<Self> {
         if links.extract::<String>().is_ok() || links.extract::<i64>().is_ok() {
             return Ok(Self { links: vec![link_of(names, "links", links)?], one: true });
+        }
+        if links.is_instance_of::<PySet>() || links.is_instance_of::<PyFrozenSet>() {
+            return Err(PyTypeError::new_err(
+                "Expected `links` to be a sequence of links, got a set, which has no order: pass a list.",
+            ));
         }
         let links = links.try_iter().map_err(|_| not_a_link("links", links))?;
         let links = links.map(|link| link_of(names, "links", &link?)).collect::<PyResult<_>>()?;
@@ -33,10 +40,11 @@ pub fn names(given: Option<Vec<String>>, count: usize) -> PyResult<Vec<String>> 
 
 /// Checks that there are so many names, each its own.
 pub fn check_names(argument: &str, names: &[String], count: usize) -> PyResult<()> {
-    let twice = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name));
+    let mut before = HashSet::with_capacity(names.len());
+    let twice = names.iter().find(|&name| !before.insert(name));
     let message = if names.len() != count {
         format!("Expected `{argument}` to have {count} names, got {}.", names.len())
-    } else if let Some((_, name)) = twice {
+    } else if let Some(name) = twice {
         format!("`{argument}`: two have the name {name:?}.")
     } else {
         return Ok(());
@@ -51,7 +59,11 @@ pub fn link_of(names: &[String], argument: &str, link: &Bound<'_, PyAny>) -> PyR
             PyValueError::new_err(format!("`{argument}`: there is no link {name:?}."))
         });
     }
-    let index: i64 = link.extract().map_err(|_| not_a_link(argument, link))?;
+    // A bool is a number of Python's, and never meant as one of a link.
+    let index: i64 = match link.extract() {
+        Ok(index) if !link.is_instance_of::<PyBool>() => index,
+        _ => return Err(not_a_link(argument, link)),
+    };
     let count = names.len();
     let from_start = if index < 0 { index + count as i64 } else { index };
     usize::try_from(from_start).ok().filter(|&link| link < count).ok_or_else(|| {

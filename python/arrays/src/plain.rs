@@ -34,19 +34,18 @@ pub fn real<'py>(
     core: &[usize],
     value: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyUntypedArray>> {
-    let array = plain(name, value)?;
+    // Arrow's nulls would be NaN in NumPy's array.
+    if exact(value).is_err()
+        && !is_number(value)
+        && is_arrow(value)?
+        && let Some(numbers) = of_arrow(name, core, value)?
+    {
+        return real(name, core, &numbers);
+    }
+    let array = by_names(value, plain(name, value)?)?;
     let dtype = array.dtype();
     if matches!((dtype.kind(), dtype.itemsize()), (b'f', 2 | 4 | 8) | (b'i' | b'u' | b'b', _)) {
         return Ok(array);
-    }
-    // NumPy makes objects of Arrow's lists.
-    if dtype.kind() == b'O' && is_arrow(value)? {
-        static FROM_ARROW: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-        let numbers = FROM_ARROW.import(value.py(), "dq8._arrow", "from_arrow")?.call1((value,));
-        let numbers = numbers.map_err(|error| {
-            PyValueError::new_err(format!("`{name}`: {}", error.value(value.py())))
-        })?;
-        return real(name, core, &numbers);
     }
     // Arrays have a dtype. Of anything else that NumPy makes objects or text of, the type says
     // more.
@@ -141,15 +140,55 @@ fn is_lazy(kind: &Bound<'_, PyType>, value: &Bound<'_, PyAny>) -> PyResult<bool>
     Ok(kind.hasattr(graph)? && !value.call_method0(graph)?.is_none())
 }
 
+/// The array of a data frame of pandas, or of one row of it, in the order of arrays where names say
+/// which number is which.
+fn by_names<'py>(
+    value: &Bound<'py, PyAny>,
+    array: Bound<'py, PyUntypedArray>,
+) -> PyResult<Bound<'py, PyUntypedArray>> {
+    static ORDER: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    if !matches!(array.shape().last(), Some(3..=8)) || exact(value).is_ok() {
+        return Ok(array);
+    }
+    let (py, kind) = (value.py(), value.get_type());
+    let labels = match (kind.name()?.to_cow()?.as_ref(), array.ndim()) {
+        ("DataFrame", 2) => value.getattr(intern!(py, "columns"))?,
+        ("Series", 1) => value.getattr(intern!(py, "index"))?,
+        _ => return Ok(array),
+    };
+    let labels = labels.try_iter()?.collect::<PyResult<Vec<_>>>()?;
+    let order = ORDER.import(py, "dq8._names", "order")?.call1((PyList::new(py, labels)?,))?;
+    if order.is_none() {
+        return Ok(array);
+    }
+    Ok(array.call_method1("take", (order, -1))?.cast_into()?)
+}
+
+/// The numbers of a column or table of Arrow; nothing if it holds others than those that its memory
+/// is read for, which NumPy may know.
+fn of_arrow<'py>(
+    name: &str,
+    core: &[usize],
+    value: &Bound<'py, PyAny>,
+) -> PyResult<Option<Bound<'py, PyAny>>> {
+    static ROWS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    let py = value.py();
+    let core = PyTuple::new(py, core)?;
+    match ROWS.import(py, "dq8._arrow", "rows")?.call1((value, core)) {
+        Ok(numbers) => Ok(Some(numbers)),
+        Err(error) if error.is_instance_of::<PyTypeError>(py) => Ok(None),
+        Err(error) => Err(PyValueError::new_err(format!("`{name}`: {}", error.value(py)))),
+    }
+}
+
 /// Whether a value offers Arrow's memory. Of the objects of pandas, which does as well, [`cure`]
 /// says more.
-fn is_arrow(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+pub(crate) fn is_arrow(value: &Bound<'_, PyAny>) -> PyResult<bool> {
     let py = value.py();
-    if value.get_type().module()?.to_string().split('.').next() == Some("pandas") {
-        return Ok(false);
-    }
-    Ok(value.hasattr(intern!(py, "__arrow_c_array__"))?
-        || value.hasattr(intern!(py, "__arrow_c_stream__"))?)
+    let kind = value.get_type();
+    let offers = kind.hasattr(intern!(py, "__arrow_c_array__"))?
+        || kind.hasattr(intern!(py, "__arrow_c_stream__"))?;
+    Ok(offers && kind.module()?.to_string().split('.').next() != Some("pandas"))
 }
 
 /// Python's own numbers, which take the precision of what they meet.

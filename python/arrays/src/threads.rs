@@ -7,6 +7,7 @@ use rayon_core::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::Builder;
 
 /// How many elements a piece has: some ten microseconds of work, where starting one takes about
 /// one.
@@ -133,6 +134,38 @@ impl Threads {
             work();
         });
     }
+}
+
+/// What `job` returns, which has no pieces between which it could be interrupted: it computes in a
+/// thread of its own, and this one, which Python tells of signals, waits for it. Where a signal
+/// ends the call, the job is left alone: it owns what it reads, and ends by itself.
+pub fn whole<T: Send + 'static>(
+    py: Python<'_>,
+    job: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    let interrupt = &Interrupt::new();
+    let (done, wait) = channel();
+    // As much stack as the first thread of a process has on most systems.
+    let thread = Builder::new().stack_size(8 << 20).spawn(move || {
+        // Nobody waits for it where the call was interrupted.
+        let _ = done.send(job());
+    });
+    thread.map_err(|error| PyRuntimeError::new_err(format!("no thread: {error}")))?;
+    let made = py.detach(move || {
+        loop {
+            match wait.recv_timeout(PERIOD) {
+                Ok(made) => return Some(made),
+                // It has panicked.
+                Err(RecvTimeoutError::Disconnected) => return None,
+                Err(RecvTimeoutError::Timeout) => interrupt.ask(),
+            }
+            if interrupt.came() {
+                return None;
+            }
+        }
+    });
+    let nothing = || PyRuntimeError::new_err("nothing was computed");
+    interrupt.take().map_or_else(|| made.ok_or_else(nothing), Err)
 }
 
 /// Let `count` threads, 1 to 256, compute calls of 8192 elements and more; 1, the default, starts

@@ -7,15 +7,21 @@ use crate::hierarchy::Hierarchy;
 use crate::number::Number;
 use crate::output::Output;
 use crate::shape::{EIGHT, NUMBER};
-use crate::threads::Threads;
-use dq8::hierarchy::{self, Sampled, Tolerance};
-use dq8::{DualQuat, Real, law::NlerpLerp};
+use crate::threads::{GRAIN, Threads, whole};
+use dq8::hierarchy::{self, PackedClips, Sampled, Tolerance};
+use dq8::simd::MAX_LANES;
+use dq8::{DualQuat, Real, ShapeError, law::NlerpLerp};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use std::sync::Arc;
 
 /// An animation clip in 8 bytes for each track that moves, and frame: 16 bits for each number of a
 /// rotation or a translation; what keeps still is kept once.
+///
+/// Translations of a joint are steps of 2⁻¹⁶ of the longest side of the box in which it moves,
+/// and off by half of that along each axis: a walk of a kilometre is kept to 8 mm, which
+/// `max_error` refuses where it is too much. Rotations are off by 6·10⁻⁵ radians at most.
 ///
 /// Parameters
 /// ----------
@@ -23,13 +29,22 @@ use pyo3::types::PyBytes;
 ///     Unit dual quaternions at equal distances in time: the pose of each joint in its parent.
 ///     Where a joint turns by 60° or more from one frame to the next, all joints get one to three
 ///     frames between.
-/// rate : float, optional
+/// fps : float, optional
 ///     Frames a second: times are seconds. Without, times are frames.
 /// loops : bool
 ///     Whether the clip begins again where it ends: its last frame is the first one once more.
 /// angle, length : float
 ///     What a rotation (in radians) and a translation may move and still be kept as one: they keep
-///     still.
+///     still. They bound nothing else.
+/// max_error : float, optional
+///     How far packing may move a joint in its parent at a frame, a length. ValueError names the
+///     joint that is moved farthest, where that is farther: leave the way of a root out of
+///     `frames`, and multiply it to what is sampled.
+///
+/// Raises
+/// ------
+/// ValueError
+///     Where a rotation is not unit, or a number is not finite.
 ///
 /// Examples
 /// --------
@@ -43,31 +58,47 @@ use pyo3::types::PyBytes;
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
 pub struct PackedClip {
-    packed: hierarchy::PackedClip,
+    packed: Arc<hierarchy::PackedClip>,
 }
 
 #[pymethods]
 impl PackedClip {
     #[new]
-    #[pyo3(signature = (frames, *, rate=1.0, loops=false, angle=2e-5, length=1e-5))]
+    #[pyo3(signature = (frames, *, fps=1.0, loops=false, angle=2e-5, length=1e-5, max_error=None))]
     fn new(
         frames: &Bound<'_, PyAny>,
-        rate: f64,
+        fps: f64,
         loops: bool,
         angle: f32,
         length: f32,
+        max_error: Option<f64>,
     ) -> PyResult<Self> {
+        let max_error = match max_error {
+            Some(error) if error.is_nan() || error < 0.0 => {
+                let message = format!("Expected `max_error` to be a length, got {error}.");
+                return Err(PyValueError::new_err(message));
+            }
+            _ => max_error,
+        };
+        let py = frames.py();
         let (keys, joints) = keys(frames)?;
-        let clip = hierarchy::Clip::new(joints, &keys).map_err(value_error)?.with_rate(rate);
-        let clip = if loops { clip.looping() } else { clip };
-        let packed = hierarchy::PackedClip::new(clip, Tolerance { angle, length });
-        Ok(Self { packed: packed.map_err(value_error)? })
+        let packed = whole(py, move || {
+            let clip = hierarchy::Clip::new(joints, &keys).map_err(|error| error.to_string())?;
+            let clip = clip.with_rate(fps);
+            let clip = if loops { clip.looping() } else { clip };
+            let packed = hierarchy::PackedClip::new(clip, Tolerance { angle, length });
+            let packed = packed.map_err(|error| error.to_string())?;
+            max_error.map_or(Ok(()), |most| check_error(&packed, &keys, joints, fps, most))?;
+            Ok::<_, String>(packed)
+        })?;
+        Ok(Self { packed: Arc::new(packed.map_err(value_error)?) })
     }
 
     /// A clip of bytes that `to_bytes` gave, or the example mocap of the Rust crate wrote.
     #[staticmethod]
     fn from_bytes(data: &[u8]) -> PyResult<Self> {
-        Ok(Self { packed: hierarchy::PackedClip::from_bytes(data.into()).map_err(value_error)? })
+        let packed = hierarchy::PackedClip::from_bytes(data.into()).map_err(value_error)?;
+        Ok(Self { packed: Arc::new(packed) })
     }
 
     /// The bytes of the clip, the same on every machine.
@@ -89,7 +120,7 @@ impl PackedClip {
 
     /// Frames a second; 1 if times are frames.
     #[getter]
-    fn rate(&self) -> f64 {
+    fn fps(&self) -> f64 {
         self.packed.clips().rate(0).unwrap_or(1.0)
     }
 
@@ -132,7 +163,7 @@ impl PackedClip {
     /// ----------
     /// at : array_like, shape (...)
     ///     Times from the first frame, in seconds if the clip has a rate, otherwise in frames.
-    ///     Beyond the clip are its ends, or other rounds if it loops; for NaN all numbers are NaN.
+    ///     Beyond the clip are its ends, or other rounds if it loops. NaN is a ValueError.
     /// out : ndarray, optional
     ///     Where to write the result.
     ///
@@ -167,15 +198,15 @@ impl PackedClip {
         frames: &Bound<'_, PyAny>,
         distance: f64,
     ) -> PyResult<(f64, f64)> {
+        let py = frames.py();
         let (keys, _) = keys(frames)?;
         let Some(skeleton) = hierarchy.in_order() else {
             let message = "Expected the parents of `hierarchy` to come before their children.";
             return Err(PyValueError::new_err(message));
         };
-        let off = self
-            .packed
-            .deviation(&skeleton.hierarchy(), 0, &keys, distance)
-            .map_err(value_error)?;
+        let (packed, skeleton) = (Arc::clone(&self.packed), skeleton.clone());
+        let off = whole(py, move || packed.deviation(&skeleton.hierarchy(), 0, &keys, distance))?;
+        let off = off.map_err(value_error)?;
         Ok((off.worst, off.p99))
     }
 }
@@ -189,22 +220,75 @@ impl PackedClip {
         let at = Input::<R>::of(at)?;
         let (py, clips) = (at.py(), self.packed.clips());
         let full = [at.full_leading(), &[clips.joints()]].concat();
-        let at = at.in_full()?;
-        let places = at.records::<1>().iter().filter_map(|[at]| clips.place(0, *at));
-        let (places, t): (Vec<_>, Vec<_>) = places.unzip();
         let output = Output::<R>::new(py, out, &full, EIGHT)?;
+        let at = at.in_full()?.apart_from(&output)?;
+        let (times, joints) = (at.numbers(), clips.joints());
+        // Infinite times are in no round of a clip that loops.
+        let is_nowhere = |&at: &R| clips.place(0, at).is_none_or(|(_, t)| t.is_nan());
         let threads = Threads::for_elements(full.iter().product());
         output.fill(&threads, |to: &mut [[R; 8]]| {
-            // Each joint a root: its model is its pose.
-            let apart = vec![dq8::Hierarchy::ROOT; clips.joints()];
-            let hierarchy = dq8::Hierarchy::new(&apart).map_err(value_error)?;
-            // As motions, as `deviation` has them: one kernel for both.
-            let to: &mut [DualQuat<R>] = bytemuck::must_cast_slice_mut(to);
-            let done = Sampled::new(NlerpLerp, clips, &places, &t)
-                .and_then(|sampled| hierarchy.job().locals_to_model(sampled, to));
-            done.map_err(|error| PyRuntimeError::new_err(error.to_string()))
+            if let Some(index) = times.iter().position(is_nowhere) {
+                let message = format!("`at`: sample {index} is asked for at {}.", times[index]);
+                return Err(PyValueError::new_err(message));
+            }
+            let size = joints * GRAIN.div_ceil(joints.max(1)).next_multiple_of(MAX_LANES);
+            let done = threads.split(size.max(1), to, &|(first, to)| {
+                let first = first / joints.max(1);
+                let times = times.get(first..first + to.len() / joints.max(1));
+                sampled(clips, times.unwrap_or_default(), to).is_ok()
+            });
+            if done { Ok(()) } else { Err(PyRuntimeError::new_err("nothing was sampled")) }
         })
     }
+}
+
+/// The poses of all joints in their parents at some times.
+fn sampled<R: Number>(
+    clips: PackedClips<'_>,
+    times: &[R],
+    to: &mut [[R; 8]],
+) -> Result<(), ShapeError> {
+    // Each joint a root: its model is its pose.
+    let apart = vec![dq8::Hierarchy::ROOT; clips.joints()];
+    let Ok(hierarchy) = dq8::Hierarchy::new(&apart) else { return Ok(()) };
+    let (places, t): (Vec<_>, Vec<_>) = times.iter().filter_map(|&at| clips.place(0, at)).unzip();
+    // As motions, as `deviation` has them: one kernel for both.
+    let to: &mut [DualQuat<R>] = bytemuck::must_cast_slice_mut(to);
+    hierarchy.job().locals_to_model(Sampled::new(NlerpLerp, clips, &places, &t)?, to)
+}
+
+/// An error about the joint that packing moves farthest, where that is farther than `most`.
+fn check_error(
+    packed: &hierarchy::PackedClip,
+    keys: &[[f32; 7]],
+    joints: usize,
+    fps: f64,
+    most: f64,
+) -> Result<(), String> {
+    let mut worst = (0.0, 0);
+    let mut poses = vec![[0.0; 8]; joints];
+    let all = keys.chunks_exact(joints.max(1));
+    // The last frame of a clip that loops is the first one.
+    let count = all.len() - usize::from(packed.clips().loops(0) == Some(true));
+    for (frame, keys) in all.take(count).enumerate() {
+        sampled(packed.clips(), &[frame as f64 / fps], &mut poses).map_err(|it| it.to_string())?;
+        for (joint, (pose, [.., x, y, z])) in poses.iter().zip(keys).enumerate() {
+            let [a, b, c] = DualQuat::from_array(*pose).translation();
+            let off = [a - f64::from(*x), b - f64::from(*y), c - f64::from(*z)];
+            let off = <f64 as Real>::sqrt(off.iter().map(|off| off * off).sum());
+            if off > worst.0 {
+                worst = (off, joint);
+            }
+        }
+    }
+    let (off, joint) = worst;
+    if off <= most {
+        return Ok(());
+    }
+    Err(format!(
+        "`max_error`: packing moves joint {joint} by up to {off:.2e}, more than {most:.2e}, because it goes far: leave \
+         its way out of `frames` and multiply it to what is sampled"
+    ))
 }
 
 /// Rotations and translations of frames, and how many joints each has.
@@ -219,5 +303,14 @@ fn keys(frames: &Bound<'_, PyAny>) -> PyResult<(Vec<[f32; 7]>, usize)> {
         let ([x, y, z, w], [a, b, c]) = (motion.rotation().to_array(), motion.translation());
         [x, y, z, w, a, b, c].map(<f32 as Real>::from_f64)
     };
-    Ok((frames.records::<8>().iter().map(key).collect(), joints))
+    let (motions, threads) = (frames.records::<8>(), Threads::alone());
+    let keys = threads.run(frames.py(), || {
+        let mut keys = vec![[0.0; 7]; motions.len()];
+        threads.split(GRAIN, &mut keys, &|(first, keys)| {
+            keys.iter_mut().zip(&motions[first..]).for_each(|(to, motion)| *to = key(motion));
+            true
+        });
+        Ok(keys)
+    })?;
+    Ok((keys, joints))
 }

@@ -2,17 +2,18 @@
 
 use crate::argument::{Argument, Input};
 use crate::broadcast::{common, misfit};
+use crate::call::Answer;
 use crate::error::value_error;
 use crate::number::Number;
 use crate::precision::Precision;
 use crate::reach::{STEPS, configurations};
-use crate::reach_report::array;
 use crate::threads::Threads;
 use dq8::{DualQuat, Real};
 use dq8_robot::OwnedMechanism;
 use dq8_robot::ik::{
     Family, Freedom, Goal, Reach, SixAxisArm, Solution, Solutions, SolutionsError,
 };
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::{Mutex, PoisonError};
@@ -58,56 +59,148 @@ fn typed<'py, R: Number>(
     let py = targets.py();
     let values = values.filled(&[&shape[..], &[count]].concat())?;
     let targets = targets.filled(&shape)?;
-    let targets: Vec<_> = targets.records().iter().map(|&it| DualQuat::from_array(it)).collect();
-    let start = values.records::<1>().as_flattened().to_vec();
-    drop(values);
+    let (poses, start) = (targets.records::<8>(), values.numbers());
     let hinges = arm.values();
-    let of_hinges = |start: &[R]| hinges.map(|hinge| start[hinge]);
-    let starts: Vec<_> = start.chunks_exact(count).map(of_hinges).collect();
 
     let searched = arm.family() == Family::Other;
     let (piece, steps) = if searched { (1, PIECE) } else { (PIECE, STEPS) };
-    let threads = Threads::for_elements(starts.len() * view.links() * steps);
-    let found = threads.run(py, || {
-        let mut found = vec![Solutions::default(); starts.len()];
-        let failure = Mutex::new(None);
-        threads.split(piece, &mut found, &|(first, found)| {
-            let all = first..first + found.len();
-            let mut scratch = vec![R::ZERO; arm.batch_scratch_len()];
-            let (targets, starts) = (&targets[all.clone()], &starts[all]);
-            let done = arm.job().solutions_in(&mut scratch, targets, starts, found);
+    let threads = Threads::for_elements(poses.len() * view.links() * steps);
+    let failure = Mutex::new(None);
+    let all = threads.run(py, || {
+        let mut all = Parts::new(poses.len(), count);
+        let pieces = all.pieces(piece).zip(poses.chunks(piece)).zip(start.chunks(piece * count));
+        threads.each(pieces.enumerate(), &|(index, ((parts, poses), start))| {
+            let done = parts.solve(&arm, &hinges, poses, start);
             let Err(error) = done else { return true };
-            *failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(of_all(error, first));
+            let mut failure = failure.lock().unwrap_or_else(PoisonError::into_inner);
+            // The first one, whichever thread finds its own sooner.
+            if failure.as_ref().is_none_or(|&(first, _)| index < first) {
+                *failure = Some((index, of_all(error, index * piece)));
+            }
             false
         });
-        let failure = failure.into_inner().unwrap_or_else(PoisonError::into_inner);
-        failure.map_or(Ok(found), |error| Err(value_error(error)))
+        Ok(all)
     })?;
-
-    let nothing = <R as Real>::from_f64(f64::NAN);
-    let mut values = vec![nothing; found.len() * PLACES * count];
-    for ((values, start), found) in
-        values.chunks_exact_mut(PLACES * count).zip(start.chunks_exact(count)).zip(&found)
-    {
-        for (values, solution) in values.chunks_exact_mut(count).zip(found.iter()) {
-            values.copy_from_slice(start);
-            for (hinge, value) in hinges.into_iter().zip(solution.values) {
-                values[hinge] = value;
-            }
-        }
+    if let Some((_, error)) = failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        return Err(value_error(error));
     }
-    let places: Vec<_> = found.iter().flat_map(|it| (0..PLACES).map(|i| it.get(i))).collect();
     let each = [&shape[..], &[PLACES]].concat();
-    let singular: Vec<_> =
-        places.iter().flat_map(|it| it.map_or([false; 3], singular_of)).collect();
     (
-        array(py, &values, &[&each[..], &[count]].concat(), |it| *it)?,
-        array(py, &found, &shape, |it| it.len() as u8)?,
-        array(py, &places, &each, |it| it.map_or(nothing, |it| it.distance))?,
-        array(py, &singular, &[&each[..], &[3]].concat(), |it| *it)?,
-        array(py, &found, &shape, |it| it.is_complete)?,
+        shaped(py, all.values, &[&each[..], &[count]].concat())?,
+        shaped(py, all.counts, &shape)?,
+        shaped(py, all.distances, &each)?,
+        shaped(py, all.singular, &[&each[..], &[3]].concat())?,
+        shaped(py, all.complete, &shape)?,
     )
         .into_pyobject(py)
+}
+
+/// What is found of all targets, or of some.
+struct Parts<V, C, D, S, B> {
+    values: V,
+    counts: C,
+    distances: D,
+    singular: S,
+    complete: B,
+}
+
+type AllParts<R> = Parts<Vec<R>, Vec<u8>, Vec<R>, Vec<bool>, Vec<bool>>;
+type SomeParts<'s, R> =
+    Parts<&'s mut [R], &'s mut [u8], &'s mut [R], &'s mut [bool], &'s mut [bool]>;
+
+impl<R: Number> AllParts<R> {
+    /// Of so many targets, for configurations of `count` values. Zeros, which the system has ready.
+    fn new(targets: usize, count: usize) -> Self {
+        Self {
+            values: vec![R::ZERO; targets * PLACES * count],
+            counts: vec![0; targets],
+            distances: vec![R::ZERO; targets * PLACES],
+            singular: vec![false; targets * PLACES * 3],
+            complete: vec![false; targets],
+        }
+    }
+
+    /// Those of `size` targets each.
+    fn pieces(&mut self, size: usize) -> impl Iterator<Item = SomeParts<'_, R>> {
+        let count = self.values.len() / self.distances.len().max(1);
+        let values = self.values.chunks_mut((size * PLACES * count).max(1));
+        let parts = values.zip(self.counts.chunks_mut(size));
+        let parts = parts.zip(self.distances.chunks_mut(size * PLACES));
+        let parts = parts.zip(self.singular.chunks_mut(size * PLACES * 3));
+        parts.zip(self.complete.chunks_mut(size)).map(
+            |((((values, counts), distances), singular), complete)| Parts {
+                values,
+                counts,
+                distances,
+                singular,
+                complete,
+            },
+        )
+    }
+}
+
+impl<R: Number> SomeParts<'_, R> {
+    /// Solves some targets. One that is not finite, or begins at what is not, has no solution.
+    fn solve(
+        self,
+        arm: &SixAxisArm<'_, R>,
+        hinges: &[usize; 6],
+        targets: &[[R; 8]],
+        start: &[R],
+    ) -> Result<(), SolutionsError> {
+        let nothing = <R as Real>::from_f64(f64::NAN);
+        let count = start.len() / targets.len();
+        let of_hinges = |start: &[R]| hinges.map(|hinge| start[hinge]);
+        let mut starts: Vec<_> = start.chunks_exact(count).map(of_hinges).collect();
+        let mut goals: Vec<_> = targets.iter().map(|&it| DualQuat::from_array(it)).collect();
+        let mut is_known = vec![true; goals.len()];
+        for ((goal, start), is_known) in goals.iter_mut().zip(&mut starts).zip(&mut is_known) {
+            let numbers = goal.to_array();
+            *is_known = numbers.iter().chain(&*start).all(|number| number.is_finite());
+            if !*is_known {
+                (*goal, *start) = (DualQuat::IDENTITY, [R::ZERO; 6]);
+            }
+        }
+        let mut scratch = vec![R::ZERO; arm.batch_scratch_len()];
+        let mut found = vec![Solutions::default(); goals.len()];
+        arm.job().solutions_in(&mut scratch, &goals, &starts, &mut found)?;
+        let of_start = start.chunks_exact(count);
+        let values = self.values.chunks_exact_mut(PLACES * count).zip(of_start);
+        for (index, (values, start)) in values.enumerate() {
+            let all = &found[index];
+            let all = if is_known[index] { &all[..] } else { &[] };
+            self.counts[index] = all.len() as u8;
+            self.complete[index] = is_known[index] && found[index].is_complete;
+            for (place, values) in values.chunks_exact_mut(count).enumerate() {
+                let at = index * PLACES + place;
+                let Some(solution) = all.get(place) else {
+                    values.fill(nothing);
+                    self.distances[at] = nothing;
+                    continue;
+                };
+                values.copy_from_slice(start);
+                for (&hinge, value) in hinges.iter().zip(solution.values) {
+                    values[hinge] = value;
+                }
+                self.distances[at] = solution.distance;
+                self.singular[3 * at..3 * at + 3].copy_from_slice(&singular_of(solution));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// An array of this shape, of the numbers where they lie; a scalar where there are no dimensions.
+fn shaped<'py, T: numpy::Element>(
+    py: Python<'py>,
+    numbers: Vec<T>,
+    shape: &[usize],
+) -> Answer<'py> {
+    let flat = PyArray1::from_vec(py, numbers);
+    if shape.is_empty() {
+        return flat.get_item(0);
+    }
+    flat.call_method1("reshape", (PyTuple::new(py, shape)?,))
 }
 
 fn singular_of<R>(solution: &Solution<R>) -> [bool; 3] {

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import ctypes
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from ctypes import POINTER, Structure, c_char_p, c_int, c_int64, c_void_p, cast, py_object
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _core
+from ._names import order
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -55,7 +56,13 @@ _new_capsule.restype, _new_capsule.argtypes = py_object, [c_void_p, c_char_p, c_
 # As libraries say of lists that they make.
 _NULLABLE = 2
 
-_NUMBERS: dict[bytes, np.dtype[Any]] = {b"f": np.dtype(np.float32), b"g": np.dtype(np.float64)}
+_NUMBERS: dict[bytes, np.dtype[Any]] = {
+    form: np.dtype(name)
+    for form, name in zip(
+        (b"f", b"g", b"e", b"c", b"C", b"s", b"S", b"i", b"I", b"l", b"L"),
+        "float32 float64 float16 int8 uint8 int16 uint16 int32 uint32 int64 uint64".split(),
+    )
+}
 
 
 class _Owner:
@@ -112,7 +119,8 @@ def _numbers(owner: _Owner, schema: _Schema, array: _Array, first: int, count: i
             _numbers(owner, schema.children[i].contents, array.children[i].contents, first, count)
             for i in range(schema.n_children)
         ]
-        return np.stack(fields, axis=-1)
+        names = [(schema.children[i].contents.name or b"").decode() for i in range(schema.n_children)]
+        return np.stack([fields[i] for i in order(names) or range(len(fields))], axis=-1)
     if form.startswith(b"+w:"):
         size = int(form[3:])
         _check_nulls(owner, array, "an Arrow list", first, count)
@@ -127,20 +135,31 @@ def _numbers(owner: _Owner, schema: _Schema, array: _Array, first: int, count: i
             row = int(np.argmax(sizes != size))
             raise ValueError(f"Expected lists of one length, got {size} numbers in row 0 and {sizes[row]} in row {row}.")
     else:
-        raise TypeError(f"Expected an Arrow array of float32 or float64, lists or structs of these, got format {form.decode()!r}.")
+        raise TypeError(f"Expected an Arrow array of numbers of at most 64 bits, lists or structs of these, got format {form.decode()!r}.")
     child = array.children[0].contents
     _check_nulls(owner, child, "an Arrow list", begin, count * size, max(size, 1))
     inner = _numbers(owner, schema.children[0].contents, child, begin, count * size)
     return inner.reshape(count, size, *inner.shape[1:])
 
 
-def _chunks(value: Any) -> Iterator[NDArray[Any]]:
+class _Form:
+    """The schema of a producer, as long as it is read."""
+
+    def __init__(self, schema: _Schema, capsule: object = None) -> None:
+        # That of a capsule is released with it.
+        self.schema, self.capsule = schema, capsule
+
+    def __del__(self) -> None:
+        if self.capsule is None and self.schema.release:
+            self.schema.release(ctypes.addressof(self.schema))
+
+
+def _read(value: Any) -> tuple[_Form, list[_Owner]]:
+    """The schema of a column, and its chunks."""
     if hasattr(value, "__arrow_c_array__"):
-        schema, array = value.__arrow_c_array__()
-        form = cast(_pointer(schema, b"arrow_schema"), POINTER(_Schema)).contents
-        owner = _Owner(_moved(_pointer(array, b"arrow_array")))
-        yield _numbers(owner, form, owner.array, 0, owner.array.length)
-        return
+        capsule, array = value.__arrow_c_array__()
+        schema = cast(_pointer(capsule, b"arrow_schema"), POINTER(_Schema)).contents
+        return _Form(schema, capsule), [_Owner(_moved(_pointer(array, b"arrow_array")))]
     capsule = value.__arrow_c_stream__()
     address = _pointer(capsule, b"arrow_array_stream")
     stream = cast(address, POINTER(_Stream)).contents
@@ -149,18 +168,77 @@ def _chunks(value: Any) -> Iterator[NDArray[Any]]:
         if get(address, ctypes.addressof(into)):
             raise ValueError(f"Arrow: {(stream.get_last_error(address) or b'').decode()}")
 
-    form = _Schema()
-    got(stream.get_schema, form)
-    try:
-        while True:
-            array = _Array()
-            got(stream.get_next, array)
-            if not array.release:
-                return
-            owner = _Owner(array)
-            yield _numbers(owner, form, array, 0, array.length)
-    finally:
-        form.release(ctypes.addressof(form))
+    chunks: list[_Owner] = []
+    form = _Form(_Schema())
+    got(stream.get_schema, form.schema)
+    while True:
+        array = _Array()
+        got(stream.get_next, array)
+        if not array.release:
+            return form, chunks
+        chunks.append(_Owner(array))
+
+
+def _joined(chunks: list[NDArray[Any]], schema: _Schema, core: tuple[int, ...]) -> NDArray[Any]:
+    """The rows of all chunks; of no rows, with elements of the shape `core` where the schema does not say another one."""
+    # Lists of no rows do not say how long they are.
+    full = [chunk for chunk in chunks if len(chunk)]
+    if not full:
+        shape, dtype = _element(schema)
+        return np.empty((0, *((core or (0,)) if None in shape else shape)), dtype)  # type: ignore[arg-type]
+    for chunk in full:
+        if chunk.shape[1:] != full[0].shape[1:]:
+            raise ValueError(f"Expected lists of one length, got {full[0].shape[1:]} and {chunk.shape[1:]} in different chunks.")
+    return full[0] if len(full) == 1 else np.concatenate(full)
+
+
+def _element(schema: _Schema) -> tuple[tuple[int | None, ...], np.dtype[Any]]:
+    """The shape of a row, with None for a length that only rows would tell, and the dtype."""
+    form = schema.format
+    if form in _NUMBERS:
+        return (), _NUMBERS[form]
+    inner, dtype = _element(schema.children[0].contents) if schema.n_children else ((), np.dtype(np.float64))
+    if form == b"+s":
+        return (*inner, schema.n_children), dtype
+    return (int(form[3:]) if form.startswith(b"+w:") else None, *inner), dtype
+
+
+def rows(value: Any, core: tuple[int, ...]) -> NDArray[Any]:
+    """Arrow's numbers as an array of rows, whose elements have the shape `core`."""
+    form, owners = _read(value)
+    chunks = [_numbers(owner, form.schema, owner.array, 0, owner.array.length) for owner in owners]
+    return _joined(chunks, form.schema, core)
+
+
+class _Columns:
+    """The columns of a table, or fields of structs, by name."""
+
+    def __init__(self, form: _Form, owners: list[_Owner]) -> None:
+        self.form, self.owners = form, owners
+        schema = form.schema
+        self.names = [(schema.children[i].contents.name or b"").decode() for i in range(schema.n_children)]
+        for owner in owners:
+            _check_nulls(owner, owner.array, "an Arrow struct", 0, owner.array.length)
+
+    def keys(self) -> list[str]:
+        return self.names
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        index = self.names.index(name)
+        schema, chunks = self.form.schema.children[index].contents, []
+        for owner in self.owners:
+            array = owner.array.children[index].contents
+            try:
+                chunks.append(_numbers(owner, schema, array, owner.array.offset, owner.array.length))
+            except (TypeError, ValueError) as error:
+                raise type(error)(f"the column {name!r}: {error}") from None
+        return _joined(chunks, schema, ())
+
+
+def columns(value: Any) -> _Columns | None:
+    """The columns of a table of Arrow, or the fields of a column of structs; None of any other column."""
+    form, owners = _read(value)
+    return _Columns(form, owners) if form.schema.format == b"+s" else None
 
 
 def from_arrow(column: Any) -> NDArray[Any]:
@@ -169,8 +247,10 @@ def from_arrow(column: Any) -> NDArray[Any]:
     Parameters
     ----------
     column : object with ``__arrow_c_array__`` or ``__arrow_c_stream__``
-        Of pyarrow, Polars, DuckDB, DataFusion, Daft …: float32 or float64, lists of these of fixed or of equal length, or
-        structs, whose fields are taken in their order. ValueError names the first row that is null.
+        Of pyarrow, Polars, DuckDB, DataFusion, Daft …: numbers of at most 64 bits, lists of these of fixed or of equal
+        length, or structs. Fields that are named px py pz pw qx qy qz qw, x y z w, x y z, tx ty tz or wx wy wz vx vy vz are
+        put in that order, others are taken in their own; `Mechanism` puts those of its values in its order. ValueError names
+        the first row that is null.
 
     Returns
     -------
@@ -187,10 +267,7 @@ def from_arrow(column: Any) -> NDArray[Any]:
     """
     if not hasattr(column, "__arrow_c_array__") and not hasattr(column, "__arrow_c_stream__"):
         raise TypeError(f"Expected `column` to have __arrow_c_array__ or __arrow_c_stream__, got {type(column).__name__}.")
-    chunks = list(_chunks(column))
-    if not chunks:
-        return np.empty((0, 8))
-    return chunks[0] if len(chunks) == 1 else np.concatenate(chunks)
+    return rows(column, (8,))
 
 
 # What consumers have not released yet, by the number in `private_data`; and structures of capsules, by address.

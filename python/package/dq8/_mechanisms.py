@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _core
-from ._arrays import floats
 from ._solutions import solutions
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
+
+    Frame = Literal["world", "body", "aligned"]
 
 
 def sample(self: _core.Mechanism, shape: int | tuple[int, ...] = (), *, rng: Any = None) -> NDArray[np.float64]:
@@ -40,14 +41,31 @@ def sample(self: _core.Mechanism, shape: int | tuple[int, ...] = (), *, rng: Any
 def velocity(
     self: _core.Mechanism,
     values: Any,
-    rates: ArrayLike,
+    rates: Any,
     link: str | int,
-    frame: Literal["world", "body", "aligned"] = "world",
+    frame: Frame = "aligned",
+    *,
+    out: NDArray[Any] | None = None,
 ) -> NDArray[Any]:
     """How a link moves: the twist ``J · rates``, shape (..., 6), angular first, in a frame as of `jacobian`.
 
-    `values` are configurations (..., values), or columns by name; `rates`, shape (..., rates), are radians and lengths
-    per unit of time. Leading dimensions broadcast.
+    Parameters
+    ----------
+    values : array_like, shape (..., values), or columns by name
+        Configurations: radians and lengths.
+    rates : array_like, shape (..., rates), or columns by name
+        Radians and lengths per unit of time, in the order of `Mechanism.rates`. Leading dimensions broadcast.
+    link : str or int
+        Which link.
+    frame : {'aligned', 'body', 'world'}
+        As of `jacobian`.
+    out : ndarray, optional
+        Where to write the result.
+
+    Returns
+    -------
+    ndarray, shape (..., 6)
+        float32 if all arrays are float32 or float16, otherwise float64.
 
     Examples
     --------
@@ -56,8 +74,7 @@ def velocity(
     >>> wheel.velocity([0.3], [2.0], 0)
     array([0., 0., 2., 0., 0., 0.])
     """
-    moved: NDArray[Any] = self.jacobian(values, link, frame) @ _core.real_array("rates", rates)[..., np.newaxis]
-    return moved[..., 0]
+    return _core.velocity(self, values, rates, link, frame, out)
 
 
 def rates_for(
@@ -65,14 +82,34 @@ def rates_for(
     values: Any,
     twists: ArrayLike,
     link: str | int,
-    frame: Literal["world", "body", "aligned"] = "world",
+    frame: Frame = "aligned",
     *,
     damping: float = 0.0,
+    out: NDArray[Any] | None = None,
 ) -> NDArray[Any]:
-    """The rates, shape (..., rates), that move a link best as twists say: ``|J · rates − twist|² + λ²|rates|²`` is least.
+    """The rates that move a link best as twists say: ``|J · rates − twist|² + λ²|rates|²`` is least.
 
-    The other way of `velocity`. `damping` λ keeps rates small near singular configurations; without it those that
-    move nothing are zero, and rotations weigh as much as lengths.
+    The other way of `velocity`. Without damping, rates that move nothing are zero. Rotations weigh as much as lengths.
+
+    Parameters
+    ----------
+    values : array_like, shape (..., values), or columns by name
+        Configurations: radians and lengths.
+    twists : array_like, shape (..., 6)
+        ``[ωx, ωy, ωz, vx, vy, vz]`` per unit of time. Leading dimensions broadcast.
+    link : str or int
+        Which link.
+    frame : {'aligned', 'body', 'world'}
+        That of the twists, as of `jacobian`.
+    damping : float
+        λ, which keeps rates small near singular configurations.
+    out : ndarray, optional
+        Where to write the result.
+
+    Returns
+    -------
+    ndarray, shape (..., rates)
+        float32 if all arrays are float32 or float16, otherwise float64.
 
     Examples
     --------
@@ -81,13 +118,43 @@ def rates_for(
     >>> wheel.rates_for([0.3], [0.0, 0, 2, 0, 0, 0], 0).round(12)
     array([2.])
     """
-    jacobian, wanted = self.jacobian(values, link, frame), floats("twists", twists, (6,))[..., np.newaxis]
-    if damping:
-        square = jacobian @ np.swapaxes(jacobian, -1, -2) + damping**2 * np.eye(6, dtype=jacobian.dtype)
-        rates: NDArray[Any] = np.swapaxes(jacobian, -1, -2) @ np.linalg.solve(square, wanted)
-    else:
-        rates = np.linalg.pinv(jacobian) @ wanted
-    return rates[..., 0]
+    return _core.rates_for(self, values, twists, link, frame, damping, out)
+
+
+def manipulability(
+    self: _core.Mechanism, values: Any, link: str | int, *, out: NDArray[Any] | None = None
+) -> NDArray[Any] | np.float32 | np.float64:
+    """How far a link is from singular: ``w = √det(J Jᵀ)`` of its Jacobian, the volume of the twists of all rates of length one.
+
+    The same in all frames. Zero where the link cannot turn or move in some direction, and with fewer than six rates.
+
+    Parameters
+    ----------
+    values : array_like, shape (..., values), or columns by name
+        Configurations: radians and lengths.
+    link : str or int
+        Which link.
+    out : ndarray, optional
+        Where to write the result.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        float32 if all arrays are float32 or float16, otherwise float64. Lengths cubed, where six joints turn.
+
+    References
+    ----------
+    T. Yoshikawa, "Manipulability of robotic mechanisms", Int. J. Robotics Research 4 (1985), eq. 9.
+
+    Examples
+    --------
+    >>> import dq8, numpy as np
+    >>> axes = np.eye(3)[[0, 1, 2, 2, 1, 2]]
+    >>> wrist = dq8.Mechanism(range(-1, 5), ["prismatic"] * 3 + ["revolute"] * 3, axes, dq8.identity())
+    >>> wrist.manipulability([[0, 0, 0, 0, np.pi / 2, 0], [0, 0, 0, 0, 0, 0]], 5).round(12)
+    array([1., 0.])
+    """
+    return _core.manipulability(self, values, link, out)
 
 
 def __eq__(self: _core.Mechanism, other: object) -> bool:
@@ -99,5 +166,5 @@ def __hash__(self: _core.Mechanism) -> int:
     return hash(tuple(self.links))
 
 
-for _method in (sample, velocity, rates_for, solutions, __eq__, __hash__):
+for _method in (sample, velocity, rates_for, manipulability, solutions, __eq__, __hash__):
     setattr(_core.Mechanism, _method.__name__, _method)

@@ -33,8 +33,10 @@ def rotation(motions: ArrayLike) -> NDArray[Any]:
     return floats("motions", motions, (8,))[..., :4].copy()
 
 
-def from_rotation(rotations: ArrayLike | Rotation) -> NDArray[Any]:
+def from_rotation(rotations: ArrayLike | Rotation, *, check: bool = True) -> NDArray[Any]:
     """Rotations about the origin, ``r + 0ε``, shape (..., 8), from unit quaternions [x, y, z, w] or SciPy's `Rotation`.
+
+    ValueError names the first quaternion whose length is farther than 0.001 from one; ``check=False`` takes all as they are.
 
     Examples
     --------
@@ -42,7 +44,7 @@ def from_rotation(rotations: ArrayLike | Rotation) -> NDArray[Any]:
     >>> dq8.transform_points(dq8.from_rotation([0.0, 0.0, 1.0, 0.0]), [1.0, 0.0, 0.0])
     array([-1.,  0.,  0.])
     """
-    return _core.from_rotation_translation(rotations, _NOWHERE)
+    return _core.from_rotation_translation(rotations, _NOWHERE, check=check)
 
 
 def to_rotation_translation(motions: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:

@@ -57,7 +57,8 @@ def solutions(self: _core.Mechanism, targets: ArrayLike, values: Any, link: str 
     Raises
     ------
     ValueError
-        If it is no such arm, or a number is not finite, or a target farther than 10⁻³ from unit.
+        If it is no such arm, or a target is farther than 10⁻³ from unit. One that is not finite, or begins at what is not,
+        has no solutions.
 
     Examples
     --------

@@ -3,7 +3,8 @@
 ``dq8.dask.mul(a, b)`` is ``dq8.mul`` of arrays of which at least one is a ``dask.array.Array``, and so are all functions
 that compute each result from one element of each argument. `poses`, `jacobian`, `reach` and `skin` take the robot or the
 mesh as well, `deskew` and `skew` the trajectory. Nothing is computed to learn shapes and dtypes: a result is float32 where all arrays are, otherwise
-float64. Dimensions of one element become one chunk each; leading ones broadcast and keep their chunks.
+float64. Dimensions of one element become one chunk each; leading ones broadcast and keep their chunks. Data frames of Dask are
+taken by the names of their columns.
 
     >>> import dask.array as da
     >>> import dq8.dask
@@ -24,9 +25,9 @@ import dask.array
 import numpy as np
 
 from . import __all__ as _public
-from . import _core, _trajectories
+from . import _core, _names, _trajectories
 from ._core import Mechanism
-from ._signatures import SIGNATURES, Shape
+from ._signatures import CHECKED, SIGNATURES, Shape
 
 # It has no types.
 da: Any = dask.array
@@ -62,7 +63,7 @@ def _lazy(
 
     The dtype is decided by the arguments and what is there `also`, or `by` others.
     """
-    arrays: list[Any] = [it if isinstance(it, (int, float)) else da.asanyarray(it) for it in arguments]
+    arrays: list[Any] = [it if isinstance(it, (int, float)) else _array(it) for it in arguments]
     leading = max((it.ndim - len(core) for it, core in zip(arrays, cores) if hasattr(it, "ndim")), default=0)
     number, given = itertools.count(leading), []
     for array, core in zip(arrays, cores):
@@ -87,14 +88,32 @@ def _lazy(
     )
 
 
+def _array(value: Any) -> Any:
+    """An array of Dask; of a data frame, with its columns in the order of arrays where their names tell it."""
+    if hasattr(value, "to_dask_array"):
+        found = _names.order(list(getattr(value, "columns", [])))
+        return value.to_dask_array() if found is None else value.to_dask_array()[:, found]
+    return da.asanyarray(value)
+
+
+def _values(mechanism: Mechanism, values: Any) -> Any:
+    """Configurations, of a data frame in the order of the mechanism."""
+    if not hasattr(values, "to_dask_array"):
+        return values
+    found = _names.places("values", list(values.columns), mechanism.values)
+    array = values.to_dask_array()
+    return array if found is None or found == sorted(found) else array[:, found]
+
+
 def _function(name: str) -> Callable[..., Any]:
     compute, (parameters, result) = getattr(_core, name), SIGNATURES[name]
 
     def function(*positional: Any, **keywords: Any) -> Any:
+        options = {"check": keywords.pop("check")} if name in CHECKED and "check" in keywords else {}
         arguments = {**dict(zip(parameters, positional)), **keywords}
         if set(arguments) != set(parameters) or len(arguments) < len(positional) + len(keywords):
             raise TypeError(f"Expected {name}({', '.join(parameters)}).")
-        return _lazy(_Task(name, compute), [arguments[it] for it in parameters], list(parameters.values()), result)
+        return _lazy(_Task(name, compute, **options), [arguments[it] for it in parameters], list(parameters.values()), result)
 
     function.__name__ = function.__qualname__ = name
     function.__doc__ = f"Lazy `dq8.{name}`. " + compute.__doc__.split("out : ndarray", 1)[0]
@@ -110,13 +129,13 @@ def poses(mechanism: Mechanism, values: Any, links: Any = None) -> Any:
     """Lazy `Mechanism.poses`: ``pose(j) = pose(parent(j)) · placement(j) · motion(j)`` of values (..., values)."""
     one = isinstance(links, (str, int))
     result = (8,) if one else (len(mechanism if links is None else links), 8)
-    return _lazy(_Task("poses", mechanism.poses, links), [values], [(len(mechanism.values),)], result)
+    return _lazy(_Task("poses", mechanism.poses, links), [_values(mechanism, values)], [(len(mechanism.values),)], result)
 
 
-def jacobian(mechanism: Mechanism, values: Any, link: str | int, frame: str = "world") -> Any:
+def jacobian(mechanism: Mechanism, values: Any, link: str | int, frame: str = "aligned") -> Any:
     """Lazy `Mechanism.jacobian`: ``twist = J · rates``, shape (..., 6, rates)."""
     task = _Task("jacobian", mechanism.jacobian, link, frame)
-    return _lazy(task, [values], [(len(mechanism.values),)], (6, len(mechanism.rates)))
+    return _lazy(task, [_values(mechanism, values)], [(len(mechanism.values),)], (6, len(mechanism.rates)))
 
 
 def _values_and_converged(mechanism: Mechanism, targets: Any, values: Any, link: str | int, **options: Any) -> Any:
@@ -128,7 +147,7 @@ def reach(mechanism: Mechanism, targets: Any, values: Any, link: str | int, **op
     """Lazy `Mechanism.reach` of one link: the values, shape (..., values), and whether they converged, shape (...)."""
     compute = functools.partial(_values_and_converged, mechanism)
     count = len(mechanism.values)
-    both = _lazy(_Task("reach", compute, link, **options), [targets, values], [(8,), (count,)], (count + 1,))
+    both = _lazy(_Task("reach", compute, link, **options), [targets, _values(mechanism, values)], [(8,), (count,)], (count + 1,))
     return both[..., :-1], both[..., -1] != 0
 
 

@@ -12,7 +12,7 @@ use crate::shape::{EIGHT, NUMBER, tuple};
 use crate::threads::{GRAIN, Threads};
 use dq8::simd::MAX_LANES;
 use dq8::{Backend, ShapeError};
-use dq8_robot::{Body, Mechanism, OwnedMechanism, World, WorldAligned};
+use dq8_robot::{Body, Job, Mechanism, OwnedMechanism, World, WorldAligned};
 use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -36,6 +36,29 @@ impl Frame {
             _ => Err(PyValueError::new_err(format!(
                 "Expected `frame` to be 'world', 'body' or 'aligned', got '{name}'."
             ))),
+        }
+    }
+
+    /// Writes the Jacobians of the link of a job, and its poses.
+    pub(crate) fn jacobians<R: Number>(
+        self,
+        job: &Job<'_, R, &[usize]>,
+        given: Given<'_, R>,
+        poses: &mut [[R; 8]],
+        columns: &mut [[R; 6]],
+    ) -> Result<(), ShapeError> {
+        macro_rules! jacobians {
+            ($frame:expr) => {
+                match given {
+                    Given::Rows(rows) => job.jacobians($frame, rows, poses, columns),
+                    Given::Columns(all) => job.jacobians($frame, &all, poses, columns),
+                }
+            };
+        }
+        match self {
+            Self::World => jacobians!(World),
+            Self::Body => jacobians!(Body),
+            Self::Aligned => jacobians!(WorldAligned),
         }
     }
 }
@@ -68,15 +91,15 @@ impl<'py> Values<'py> {
 }
 
 /// Configurations in memory.
-struct Configurations<'py, R: Number> {
+pub(crate) struct Configurations<'py, R: Number> {
     /// One for each value, or one of all.
     inputs: Vec<Input<'py, R>>,
     /// The leading dimensions of all of them.
-    leading: Vec<usize>,
+    pub(crate) leading: Vec<usize>,
 }
 
 impl<'py, R: Number> Configurations<'py, R> {
-    fn of(mechanism: &OwnedMechanism<R>, values: &Values<'py>) -> PyResult<Self> {
+    pub(crate) fn of(mechanism: &OwnedMechanism<R>, values: &Values<'py>) -> PyResult<Self> {
         let columns = match values {
             Values::Columns(columns) if !columns.is_empty() => columns,
             Values::Columns(_) => return Err(misshapen("values", "(..., 0)", &[])),
@@ -84,8 +107,9 @@ impl<'py, R: Number> Configurations<'py, R> {
                 let input = Input::<R>::of(rows)?;
                 let full = input.full_leading().to_vec();
                 let count = mechanism.view().values();
-                let Some((_, leading)) = full.split_last().filter(|&(&last, _)| last == count)
-                else {
+                // Arrow's lists of no rows do not say how long they are.
+                let fits = |&(&last, _): &(&usize, _)| last == count || full == [0, 0];
+                let Some((_, leading)) = full.split_last().filter(fits) else {
                     return Err(misshapen("values", &format!("(..., {count})"), &full));
                 };
                 return Ok(Self { inputs: vec![input.in_full()?], leading: leading.to_vec() });
@@ -101,13 +125,28 @@ impl<'py, R: Number> Configurations<'py, R> {
         Ok(Self { inputs, leading })
     }
 
-    fn apart_from(mut self, output: &Output<'py, R>) -> PyResult<Self> {
+    /// With `count` values in memory for each of `shape`, to which the leading dimensions
+    /// broadcast.
+    pub(crate) fn filled(self, shape: &[usize], count: usize) -> PyResult<Self> {
+        if self.leading == shape {
+            return Ok(self);
+        }
+        let inputs = self.inputs.into_iter().map(|input| {
+            // Rows have a dimension more than columns.
+            let of_one: &[usize] =
+                if input.full_leading().len() > self.leading.len() { &[count] } else { &[] };
+            input.filled(&[shape, of_one].concat())
+        });
+        Ok(Self { inputs: inputs.collect::<PyResult<_>>()?, leading: shape.to_vec() })
+    }
+
+    pub(crate) fn apart_from(mut self, output: &Output<'py, R>) -> PyResult<Self> {
         self.inputs =
             self.inputs.into_iter().map(|it| it.apart_from(output)).collect::<PyResult<_>>()?;
         Ok(self)
     }
 
-    fn given(&self) -> Given<'_, R> {
+    pub(crate) fn given(&self) -> Given<'_, R> {
         // The column of an only value holds rows of one number.
         match &self.inputs[..] {
             [rows] => Given::Rows(rows.numbers()),
@@ -117,14 +156,14 @@ impl<'py, R: Number> Configurations<'py, R> {
 }
 
 /// Some configurations: side by side, or a slice for each value.
-enum Given<'s, R> {
+pub(crate) enum Given<'s, R> {
     Rows(&'s [R]),
     Columns(Vec<&'s [R]>),
 }
 
 impl<'s, R> Given<'s, R> {
     /// Those in `range`, `values` numbers each.
-    fn part(&self, values: usize, range: std::ops::Range<usize>) -> Self {
+    pub(crate) fn part(&self, values: usize, range: std::ops::Range<usize>) -> Self {
         match self {
             Self::Rows(rows) => Self::Rows(&rows[range.start * values..range.end * values]),
             Self::Columns(all) => {
@@ -186,19 +225,7 @@ pub(crate) fn jacobian<'py, R: Number>(
     let job = view.job().links(&links).backend(Backend::best());
     let columns = |given: Given<'_, R>, to: &mut [[R; 6]]| {
         let mut poses = vec![[R::ZERO; 8]; to.len() / view.rates()];
-        macro_rules! jacobians {
-            ($frame:expr) => {
-                match given {
-                    Given::Rows(rows) => job.jacobians($frame, rows, &mut poses, to),
-                    Given::Columns(columns) => job.jacobians($frame, &columns, &mut poses, to),
-                }
-            };
-        }
-        match frame {
-            Frame::World => jacobians!(World),
-            Frame::Body => jacobians!(Body),
-            Frame::Aligned => jacobians!(WorldAligned),
-        }
+        frame.jacobians(&job, given, &mut poses, to)
     };
     let threads = Threads::for_elements(configurations * view.links());
     let columns =
@@ -222,6 +249,11 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 type Compute<'f, R, const C: usize> =
     dyn Fn(Given<'_, R>, &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
+/// How many configurations a piece has: whole registers.
+pub(crate) fn configurations_per_piece<R: Number>(view: Mechanism<'_, R>) -> usize {
+    GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES)
+}
+
 /// `each` of the configurations, which writes `count` elements of `to` for one; some together.
 fn pieces<R: Number, const C: usize>(
     threads: &Threads,
@@ -235,8 +267,7 @@ fn pieces<R: Number, const C: usize>(
         return Ok(());
     }
     let failure = OnceLock::new();
-    // Whole registers.
-    let size = count * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
+    let size = count * configurations_per_piece(view);
     threads.split(size, to, &|(first, to)| {
         let range = first / count..(first + to.len()) / count;
         each(given.part(view.values(), range), to).map_err(|error| failure.set(error)).is_ok()

@@ -3,6 +3,7 @@
 mod configurations;
 mod joints;
 pub mod mechanism;
+pub mod rates;
 pub mod solutions;
 mod urdf;
 

@@ -154,7 +154,7 @@ impl Mechanism {
     /// ``.wx``, ``.wy``, ``.wz``, ``.vx``, ``.vy``, ``.vz``, the body twist in the frame of the
     /// link.
     #[getter]
-    fn rates(&self) -> Vec<String> {
+    pub(crate) fn rates(&self) -> Vec<String> {
         joints::values_and_rates(&self.joints, &self.joint_names).1
     }
 
@@ -260,10 +260,12 @@ impl Mechanism {
     ///     Configurations: radians and lengths.
     /// link : str or int
     ///     Which link.
-    /// frame : {'world', 'body', 'aligned'}
-    ///     ``'world'``: the axes of the base, about its origin, the spatial twist (Lynch & Park,
-    ///     *Modern Robotics*, 2017, eq. 5.11). ``'body'``: the axes of the link, about its origin
-    ///     (eq. 5.18). ``'aligned'``: the axes of the base, about the origin of the link.
+    /// frame : {'aligned', 'body', 'world'}
+    ///     ``'aligned'``: the axes of the base, about the origin of the link, as MuJoCo and KDL
+    ///     have it (pinocchio's LOCAL_WORLD_ALIGNED). ``'body'``: the axes of the link, about its
+    ///     origin (Lynch & Park, *Modern Robotics*, 2017, eq. 5.18; pinocchio's LOCAL).
+    ///     ``'world'``: the axes of the base, about its origin, the spatial twist (eq. 5.11;
+    ///     pinocchio's WORLD).
     /// out : ndarray, optional
     ///     Where to write the result. ``np.empty((..., rates, 6)).swapaxes(-1, -2)`` is written
     ///     without a copy, and this is how new ones lie in memory.
@@ -280,9 +282,9 @@ impl Mechanism {
     /// >>> import dq8
     /// >>> meter = dq8.from_translation([1.0, 0.0, 0.0])
     /// >>> arm = dq8.Mechanism([-1, 0], ["revolute", "fixed"], [0, 0, 1], meter)
-    /// >>> arm.jacobian([0.0], 1, 'aligned')[:, 0]
+    /// >>> arm.jacobian([0.0], 1)[:, 0]
     /// array([0., 0., 1., 0., 1., 0.])
-    #[pyo3(signature = (values, link, frame="world", *, out=None))]
+    #[pyo3(signature = (values, link, frame="aligned", *, out=None))]
     fn jacobian<'py>(
         &self,
         values: &Bound<'py, PyAny>,

@@ -2,6 +2,7 @@
 
 use crate::error::value_error;
 use crate::mechanism::Mechanism;
+use crate::threads::whole;
 use dq8_robot::OwnedMechanism;
 use dq8_robot::urdf::Robot;
 use pyo3::prelude::*;
@@ -26,12 +27,23 @@ fn bytes_of(source: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
 /// The robot of a file, or of what is in it.
 pub(crate) fn mechanism_of(source: &Bound<'_, PyAny>) -> PyResult<Mechanism> {
     let bytes = bytes_of(source)?;
-    let robot = Robot::from_bytes(&bytes).map_err(value_error)?;
+    // Small files, those of all robots that there are, take less time than a thread does.
+    if bytes.len() < LARGE {
+        return read(bytes).map_err(value_error);
+    }
+    whole(source.py(), || read(bytes))?.map_err(value_error)
+}
+
+/// From so many bytes on, other threads of Python run meanwhile.
+const LARGE: usize = 1 << 18;
+
+fn read(bytes: Vec<u8>) -> Result<Mechanism, String> {
+    let robot = Robot::from_bytes(&bytes).map_err(|error| error.to_string())?;
     let joints = robot.joints().to_vec();
     Ok(Mechanism {
         links: robot.link_names().to_vec(),
         joint_names: robot.joint_names().to_vec(),
-        double: OwnedMechanism::new(&joints).map_err(value_error)?,
+        double: OwnedMechanism::new(&joints).map_err(|error| error.to_string())?,
         single: robot.cast(),
         drives: robot.drives().to_vec(),
         joints,

@@ -12,6 +12,7 @@ use dq8::DualQuat;
 use dq8_trajectory::{Trajectory, TrajectoryError};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::ops::Range;
 
 /// The poses at other times of the trajectory through `poses` at `times`.
 ///
@@ -106,19 +107,30 @@ fn typed<'py, R: Number>(
                 let message = format!("`at`: sample {index} is asked for at NaN.");
                 return Err(PyValueError::new_err(message));
             }
-            // Each piece finds the ways between the poses again, as long as some samples take.
-            let size = GRAIN.max(16 * stamps.len());
+            // Each piece finds the ways between the poses again: of rising times those that it
+            // needs, of others all, which takes as long as some samples.
+            let rises = samples.is_sorted();
+            let size = if rises { GRAIN } else { GRAIN.max(2 * stamps.len()) };
             let rows = poses.chunks_exact(count).zip(to.chunks_mut(samples.len().max(1)));
             let pieces = rows.flat_map(|(poses, to)| {
                 samples.chunks(size).zip(to.chunks_mut(size)).map(move |piece| (poses, piece))
             });
             threads.each(pieces, &|(poses, (samples, to))| {
-                Trajectory::new(&stamps, poses)
+                let ways = if rises { between(&stamps, samples) } else { 0..stamps.len() };
+                Trajectory::new(&stamps[ways.clone()], &poses[ways])
                     .is_ok_and(|path| path.job().sample(samples, to).is_ok())
             });
             Ok(())
         })
     })
+}
+
+/// The stamps that rising samples lie between, with one more on either side: the ends of a path hold.
+fn between(stamps: &[f64], samples: &[f64]) -> Range<usize> {
+    let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return 0..0 };
+    let begin = stamps.partition_point(|stamp| stamp <= first).saturating_sub(2);
+    let end = stamps.partition_point(|stamp| stamp <= last) + 2;
+    begin..end.min(stamps.len())
 }
 
 /// With the name of the argument that it is about.

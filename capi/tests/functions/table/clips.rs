@@ -118,7 +118,8 @@ macro_rules! add {
         let [of_place, of_places, of_models] = [(); 3].map(|()| Rc::clone(&$scene));
         functions! { $to:
             concat!("dq8_clips_place_", stringify!($R)), $of::place = (
-                clips: made(&$scene), clip: passes(0).wrong(1, Status::UnknownValue), at: passes(3.25).wrong(<$R>::NAN, Status::NotFinite),
+                clips: made(&$scene), clip: passes(0).wrong(1, Status::UnknownValue),
+                at: passes(3.25).wrong(<$R>::NAN, Status::NotFinite).wrong(<$R>::INFINITY, Status::NotFinite),
                 found: writes::<Place>(1), t: writes::<$R>(1),
             ) => {
                 let (frame, rest) = of_place.packed.clips().place::<$R>(clip, at).ok_or(Status::UnknownValue)?;

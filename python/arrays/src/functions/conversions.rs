@@ -1,8 +1,10 @@
 //! Motions from and to rotations, translations and matrices.
 
+use super::faults::{NotUnit, refuse};
 use super::function::*;
 use super::matrices::rigidity_of;
 use super::motion;
+use crate::argument::is_single;
 use dq8::batch;
 
 function! {
@@ -24,6 +26,7 @@ function! {
 
 function! {
     /// Rotate, then translate: ``r + ½εtr``.
+    refuse NotUnit if check;
     fn from_rotation_translation(
         /// Unit quaternions ``[x, y, z, w]``.
         rotations: [4],

@@ -60,6 +60,29 @@ function! {
 }
 
 function! {
+    /// How far dual quaternions ``p + εq`` are from unit: the larger one of ``| |p| − 1 |`` and
+    /// ``|p·q|/(1 + |q|)``.
+    fn unit_defect(
+        /// Dual quaternions.
+        motions: [8],
+    ) -> []
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8._core.unit_defect(dq8.identity())
+    /// np.float64(0.0)
+    {
+        let [a, b, c, d, e, f, g, h] = motions;
+        let one = a.constant(1.0);
+        let length = ((a * a + b * b + c * c + d * d).sqrt() - one).abs();
+        let across = (a * e + b * f + c * g + d * h).abs()
+            / (one + (e * e + f * f + g * g + h * h).sqrt());
+        [L::select(across.le(length), length, across + length * one.constant(0.0))]
+    }
+}
+
+function! {
     /// How far apart `a` and `b` move a point: ``|av − bv|``, a length.
     fn point_error(
         /// Unit dual quaternions.

@@ -18,6 +18,8 @@ macro_rules! function {
         $(const WIDE: bool = $wide:literal;)?
         // The method of `Backend` for one motion and many other arguments, if there is one.
         $(one motion: $of_one:ident;)?
+        // What the first argument is refused for, unless the caller says not to look.
+        $(refuse $fault:ident if $check:ident;)?
         fn $name:ident(
             $(
                 $(#[doc = $of:tt])*
@@ -37,6 +39,10 @@ macro_rules! function {
             #[doc = concat!(stringify!($($parameter),+), " : array_like, shape ", function!(@shape $shape))]
             $(#[doc = concat!("   ", $of)])*
         )+
+        $(
+            #[doc = concat!(stringify!($check), " : bool, optional")]
+            ///     ValueError names the first that is not unit. False takes all as they are.
+        )?
         /// out : ndarray, optional
         #[doc = concat!("    Where to write the result", $($may,)? ".")]
         ///
@@ -46,10 +52,11 @@ macro_rules! function {
         #[doc = common_dtype!()]
         $(#[doc = $of_result])*
         #[pyfunction]
-        #[pyo3(signature = ($($($parameter,)+)+ *, out=None))]
+        #[pyo3(signature = ($($($parameter,)+)+ *, $($check=true,)? out=None))]
         pub fn $name<'py>(
             py: Python<'py>,
             $($($parameter: &Bound<'py, PyAny>,)+)+
+            $($check: bool,)?
             out: Option<&Bound<'py, PyAny>>,
         ) -> Answer<'py> {
             #[derive(Clone, Copy)]
@@ -61,6 +68,13 @@ macro_rules! function {
             let arguments = Argument::all(&[$($(
                 ([$($called,)? stringify!($parameter)][0], &$shape, $parameter),
             )+)+])?;
+            $(if $check {
+                if is_single(&arguments) {
+                    refuse::<f32, _, _>(&arguments[0], $fault)?;
+                } else {
+                    refuse::<f64, _, _>(&arguments[0], $fault)?;
+                }
+            })?
             call(py, Of, &arguments, &$result, out)
         }
     };

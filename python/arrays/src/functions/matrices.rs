@@ -1,37 +1,29 @@
 //! Motions from matrices, checked.
 
+use super::faults::{Fault, TOLERANCE, refuse};
 use super::function::*;
-use crate::argument::{Input, is_single};
-use crate::law::load;
+use crate::argument::is_single;
 use crate::number::Number;
-use crate::shape::{EIGHT, tuple};
-use crate::threads::{GRAIN, Threads};
+use crate::shape::EIGHT;
 use dq8::scalar::MatrixError;
-use dq8::simd::Mask;
-use dq8::{Kernel, Level, Real, batch};
-use pyo3::exceptions::PyValueError;
+use dq8::{Real, batch};
 use std::ops::{Add, Mul, Sub};
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// How far products of rows may be from those of a rotation: numbers typed with four digits are
-/// nearer.
-const TOLERANCE: f64 = 1e-3;
 
 /// Unit dual quaternions of rigid matrices ``[R t; 0 1]``, with p_w ≥ 0: ``r + ½εtr`` with r
 /// the quaternion of R.
 ///
 /// ValueError names the first matrix whose last row is not 0 0 0 1 (columns given as rows look like
 /// this), whose R mirrors or has no volume, or, with `check`, whose R is farther than 0.001 from a
-/// rotation in ``RRᵀ`` or whose t is not finite. Nearer ones are not made rotations first;
-/// `RigidTransform.from_matrix` makes them so, and takes any R of positive determinant.
+/// rotation in ``RRᵀ`` or whose t is infinite. Nearer ones are not made rotations first;
+/// `RigidTransform.from_matrix` makes them so, and takes any R of positive determinant. A matrix
+/// with NaN is answered with NaN.
 ///
 /// Parameters
 /// ----------
 /// matrices : array_like, shape (..., 4, 4) or (..., 3, 4)
 ///     Rigid matrices for column vectors, t in lengths; the last row may be left out.
 /// check : bool, optional
-///     False takes every R of positive determinant for a rotation, and gives NaN where a matrix has
-///     NaN.
+///     False takes every R of positive determinant for a rotation.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
@@ -48,7 +40,7 @@ const TOLERANCE: f64 = 1e-3;
 /// --------
 /// >>> import dq8, numpy as np
 /// >>> dq8.from_matrix(np.eye(4))
-/// array([ 0.,  0.,  0.,  1.,  0.,  0.,  0., -0.])
+/// array([0., 0., 0., 1., 0., 0., 0., 0.])
 #[pyfunction]
 #[pyo3(signature = (matrices, *, check=true, out=None))]
 pub fn from_matrix<'py>(
@@ -57,7 +49,7 @@ pub fn from_matrix<'py>(
     check: bool,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let whole = Argument::new("matrix", &[4, 4], matrices)?;
+    let whole = Argument::new("matrices", &[4, 4], matrices)?;
     if whole.shape().ends_with(&[3, 4]) {
         of_rows::<12>(py, whole.of_elements(&[3, 4]), check, out)
     } else {
@@ -73,9 +65,9 @@ fn of_rows<'py, const C: usize>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     if is_single([&matrices]) {
-        checked::<f32, C>(&matrices, check)?;
+        refuse::<f32, _, C>(&matrices, NotRigid { check })?;
     } else {
-        checked::<f64, C>(&matrices, check)?;
+        refuse::<f64, _, C>(&matrices, NotRigid { check })?;
     }
     call::<_, C, 0, 0, 8>(py, Motions, &[matrices], EIGHT, out)
 }
@@ -86,7 +78,18 @@ struct Motions;
 impl<const C: usize> Law<C, 0, 0, 8> for Motions {
     #[inline(always)]
     fn of<L: Lanes>(self, matrix: [L; C], _: [L; 0], _: [L; 0]) -> [L; 8] {
-        batch::DualQuat::from_matrix3x4(rows(matrix)).to_array()
+        let motion = batch::DualQuat::from_matrix3x4(rows(matrix)).to_array();
+        // NaN of any number in the place of all of them, and zero otherwise.
+        let nothing = matrix[0].constant(0.0);
+        let sum = matrix.into_iter().fold(
+            nothing,
+            #[inline(always)]
+            |sum, number| sum + number,
+        );
+        motion.map(
+            #[inline(always)]
+            |number| number + sum * nothing,
+        )
     }
 }
 
@@ -94,42 +97,6 @@ impl<const C: usize> Law<C, 0, 0, 8> for Motions {
 #[inline(always)]
 fn rows<T: Copy, const C: usize>(matrix: [T; C]) -> [[T; 4]; 3] {
     [0, 4, 8].map(|row| [matrix[row], matrix[row + 1], matrix[row + 2], matrix[row + 3]])
-}
-
-/// An error about the first matrix that is not rigid.
-fn checked<R: Number, const C: usize>(matrices: &Argument<'_>, check: bool) -> PyResult<()> {
-    let matrices = Input::<R>::of(matrices)?;
-    let (records, first) = (matrices.records::<C>(), AtomicUsize::new(usize::MAX));
-    let threads = Threads::for_elements(records.len());
-    threads.run(matrices.py(), || {
-        threads.each(records.chunks(GRAIN).enumerate(), &|(piece, matrices)| {
-            if let Some(index) = Backend::best().run(FirstWrong { matrices, check }) {
-                first.fetch_min(piece * GRAIN + index, Ordering::Relaxed);
-            }
-            true
-        });
-        Ok(())
-    })?;
-    let first = first.into_inner();
-    let Some(&matrix) = records.get(first) else { return Ok(()) };
-    let mut rest = first;
-    let mut index: Vec<_> = matrices
-        .leading()
-        .iter()
-        .rev()
-        .map(|&size| {
-            let at = rest % size;
-            rest /= size;
-            at
-        })
-        .collect();
-    index.reverse();
-    let what = if index.is_empty() {
-        "`matrix`".to_owned()
-    } else {
-        format!("`matrix` {}", tuple(&index))
-    };
-    Err(PyValueError::new_err(format!("{what}: {}.", reason(matrix))))
 }
 
 /// Why a matrix is not rigid.
@@ -162,56 +129,51 @@ fn reason<R: Number, const C: usize>(matrix: [R; C]) -> String {
     }
 }
 
-/// The first of some matrices that is not rigid.
-struct FirstWrong<'s, R, const C: usize> {
-    matrices: &'s [[R; C]],
+/// A matrix that is not rigid; with `check`, also one that scales, shears, or whose translation is
+/// not finite.
+#[derive(Clone, Copy)]
+struct NotRigid {
     check: bool,
 }
 
-impl<R: Number, const C: usize> Kernel for FirstWrong<'_, R, C> {
-    type Output = Option<usize>;
-    const WIDE: bool = false;
-
+impl<const C: usize> Fault<C> for NotRigid {
     #[inline(always)]
-    fn run<V: Level>(self, level: V) -> Option<usize> {
-        let mut first = 0;
-        while let Some(rest) = self.matrices.get(first..).filter(|rest| !rest.is_empty()) {
-            let matrix: [R::Lanes<V>; C] = load(level, rest)?;
-            let zero = matrix[0].constant(0.0);
-            let mut whole = [
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero,
-                zero.constant(1.0),
-            ];
-            whole[..C].copy_from_slice(&matrix);
-            let [defect, determinant, last_row] = rigidity_of(whole);
-            let mut wrong = !last_row.le(zero) | determinant.le(zero);
-            if self.check {
-                // What is not finite is NaN then, also a translation.
-                let finite = (matrix[3] + matrix[7] + matrix[11]) * zero;
-                wrong = wrong | !(defect + finite).le(zero.constant(TOLERANCE));
-            }
-            // Lanes without a matrix are not looked at.
-            let lane = wrong.to_bitmask().trailing_zeros() as usize;
-            if lane < rest.len().min(R::Lanes::<V>::LANES) {
-                return Some(first + lane);
-            }
-            first += R::Lanes::<V>::LANES;
+    fn is_in<L: Lanes>(self, matrix: [L; C]) -> L::Mask {
+        let zero = matrix[0].constant(0.0);
+        let mut whole = [
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero,
+            zero.constant(1.0),
+        ];
+        whole[..C].copy_from_slice(&matrix);
+        let [defect, determinant, last_row] = rigidity_of(whole);
+        let mut wrong = !last_row.le(zero) | determinant.le(zero);
+        if self.check {
+            // What is not finite is NaN then, also a translation.
+            let finite = (matrix[3] + matrix[7] + matrix[11]) * zero;
+            wrong = wrong | !(defect + finite).le(zero.constant(TOLERANCE));
         }
-        None
+        let mut known = zero.eq(zero);
+        for number in matrix {
+            known = known & number.eq(number);
+        }
+        wrong & known
+    }
+    fn reason<R: Number>(self, matrix: [R; C]) -> String {
+        reason(matrix)
     }
 }
 

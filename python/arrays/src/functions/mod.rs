@@ -6,6 +6,7 @@ pub mod between;
 pub mod chains;
 pub mod conversions;
 pub mod distances;
+mod faults;
 mod function;
 pub mod matrices;
 pub mod means;

@@ -1,53 +1,63 @@
 //! Logarithm, exponential, powers, twists and screws.
 
+use super::faults::{NoAxis, refuse};
 use super::function::*;
-use super::{halves, joined, motion};
+use super::{joined, motion};
+use crate::argument::is_single;
 use dq8::{
     Line, Twist, batch,
     geometry::{DualVector, Screw},
 };
 
 function! {
-    /// Logarithms of unit dual quaternions: ``(θ̂/2)(l + εm)``, half the twist that makes the
-    /// motion.
+    /// Logarithms of unit dual quaternions, which are dual quaternions: ``(θ̂/2)(l + εm)``.
     ///
+    /// Other libraries call the twist so, six numbers and twice as large: that is `to_twist` here.
     /// Of ±σ, which are the same motion, that of the one whose first of (p_w, p_x, p_y, p_z) that
-    /// is not zero is positive. `to_twist` is twice this.
+    /// is not zero is positive.
     const WIDE: bool = true;
     fn log(
         /// Unit dual quaternions.
         motions: [8],
-    ) -> [6]
-    ///     Real part (half the rotation vector, radians) and dual part (lengths).
+    ) -> [8]
+    ///     Dual quaternions without scalars, ``[x, y, z, 0, dx, dy, dz, 0]``: half the rotation
+    ///     vector, radians, and the dual part, lengths.
     ///
     /// Examples
     /// --------
     /// >>> import dq8
     /// >>> dq8.log(dq8.from_translation([4.0, 0.0, 0.0]))
-    /// array([0., 0., 0., 2., 0., 0.])
+    /// array([0., 0., 0., 0., 2., 0., 0., 0.])
     {
-        let log = motion(motions).log();
-        joined(log.real, log.dual)
+        let DualVector { real: [a, b, c], dual: [d, e, f] } = motion(motions).log();
+        let zero = a.constant(0.0);
+        [a, b, c, zero, d, e, f, zero]
     }
 }
 
 function! {
-    /// Exponentials of dual vectors, ``cos ĥ + sin ĥ (l + εm)`` of ``ĥ(l + εm)``: what `log`
-    /// undoes.
+    /// Exponentials of dual quaternions without scalars, ``cos ĥ + sin ĥ (l + εm)`` of
+    /// ``ĥ(l + εm)``: what `log` undoes. Of twists it is `from_twist`.
     fn exp(
-        /// Real part (half the rotation vector, radians) and dual part (lengths).
-        logs: [6],
+        /// Dual quaternions without scalars, as `log` returns them: half the rotation vector,
+        /// radians, and the dual part, lengths.
+        logs: [8],
     ) -> [8]
-    ///     NaN where the real part is beyond 2⁴⁵ radians (float32: 2¹⁶).
+    ///     NaN where a scalar is not 0, or the real part is beyond 2⁴⁵ radians (float32:
+    ///     2¹⁶).
     ///
     /// Examples
     /// --------
     /// >>> import dq8
-    /// >>> dq8.translation(dq8.exp([0.0, 0, 0, 2, 0, 0]))
+    /// >>> dq8.translation(dq8.exp([0.0, 0, 0, 0, 2, 0, 0, 0]))
     /// array([4., 0., 0.])
     {
-        let (real, dual) = halves(logs);
-        batch::DualQuat::exp(DualVector { real, dual }).to_array()
+        let [a, b, c, scalar, d, e, f, dual] = logs;
+        let motion = batch::DualQuat::exp(DualVector { real: [a, b, c], dual: [d, e, f] });
+        let zero = scalar.constant(0.0);
+        let none = scalar.eq(zero) & dual.eq(zero);
+        let nan = zero.constant(f64::NAN);
+        motion.to_array().map(#[inline(always)] |number| L::select(none, number, nan))
     }
 }
 
@@ -142,6 +152,7 @@ function! {
 
 function! {
     /// Motions from screws: ``σ = cos(θ̂/2) + sin(θ̂/2)(l + εm)`` with ``θ̂ = θ + εd``.
+    refuse NoAxis if check;
     fn from_screw(
         /// ``[lx, ly, lz, mx, my, mz, θ, d]`` as `to_screw` returns them: radians and lengths; l
         /// has length one.
