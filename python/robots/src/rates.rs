@@ -281,10 +281,10 @@ fn volume<L: Lanes>(zero: L, columns: &mut [[L; 6]]) -> L {
 /// As many sweeps as rows of nearly equal length may take.
 const SWEEPS: usize = 16;
 
-/// Turns the rows of J, and a twist with them, until the rows are orthogonal: U J = ΣVᵀ (Hestenes'
-/// form of Jacobi's method). Of what is left in J the rates are the sum of the rows times the
-/// numbers that this returns, (U twist)/(σ² + λ²); 0 where σ is only rounding, by `epsilon` of the
-/// largest.
+/// Turns the rows of J, and a twist with them, until the rows are orthogonal: U J = ΣVᵀ
+/// (Hestenes' form of Jacobi's method). Of what is left in J the rates are the sum of the rows
+/// times the numbers that this returns, (U twist)/(σ² + λ²); 0 where σ is only rounding, by
+/// `epsilon` of the largest.
 #[inline(always)]
 fn scales<L: Lanes>(
     zero: L,

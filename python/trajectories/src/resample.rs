@@ -125,7 +125,8 @@ fn typed<'py, R: Number>(
     })
 }
 
-/// The stamps that rising samples lie between, with one more on either side: the ends of a path hold.
+/// The stamps that rising samples lie between, with one more on either side: the ends of a path
+/// hold.
 fn between(stamps: &[f64], samples: &[f64]) -> Range<usize> {
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return 0..0 };
     let begin = stamps.partition_point(|stamp| stamp <= first).saturating_sub(2);
