@@ -285,8 +285,9 @@ def test_the_mean_of_moved_motions_is_the_moved_mean(rng, random_motions, close,
     close(moved, signed(expected, moved), a, left, right, expected)
 
 
-# Eight units of the last place of 1. What iterates ends where a step is within its tolerance.
-SINGLE = {"mean": 2e-6, "dib_windows": 2e-6, "Mechanism.reach": 1e-5}
+# Eight units of the last place of 1. What iterates ends where a step is within its tolerance; least squares multiply rounding by
+# the condition of the Jacobian.
+SINGLE = {"mean": 2e-6, "dib_windows": 2e-6, "Mechanism.reach": 1e-5, "Mechanism.rates_for": 2e-6}
 
 
 @pytest.mark.parametrize("name", CALLS)
