@@ -60,7 +60,7 @@ pub struct NlerpLerp;
 /// joint.job().locals_to_model(Layered::blend(SlerpLerp, a, b, &[0.25]), &mut models)?;
 /// let angle = models[0].rotation().angle_to(Quat::IDENTITY);
 /// assert!((angle - 0.5).abs() < 1e-6);
-/// // A quarter of the way takes nlerp a little less than a quarter of the turn.
+/// // Nlerp turns by a little less than a quarter of the angle there.
 /// joint.job().locals_to_model(Layered::blend(NlerpLerp, a, b, &[0.25]), &mut models)?;
 /// assert!((0.4..0.48).contains(&models[0].rotation().angle_to(Quat::IDENTITY)));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -100,8 +100,8 @@ impl Law<8> for Sclerp {
     }
 }
 
-/// Implements [`Law`] for rotations and translations, by what lies between two rotations.
-macro_rules! apart {
+/// Implements [`Law`] for rotations and translations, with the given interpolation of rotations.
+macro_rules! rotations_and_translations {
     ($($law:ty: $between:ident;)*) => {$(
         impl Law<7> for $law {
             #[cfg_attr(not(opt_level_0), inline(always))]
@@ -132,7 +132,7 @@ macro_rules! apart {
         }
     )*};
 }
-apart! {
+rotations_and_translations! {
     NlerpLerp: nlerp;
     SlerpLerp: slerp;
 }

@@ -13,7 +13,7 @@ older=
 [ "${1:-}" != --older ] || { older=1; shift; }
 [ $# -gt 0 ] || read -ra levels <<<"${LEVELS:-simd128 relaxed}"
 [ $# -eq 0 ] || levels=("$@")
-made_of=(build.sh Cargo.toml Cargo.lock src ../Cargo.toml ../src ../simd/src ../robot/src)
+made_of=(build.sh Cargo.toml Cargo.lock src ../{,simd/,robot/}{Cargo.toml,build.rs,src})
 wanted=()
 for level in "${levels[@]}"; do
   [[ $level == simd128 || $level == relaxed ]] || { echo "no level: $level; simd128 and relaxed are" >&2; exit 1; }

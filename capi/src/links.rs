@@ -32,8 +32,9 @@ where
 }
 
 /// # Safety
-/// The mechanism must be zeroed, or made and its steps unchanged. Each array must have as many
-/// elements as its count says, and `columns` those of each pose. No other thread may use the
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says, and `columns` must have `count` times the number of
+/// rates. No other thread may use the
 /// outputs or write the inputs during the call.
 #[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
 unsafe fn link_jacobians<L: Layout>(

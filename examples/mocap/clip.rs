@@ -108,8 +108,13 @@ impl Clip {
         let frames: Vec<_> = locals.chunks_exact(self.joints.len()).collect();
         let last = frames.len().saturating_sub(1);
         // A time within a billionth of the last frame is that frame.
-        let times = ((self.time(last) - first) / step + 1e-9).floor().max(0.0) as usize + 1;
-        let mut models = Vec::with_capacity(times * self.joints.len());
+        let times = ((self.time(last) - first) / step + 1e-9).floor().max(0.0) as usize;
+        let times = times.saturating_add(1);
+        let length = times.checked_mul(self.joints.len()).filter(|&length| length < 1 << 26);
+        let length = length.ok_or_else(|| {
+            format!("{times} frames of {} joints are too many", self.joints.len())
+        })?;
+        let mut models = Vec::with_capacity(length);
         for index in 0..times {
             let at = ((first + index as f64 * step) / self.frame_time).min(last as f64);
             let nearest = at.round();

@@ -127,10 +127,11 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     output::write(&texts, Some(&args.clip))
 }
 
-/// Returns the robot with a base that moves freely: as it is, if the file has a floating joint,
-/// and otherwise with one that carries the root.
+/// Returns the robot with a base that moves freely: as it is, if a floating joint of the file
+/// carries all other links that move, and otherwise with one that carries the root.
 fn with_floating_base(robot: Robot) -> Result<Robot, ChangeError> {
-    if robot.joints().iter().any(|joint| joint.kind == JointKind::Floating) {
+    let moves = robot.joints().iter().find(|joint| joint.kind != JointKind::Fixed);
+    if moves.is_some_and(|joint| joint.kind == JointKind::Floating) {
         return Ok(robot);
     }
     robot.floating()

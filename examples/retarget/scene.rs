@@ -5,7 +5,6 @@ use crate::map::{Place, ROLES};
 use crate::rest::{Rest, positions};
 use dq8::scalar::vector::{add, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
-use dq8_robot::JointKind;
 use dq8_robot::ik::{Goal, Options, OwnedReach, Tracking};
 use dq8_robot::urdf::Robot;
 use mocap::clip::Clip;
@@ -14,6 +13,7 @@ use std::error::Error;
 type Vector = [f64; 3];
 
 pub(crate) struct Scene {
+    /// The first joint that moves is the floating one of the base.
     pub(crate) robot: Robot,
     pub(crate) clip: Clip,
     pub(crate) places: Vec<Place>,
@@ -92,10 +92,8 @@ impl Scene {
         });
         let goals = goals.collect();
         let mut start = stance.values;
-        if let Some(base) = floating(&robot) {
-            start[base..base + 4].copy_from_slice(&targets[0].rotation().to_array());
-            start[base + 4..base + 7].copy_from_slice(&targets[0].translation());
-        }
+        start[..4].copy_from_slice(&targets[0].rotation().to_array());
+        start[4..7].copy_from_slice(&targets[0].translation());
         Ok(Self { robot, clip, places, goals, targets, skeleton, start, step, told })
     }
 
@@ -155,9 +153,7 @@ impl Stance {
             .iter()
             .map(|limits| limits.map_or(0.0, |[low, high]| 0.0_f64.clamp(low, high)))
             .collect();
-        if let Some(base) = floating(robot) {
-            zero[base + 3] = 1.0;
-        }
+        zero[3] = 1.0;
         let mut poses = vec![DualQuat::IDENTITY; mechanism.links()];
         mechanism.link_poses(&zero, &mut poses)?;
         let own: Vec<_> = places.iter().map(|place| poses[place.centre].translation()).collect();
@@ -243,18 +239,6 @@ pub(crate) fn carrier(places: &[Place], index: usize) -> Option<usize> {
         if let Some(on) = places.iter().position(|place| place.role == role) {
             return Some(on);
         }
-    }
-    None
-}
-
-/// The index of the first value of the floating joint.
-fn floating(robot: &Robot) -> Option<usize> {
-    let mut value = 0;
-    for joint in robot.joints() {
-        if joint.kind == JointKind::Floating {
-            return Some(value);
-        }
-        value += if joint.mimic.is_some() { 0 } else { joint.kind.values() };
     }
     None
 }

@@ -49,7 +49,9 @@ impl Backend {
         same_length("qualities", qualities.len(), sets.len())?;
         maps.check()?;
         let outputs = ((fits, 1), (qualities, 1));
-        self.share(GRAIN, outputs, &|first, outputs: (Rows<'_, Fit<R>>, Rows<'_, Quality<R>>)| {
+        // Each task sums the counts before it, so there are at most 256 tasks.
+        let grain = GRAIN.max(sets.len().div_ceil(256).next_multiple_of(MAX_LANES));
+        self.share(grain, outputs, &|first, outputs: (Rows<'_, Fit<R>>, Rows<'_, Quality<R>>)| {
             let ((fits, _), (qualities, _)) = outputs;
             let (before, counts) = sets.counts.split_at(first);
             let start = before.iter().sum();

@@ -13,9 +13,7 @@ export function floats(module, source) {
   }
   const bad = Array.isArray(source) ? source.findIndex((x) => typeof x !== "number") : -1;
   if (bad >= 0) throw new TypeError(`source[${bad}] is no number`);
-  // A view of this memory would be empty once the memory has grown for the copy.
-  const own = ArrayBuffer.isView(source) && source.buffer === module.raw.memory.buffer;
-  return new Numbers(module, Float32Array, own ? source.slice() : source);
+  return new Numbers(module, Float32Array, source);
 }
 
 /** Motions, eight numbers each: so many identities, or those of an array. */

@@ -14,7 +14,7 @@ export async function load(options, read) {
   const code = await compile(options, read);
   return new Dq8((await WebAssembly.instantiate(code, {})).exports);
 }
-export { load as default, LevelError, supports };
+export { load as default, LevelError, Sampled, supports };
 
 // Nouns keep their module and their places to themselves: what has been checked cannot be written to.
 const modules = new WeakMap(), places = new WeakMap();
@@ -28,7 +28,6 @@ class Handle {
   free() { places.get(this).free(); }
   [dispose]() { this.free(); }
 }
-export { Sampled };
 /** Calls what a noun can do. */
 const run = (noun, name, plain, ...arrays) => modules.get(noun).call(name, [places.get(noun).place, ...plain], ...arrays);
 
@@ -75,7 +74,7 @@ export class Dq8 {
   matrices(motions, matrices) { this.#module.call("dq8_matrices", [], { motions: [motions, 8] }, { matrices: [matrices, 16] }); }
 }
 
-/** What the parts of poses hold; and what Rust calls palettes while they are models, and models where they are given. */
+/** Names and sizes of arguments, for errors: Rust says models for both palettes and locals. */
 const POSES = { names: { poses: "locals" }, sizes: { locals: 8, roots: 8, layer: 7, at: 1, clips: 1, weights: 1, mask: 1 } };
 const PALETTE = { ...POSES, names: { models: "palette" } }, MODELS = { names: { locals: "models" } };
 
@@ -97,6 +96,7 @@ export class Skeleton extends Handle {
   crowd(instances) { return new Crowd(modules.get(this), this, instances); }
   /** Calls with a source, which may be over itself. */
   #pose(name, source, plain, reads, writes, inputs = {}, words = POSES) {
+    of(this, Skeleton, "skeleton");
     const m = modules.get(this), call = (at) => run(this, name, [at, ...plain], reads, writes, inputs, words);
     if (source instanceof Sampled) {
       const [[output, [numbers, size]]] = Object.entries(writes);
@@ -147,7 +147,10 @@ export class Clip extends Handle {
     if (keys?.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
     for (let i = 0; i < keys?.length; i += 7) {
       let turn = 0, shift = 0;
-      for (let k = i; k < i + 7; k++) if (k < i + 4) turn += keys[k] ** 2; else shift += keys[k];
+      for (let k = i; k < i + 7; k++) {
+        const x = Math.fround(keys[k]);
+        if (k < i + 4) turn += x ** 2; else shift += x;
+      }
       if (turn > 0 && Number.isFinite(turn + shift)) continue;
       throw new RangeError(`keys[${i}] of frame ${Math.floor(i / 7 / joints)}, joint ${i / 7 % joints} begins no pose`);
     }
@@ -179,7 +182,7 @@ export class PackedClip extends Handle {
   sample(at, clips = 0) { return new Sampled({ module: modules.get(this), place: (name) => of(this, PackedClip, name), at, clips }); }
 }
 
-/** What Rust packs. */
+/** Rust's name for the poses of a crowd, for errors. */
 const THINGS = { names: { things: "poses" } };
 
 export class Crowd extends Handle {
@@ -218,6 +221,8 @@ export class Skin extends Handle {
     const bad = Array.from(joints ?? []).findIndex((joint) => !(Number.isInteger(joint) && joint >= 0 && joint < 65536));
     if (bad >= 0) throw new RangeError(`joints[${bad}] is ${joints[bad]}, no joint of 16 bits`);
     const counts = [count("jointCount", jointCount), count("influences", influences)], sizes = { joints: 1, weights: 1 };
+    // A view of the module's memory would be empty once joints are there.
+    if (weights?.buffer) weights = weights.slice();
     const at = module.lend("joints", Uint16Array, joints, (j, n) => module.lend("weights", Float32Array, weights, (w, m) =>
       module.made(module.raw.dq8_skin(...counts, j, n, w, m), sizes, { each: "influence" })));
     keep(this, module, at, "dq8_skin_free");
@@ -226,6 +231,7 @@ export class Skin extends Handle {
   free() { super.free(); this.#mesh.free(); }
   /** Poses a mesh by the motions of its joints: "dual", "linear", or "mixed" by a share of dual for each vertex. */
   pose({ blend = "dual", motions, shares, rest, posed, normals, posedNormals } = {}) {
+    of(this, Skin, "skin");
     const m = modules.get(this), kind = BLENDS.indexOf(blend), mesh = this.#mesh.view;
     if (kind < 0) throw new RangeError(`blend is ${blend}, none of ${BLENDS.join(", ")}`);
     const reads = { motions: [motions, 8], shares: [kind === 2 ? shares : undefined, 1, kind !== 2] };

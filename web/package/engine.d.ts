@@ -13,9 +13,6 @@ export interface Level<M extends string> {
   readonly name: "relaxed";
 }
 
-/** Compiled code, of a type that this program may not have declared. */
-type WasmModule = typeof globalThis extends { WebAssembly: { Module: { prototype: infer M } } } ? M : never;
-
 export interface LoadOptions<M extends string = string> {
   /**
    * "simd128", the default, has the same bits on every machine. What `dq8/relaxed` exports multiplies and adds in one
@@ -25,5 +22,5 @@ export interface LoadOptions<M extends string = string> {
   /** Whether "simd128" stands in for a level that the engine lacks. */
   fallback?: boolean;
   /** The bytes of the file, or what `compile` gave, if the package should not fetch it. */
-  wasm?: ArrayBuffer | ArrayBufferView | WasmModule;
+  wasm?: ArrayBuffer | ArrayBufferView | object;
 }

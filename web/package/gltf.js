@@ -113,13 +113,16 @@ function primitiveOf(primitive, place, accessors, { joints, scale }, left) {
     made = { place, mode, positions, ...influences(primitive, accessors, joints, place) };
   if (3 * made.joints.length !== made.influences * positions.length)
     fail(place, "has joints and positions of different numbers of vertices");
-  if (attributes.NORMAL !== undefined) made.normals = floats("NORMAL");
+  if (attributes.NORMAL !== undefined) made.normals = floats("NORMAL").map((x) => Math.sign(scale) * x);
   made.indices =
     indices === undefined
       ? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i)
       : Uint32Array.from(accessors.read(indices, ["SCALAR"], `${place}.indices`));
   const beyond = made.indices.findIndex((index) => 3 * index >= positions.length);
   if (beyond >= 0) fail(`${place}.indices`, `${made.indices[beyond]} is beyond ${positions.length / 3} vertices`);
+  // A mirror turns triangles inside out.
+  if (scale < 0 && mode === 4)
+    for (let i = 0; i + 2 < made.indices.length; i += 3) made.indices.subarray(i + 1, i + 3).reverse();
   return made;
 }
 

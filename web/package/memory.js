@@ -29,11 +29,14 @@ export class Numbers {
     const length = typeof source === "number" ? source : source?.length;
     if (length === undefined) throw new TypeError(`source is ${source}, neither a number nor an array`);
     if (!(Number.isInteger(length) && length >= 0)) throw new RangeError(`length is ${length}, not a whole number`);
+    // A view of this memory would be empty once the memory has grown for the copy.
+    if (source.buffer === module.raw.memory.buffer) source = source.slice();
     this.#module = module; this.#Type = Type; this.#length = length;
     const bytes = length * Type.BYTES_PER_ELEMENT;
     this.#at = bytes < 2 ** 31 ? module.raw.dq8_allocate(bytes) >>> 0 : 0;
     if (this.#at === 0) throw new RangeError(`there is no memory for ${length} numbers`);
-    if (typeof source !== "number") this.view.set(source);
+    if (typeof source === "number") return;
+    try { this.view.set(source); } catch (error) { this.free(); throw error; }
   }
   get length() { return this.#length; }
   /** The numbers, without a copy. Take it again after anything that allocates, which may move all memory. */
@@ -68,7 +71,7 @@ export class Numbers {
 export class Module {
   raw; name;
   constructor(raw, name) { this.raw = raw; this.name = name; }
-  string(at, length) { return text.decode(new Uint8Array(this.raw.memory.buffer, at, length)); }
+  string(at, length) { return text.decode(new Uint8Array(this.raw.memory.buffer, at >>> 0, length)); }
   error(sizes, words) {
     return new Error(worded(this.string(this.raw.dq8_error(), this.raw.dq8_error_length()), sizes, words));
   }

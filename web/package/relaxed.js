@@ -1,2 +1,2 @@
-// The level that multiplies and adds in one rounding where the machine does: who does not import it does not ship it.
+// The level that multiplies and adds in one rounding where the machine does. Bundles have the file only if they import this.
 export default { module: "dq8", name: "relaxed", url: () => new URL("./dq8.relaxed.wasm", import.meta.url) };

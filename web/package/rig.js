@@ -1,14 +1,12 @@
 // From nodes, tracks and matrices, as glTF and three.js have them, to what `dq8` takes: a skeleton
 // of rigid joints, keys at a rate, inverse binds. A constant uniform scale is folded: into
 // translations, and into the size of the mesh.
+import { fail } from "./accessors.js";
 import { Local, resample } from "./resample.js";
 import { decompose, short, uniform, writeMotion } from "./rigid.js";
 
 /** How far a scale may be from the scale that is folded, relative to it. */
 export const TOLERANCE = 1e-3;
-const fail = (where, text) => {
-  throw new Error(`${where}: ${text}`);
-};
 /** The place of a node with its name, as errors have it. */
 const placed = (node) => ({ ...node, place: node.name ? `${node.place} (${node.name})` : node.place });
 
@@ -97,7 +95,8 @@ function bound(skin, nodes, joint, scale, { tolerance }) {
  * rotation, translation, scale } }.
  */
 export function rig(given, skins, clips, options = {}) {
-  const chosen = { rate: 30, tolerance: TOLERANCE, ...options },
+  const { rate = 30, tolerance = TOLERANCE } = options,
+    chosen = { rate, tolerance },
     nodes = given.map(placed);
   for (const name of ["rate", "tolerance"])
     if (!(chosen[name] > 0 && chosen[name] < Infinity))

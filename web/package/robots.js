@@ -70,7 +70,7 @@ export class Robot {
     this.warnings = warnings;
     this.rates = raw.dq8_robot_rates(at);
     /** [lower, upper] of each value, infinite where there is none. */
-    const limits = (i) => new Float32Array(raw.memory.buffer, raw.dq8_robot_limits(at) + 8 * i, 2);
+    const limits = (i) => new Float32Array(raw.memory.buffer, (raw.dq8_robot_limits(at) >>> 0) + 8 * i, 2);
     this.valueLimits = values.map((_, i) => [...limits(i)]);
     this.#report = new Numbers(module, Float32Array, 4);
   }

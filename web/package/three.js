@@ -84,6 +84,9 @@ export function readThree(skeleton, clips = [], options = {}) {
     });
     return { name: clip.name ?? "", place, duration: clip.duration, tracks };
   });
+  const bones = joints.length,
+    given = skeleton.boneInverses.length;
+  if (given !== bones) throw new Error(`skeleton.boneInverses has ${given} matrices for ${bones} bones`);
   const inverse = (k) =>
     bindMatrix ? product(skeleton.boneInverses[k].elements, bindMatrix.elements) : skeleton.boneInverses[k].elements;
   const skin = { name: "", place: "skeleton", joints, inverseBinds: { place: "skeleton.boneInverses", of: inverse } };

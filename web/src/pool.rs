@@ -29,7 +29,8 @@ fn grow(pages: usize) -> Option<usize> {
 
 /// What an array takes; `None` if no memory has so much.
 fn rounded(bytes: usize) -> Option<usize> {
-    Some(bytes.max(1).checked_add(ALIGNMENT - 1)? / ALIGNMENT * ALIGNMENT)
+    let rounded = bytes.max(1).checked_add(ALIGNMENT - 1)? / ALIGNMENT * ALIGNMENT;
+    (rounded <= isize::MAX as usize).then_some(rounded)
 }
 
 impl Pool {
@@ -81,12 +82,16 @@ extern "C" fn dq8_allocate(bytes: usize) -> *mut u8 {
         return std::ptr::null_mut();
     };
     let at = std::ptr::with_exposed_provenance_mut::<u8>(at);
-    // SAFETY: the pool has given out these bytes to nobody else.
+    // SAFETY: the bytes are inside of memory, are at most `isize::MAX`, and the pool has given them
+    // to nobody else.
     unsafe { slice::from_raw_parts_mut(at, bytes) }.fill(0);
     at
 }
 
-/// # Safety They are as [`dq8_allocate`] gave them.
+/// Gives the bytes of an array back to the pool.
+///
+/// # Safety
+/// The place and the number of bytes must be those of a call of [`dq8_allocate`].
 #[unsafe(no_mangle)]
 unsafe extern "C" fn dq8_free(at: *mut u8, bytes: usize) {
     if let Some(bytes) = rounded(bytes) {

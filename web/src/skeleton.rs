@@ -102,12 +102,18 @@ exports! {
         status(rig.locals(source, locals))
     }
 
-    /// The same as rotations and translations, which a layer above them reads.
-    fn dq8_skeleton_layer(rig: &mut Rig, source: &Source;; poses[count]: [f32; 7]) -> u32 {
+    /// The same as rotations and translations, which a layer above them reads. They may go where
+    /// the source lies.
+    fn dq8_skeleton_layer(rig: &mut Rig, source: &Source, poses: *mut [f32; 7], count: usize;;) -> u32 {
         let mut motions = std::mem::take(&mut rig.models);
         motions.resize(count, Motion::IDENTITY);
         let done = rig.locals(source, &mut motions);
-        to_rotations_translations(&motions, poses);
+        if done.is_ok() {
+            // SAFETY: JavaScript passes an array of `count` poses. The source, which may lie in it,
+            // has been read.
+            let poses = unsafe { std::slice::from_raw_parts_mut(poses, count) };
+            to_rotations_translations(&motions, poses);
+        }
         rig.models = motions;
         status(done)
     }

@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 
 const MOST = 120;
-/** Still to be wrapped. */
+/** Files that may have longer lines. */
 const LONG = new Set([
   "package/dq8.js", "package/dq8.d.ts", "page/between.js", "page/crowd.js", "page/files.js", "page/index.html",
   "page/page.js", "page/robot.js", "page/scene.js", "page/sleeve.js", "page/yours.js", "bench/chromium.mjs",

@@ -140,7 +140,12 @@ class owner {
  public:
   owner() = default;
   owner(owner &&other) noexcept : lives_(std::exchange(other.lives_, false)) {}
-  owner &operator=(owner &&other) noexcept { return lives_ = std::exchange(other.lives_, false), *this; }
+  owner &operator=(owner &&other) noexcept {
+    const bool lived = std::exchange(other.lives_, false);
+    // What is moved to itself loses its memory.
+    lives_ = lived && this != &other;
+    return *this;
+  }
   void check(const char *noun) const {
     if (!lives_) throw error(DQ8_STATUS_UNKNOWN_VALUE, std::string("dq8::") + noun + ": this object has been moved away");
   }

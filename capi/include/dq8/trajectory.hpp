@@ -36,7 +36,8 @@ class trajectory {
   trajectory(span<const double> stamps, span<const double> poses)
       : stamps_(stamps.begin(), stamps.end()), poses_(poses.begin(), poses.end()) {
     detail::length("trajectory", "poses", poses.size(), 8 * stamps.size());
-    sample({}, span<double>());
+    double *none = nullptr;
+    call("trajectory", detail::abi<double>::trajectory_sample, {}, {}, none, none);
   }
 
   /* Computes the pose at each time, and the body twist there: angular x y z, then linear x y z, per second. */

@@ -54,6 +54,9 @@ pub(crate) fn of_another_kind(name: &str, core: &[usize], shape: &[usize]) -> Py
             "a logarithm is a dual quaternion here, as `dq8.log` returns it; of twists pass them to `dq8.from_twist`"
         }
         (_, [8], [.., 6]) => "of twists pass `dq8.from_twist({})`",
+        (_, [8], [4 | 3, 4]) => {
+            "of a matrix pass `dq8.from_matrix({})`, of quaternions `dq8.from_rotation({})`"
+        }
         (_, [8], [.., 4 | 3, 4]) => "of matrices pass `dq8.from_matrix({})`",
         (_, [8], [.., 4]) => "of quaternions pass `dq8.from_rotation({})`",
         (_, [8], [.., 3]) => "of translations pass `dq8.from_translation({})`",

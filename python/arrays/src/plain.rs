@@ -42,7 +42,7 @@ pub fn real<'py>(
     {
         return real(name, core, &numbers);
     }
-    let array = by_names(value, plain(name, value)?)?;
+    let array = by_names(core, value, plain(name, value)?)?;
     let dtype = array.dtype();
     if matches!((dtype.kind(), dtype.itemsize()), (b'f', 2 | 4 | 8) | (b'i' | b'u' | b'b', _)) {
         return Ok(array);
@@ -141,13 +141,16 @@ fn is_lazy(kind: &Bound<'_, PyType>, value: &Bound<'_, PyAny>) -> PyResult<bool>
 }
 
 /// The array of a data frame of pandas, or of one row of it, in the order of arrays where names say
-/// which number is which.
+/// which number is which. Only elements of numbers in a row (`core`) are ordered: in an array of
+/// scalars the labels are those of the elements.
 fn by_names<'py>(
+    core: &[usize],
     value: &Bound<'py, PyAny>,
     array: Bound<'py, PyUntypedArray>,
 ) -> PyResult<Bound<'py, PyUntypedArray>> {
     static ORDER: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    if !matches!(array.shape().last(), Some(3..=8)) || exact(value).is_ok() {
+    let [size] = core else { return Ok(array) };
+    if array.shape().last() != Some(size) || exact(value).is_ok() {
         return Ok(array);
     }
     let (py, kind) = (value.py(), value.get_type());

@@ -30,14 +30,14 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// Those for so many elements.
+    /// Returns the threads for a call on `count` elements.
     pub fn for_elements(count: usize) -> Self {
         let large = count >= 2 * GRAIN;
         let pool = || POOL.lock().unwrap_or_else(PoisonError::into_inner).clone();
         Self { pool: large.then(pool).flatten(), interrupt: Interrupt::new() }
     }
 
-    /// This one, of a call that cannot be shared out.
+    /// Returns only the calling thread, for a call that cannot be split.
     pub fn alone() -> Self {
         Self { pool: None, interrupt: Interrupt::new() }
     }

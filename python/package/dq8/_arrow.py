@@ -109,6 +109,8 @@ def _check_nulls(owner: _Owner, array: _Array, what: str, first: int, count: int
 def _numbers(owner: _Owner, schema: _Schema, array: _Array, first: int, count: int) -> NDArray[Any]:
     """Rows `first` to `first + count` of an array, as the numbers that they hold."""
     form = schema.format
+    if schema.dictionary:
+        raise ValueError("Expected an Arrow array of numbers, got one that is encoded by a dictionary: decode it first.")
     if form in _NUMBERS:
         _check_nulls(owner, array, "an Arrow array", first, count)
         return _memory(owner, array.buffers[1], _NUMBERS[form], array.offset + first, count)

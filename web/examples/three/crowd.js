@@ -23,8 +23,9 @@ export function crowd(dq8, { mesh, clips, root, people, rate = 60 }) {
   const texture = new THREE.DataTexture(palette.view, 4 * joints, people, THREE.RGBAFormat, THREE.FloatType);
   const instances = new THREE.InstancedBufferGeometry();
   const { position, normal, skinIndex, skinWeight } = geometry.attributes;
-  const moved = Uint16Array.from(skinIndex.array, (index) => skin.joints[index]);
-  instances.setIndex(geometry.index).setAttribute("position", position).setAttribute("normal", normal);
+  const moved = Uint16Array.from({ length: 4 * skinIndex.count }, (_, i) => skin.joints[skinIndex.getComponent(i >> 2, i & 3)]);
+  instances.setIndex(geometry.index).setAttribute("position", position.clone());
+  instances.setAttribute("normal", normal.clone());
   instances.setAttribute("joints", new THREE.BufferAttribute(moved, 4)).setAttribute("weights", skinWeight);
   instances.instanceCount = people;
   if (skin.scale !== 1) instances.scale(skin.scale, skin.scale, skin.scale);

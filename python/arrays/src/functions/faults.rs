@@ -113,15 +113,19 @@ impl Fault<8> for NoAxis {
     fn is_in<L: Lanes>(self, [a, b, c, d, e, f, ..]: [L; 8]) -> L::Mask {
         let (along, moment) = (a * d + b * e + c * f, d * d + e * e + f * f);
         let most = a.constant(TOLERANCE * TOLERANCE);
-        is_off(a * a + b * b + c * c) | (most + most * moment).lt(along * along)
+        let skew = (most + most * moment).lt(along * along);
+        is_off(a * a + b * b + c * c) | skew | moment.eq(a.constant(f64::INFINITY))
     }
-    fn reason<R: Number>(self, [a, b, c, ..]: [R; 8]) -> String {
+    fn reason<R: Number>(self, [a, b, c, d, e, f, ..]: [R; 8]) -> String {
         let length = length(&[a, b, c]);
         if (length - 1.0).abs() > TOLERANCE {
             return format!(
                 "the length of the direction {:?} is {length}, which must be 1: divide by it, or pass `check=False`",
                 [a, b, c]
             );
+        }
+        if length(&[d, e, f]).is_infinite() {
+            return format!("the moment of the axis, {:?}, is too large or infinite", [d, e, f]);
         }
         "the moment of the axis is not at right angles to its direction: it is point × direction"
             .to_owned()
