@@ -79,7 +79,7 @@ export async function open({ flags = [] } = {}) {
       if (process_.exitCode === null) process_.kill();
       await ended;
       // Its children end after it, and write until then.
-      rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
+      rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 200 });
     },
   };
 }

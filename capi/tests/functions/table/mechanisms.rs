@@ -117,7 +117,9 @@ macro_rules! layout {
                     .fault(Status::NoLink, None, move |links| links[0] = joints),
                 link_count: count(few), poses: writes::<<$L as Layout>::Record<8>>(of_few),
                 columns: writes::<<$L as Layout>::Record<6>>(of_few * scene.made.rates),
-                count: count(of_few).wrong_if(each > 0, of_few + 1, Status::Length)
+                // Any count is a multiple of one link.
+                count: count(of_few)
+                    .wrong_if(each > 0, of_few + 1, if few == 1 { Status::LengthValues } else { Status::Length })
                     .wrong_if(each > 0, of_few + few, Status::LengthValues),
             ) => {
                 let job = jacobians.rust.view().job();
