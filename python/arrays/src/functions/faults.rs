@@ -117,15 +117,15 @@ impl Fault<8> for NoAxis {
         is_off(a * a + b * b + c * c) | skew | moment.eq(a.constant(f64::INFINITY))
     }
     fn reason<R: Number>(self, [a, b, c, d, e, f, ..]: [R; 8]) -> String {
+        if length(&[d, e, f]).is_infinite() {
+            return format!("the moment of the axis, {:?}, is too large or infinite", [d, e, f]);
+        }
         let length = length(&[a, b, c]);
         if (length - 1.0).abs() > TOLERANCE {
             return format!(
                 "the length of the direction {:?} is {length}, which must be 1: divide by it, or pass `check=False`",
                 [a, b, c]
             );
-        }
-        if length(&[d, e, f]).is_infinite() {
-            return format!("the moment of the axis, {:?}, is too large or infinite", [d, e, f]);
         }
         "the moment of the axis is not at right angles to its direction: it is point × direction"
             .to_owned()
