@@ -141,16 +141,21 @@ fn is_lazy(kind: &Bound<'_, PyType>, value: &Bound<'_, PyAny>) -> PyResult<bool>
 }
 
 /// The array of a data frame of pandas, or of one row of it, in the order of arrays where names say
-/// which number is which. Only elements of numbers in a row (`core`) are ordered: in an array of
-/// scalars the labels are those of the elements.
+/// which number is which. Rows are ordered, and not a series of scalars, whose labels are those of
+/// the elements.
 fn by_names<'py>(
     core: &[usize],
     value: &Bound<'py, PyAny>,
     array: Bound<'py, PyUntypedArray>,
 ) -> PyResult<Bound<'py, PyUntypedArray>> {
     static ORDER: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let [size] = core else { return Ok(array) };
-    if array.shape().last() != Some(size) || exact(value).is_ok() {
+    let are_elements = match (core, array.shape()) {
+        ([size], [.., last]) => last == size,
+        // Of tables whose rows are of any size.
+        ([], [_, last]) => (3..=8).contains(last),
+        _ => false,
+    };
+    if !are_elements || exact(value).is_ok() {
         return Ok(array);
     }
     let (py, kind) = (value.py(), value.get_type());
