@@ -121,8 +121,8 @@ def generic(functions):
         told = [(n, p) for n, p in zip(names, pairs) if "*" in p and re.search(r"\bfloat\b|_f32", p)]
         if not told:
             continue
-        # What is never null: a mechanism or the like, or else the last output.
-        chosen, of = next(((n, p) for n, p in told if "_f32" in p), told[-1])
+        # An argument that is never null: a mechanism or the like, or `out`, or else the last output.
+        chosen, of = next(((n, p) for n, p in told if "_f32" in p or n == "out"), told[-1])
         thing = re.search(r"(dq8_\w+)_f32", of)
         by = f"DQ8_OF_THINGS({chosen}, {thing[1]}, {short})" if thing else f"DQ8_OF_NUMBERS({chosen}, {short})"
         arguments = ", ".join(names)

@@ -31,12 +31,26 @@
                && fabs((double)tool[1] - (sin(0.5) + 1.125 * sin(0.25))) < 1e-6 && tool[2] == 0;         \
     }
 
+/* Halfway between two poses. Twists are not asked for: only arrays that are never null choose the number. */
+#define SAMPLE(number, suffix)                                                                           \
+    static int sample_##suffix(void) {                                                                   \
+        const double stamps[2] = {0, 1}, at = 0.5;                                                       \
+        const double poses[16] = {0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0};                       \
+        const dq8_trajectory_options options = {.unit = 1};                                              \
+        number pose[8];                                                                                  \
+        return dq8_trajectory_sample(stamps, poses, 2, &options, &at, pose, NULL, 1, NULL)               \
+                   == DQ8_STATUS_OK                                                                      \
+               && fabs((double)pose[4] - 0.5) < 1e-6;                                                    \
+    }
+
 ARM(float, f32)
 ARM(double, f64)
+SAMPLE(float, f32)
+SAMPLE(double, f64)
 
 int main(void) {
     const dq8_joint_f64 screw = dq8_joint_screw_f64(-1, NULL, NULL, 0.5);
-    const int floats = arm_f32(), doubles = arm_f64();
+    const int floats = arm_f32() && sample_f32(), doubles = arm_f64() && sample_f64();
     const int filled = screw.kind == DQ8_JOINT_KIND_SCREW && screw.pitch == 0.5 && screw.placement[3] == 1.0
                        && dq8_joint_planar_f32(2, NULL, NULL).parent == 2
                        && dq8_joint_floating_f32(-1, NULL).kind == DQ8_JOINT_KIND_FLOATING;

@@ -419,6 +419,10 @@ enum dq8_status
    * `names_size` is not the size of the names.
    */
   DQ8_STATUS_LENGTH_NAMES = 49,
+  /**
+   * There is no clip, frame or joint to pack.
+   */
+  DQ8_STATUS_NO_FRAMES = 50,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1337,7 +1341,7 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
  * `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity`
  * is 0, only `length` is written.
  *
- * Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES
+ * Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_FRAMES
  * if there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`.
  * Returns DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may
  * be null, to its index, counted through all clips.
@@ -4308,11 +4312,12 @@ dq8_status dq8_urdf_size(const uint8_t *text,
  * Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
  * `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
  * the root of the file. `names` gets the names of all links, then of all values, each
- * with a zero after it, and holds `names_size` bytes. It may be null if `names_size`
- * is
- * 0. dq8_urdf_size writes both numbers, and has the same errors.
+ * with a zero after it, and holds `names_size` bytes. `names` may be null if
+ * `names_size` is zero. Both numbers are those that dq8_urdf_size writes, and the
+ * errors are the same.
  *
- * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
+ * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if `link_count` or `names_size` is
+ * not the number that dq8_urdf_size has written.
  */
 dq8_status dq8_urdf_joints_f32(const uint8_t *text,
                                size_t length,
@@ -4327,11 +4332,12 @@ dq8_status dq8_urdf_joints_f32(const uint8_t *text,
  * Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
  * `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
  * the root of the file. `names` gets the names of all links, then of all values, each
- * with a zero after it, and holds `names_size` bytes. It may be null if `names_size`
- * is
- * 0. dq8_urdf_size writes both numbers, and has the same errors.
+ * with a zero after it, and holds `names_size` bytes. `names` may be null if
+ * `names_size` is zero. Both numbers are those that dq8_urdf_size writes, and the
+ * errors are the same.
  *
- * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
+ * Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if `link_count` or `names_size` is
+ * not the number that dq8_urdf_size has written.
  */
 dq8_status dq8_urdf_joints_f64(const uint8_t *text,
                                size_t length,

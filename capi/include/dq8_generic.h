@@ -282,13 +282,13 @@
 #define dq8_resample(times, poses, pose_count, at, out, count, bad_time) \
   DQ8_OF_NUMBERS(out, dq8_resample)(times, poses, pose_count, at, out, count, bad_time)
 #define dq8_trajectory_sample(stamps, poses, pose_count, options, times, out, twists, count, bad_time) \
-  DQ8_OF_NUMBERS(twists, dq8_trajectory_sample)(stamps, poses, pose_count, options, times, out, twists, count, bad_time)
+  DQ8_OF_NUMBERS(out, dq8_trajectory_sample)(stamps, poses, pose_count, options, times, out, twists, count, bad_time)
 #define dq8_trajectory_deskew(stamps, poses, pose_count, options, times, points, moved, count, bad_time) \
   DQ8_OF_NUMBERS(moved, dq8_trajectory_deskew)(stamps, poses, pose_count, options, times, points, moved, count, bad_time)
 #define dq8_trajectory_skew(stamps, poses, pose_count, options, times, points, moved, count, bad_time) \
   DQ8_OF_NUMBERS(moved, dq8_trajectory_skew)(stamps, poses, pose_count, options, times, points, moved, count, bad_time)
 #define dq8_spline_poses(control, control_count, start, every, basis, options, times, out, twists, accelerations, count, bad_index) \
-  DQ8_OF_NUMBERS(accelerations, dq8_spline_poses)(control, control_count, start, every, basis, options, times, out, twists, accelerations, count, bad_index)
+  DQ8_OF_NUMBERS(out, dq8_spline_poses)(control, control_count, start, every, basis, options, times, out, twists, accelerations, count, bad_index)
 #define dq8_urdf_joints(text, length, joints, link_count, names, names_size, message, message_size) \
   DQ8_OF_THINGS(joints, dq8_joint, dq8_urdf_joints)(text, length, joints, link_count, names, names_size, message, message_size)
 #define dq8_joint_fixed(parent, placement) \

@@ -42,7 +42,7 @@ struct Query {
 /// `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity`
 /// is 0, only `length` is written.
 ///
-/// Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_INFLUENCES
+/// Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_FRAMES
 /// if there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`.
 /// Returns DQ8_STATUS_NOT_UNIT or _NOT_FINITE for a wrong local pose, and sets `bad_key`, which may
 /// be null, to its index, counted through all clips.
@@ -92,7 +92,7 @@ unsafe fn pack(query: &Query) -> Done {
         disjoint(&outputs, &[keys.span])?;
         // SAFETY: the caller guarantees that each clip holds its keys, and `disjoint` has checked
         // that no output overlaps them.
-        let clip = Clip::new(joints, unsafe { keys.slice() }).or(Err(Status::NoInfluences))?;
+        let clip = Clip::new(joints, unsafe { keys.slice() }).or(Err(Status::NoFrames))?;
         let clip = if rate == 0.0 { clip } else { clip.with_rate(rate) };
         known.push(match loops {
             0 => clip,
@@ -110,7 +110,7 @@ unsafe fn pack(query: &Query) -> Done {
             }
             PackedError::Rate { .. } => (Status::UnknownValue, None),
             PackedError::TooLarge => (Status::TooLarge, None),
-            _ => (Status::NoInfluences, None),
+            _ => (Status::NoFrames, None),
         };
         if let Some((clip, frame, joint)) = place {
             let before: usize = frames.iter().take(clip).map(|clip| clip.count * joints).sum();

@@ -155,6 +155,8 @@ statuses! {
         Urdf = 48: c"the text is no URDF file that a mechanism can express",
         /// `names_size` is not the size of the names.
         LengthNames = 49: c"names_size is not what dq8_urdf_size has written",
+        /// There is no clip, frame or joint to pack.
+        NoFrames = 50: c"there is no clip, frame or joint to pack",
     }
 }
 

@@ -168,11 +168,12 @@ macro_rules! functions {
             /// Reads the joints of a URDF file, of which `text` holds `length` bytes. `joints` gets
             /// `link_count` joints, for dq8_mechanism_make; joint j carries link j, and link 0 is
             /// the root of the file. `names` gets the names of all links, then of all values, each
-            /// with a zero after it, and holds `names_size` bytes. It may be null if `names_size`
-            /// is
-            /// 0. dq8_urdf_size writes both numbers, and has the same errors.
+            /// with a zero after it, and holds `names_size` bytes. `names` may be null if
+            /// `names_size` is zero. Both numbers are those that dq8_urdf_size writes, and the
+            /// errors are the same.
             ///
-            /// Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if one of them is another one.
+            /// Returns DQ8_STATUS_LENGTH_JOINTS or _LENGTH_NAMES if `link_count` or `names_size` is
+            /// not the number that dq8_urdf_size has written.
             urdf::joints(
                 text: *const u8, length: usize, joints: *mut Joint<$R>, link_count: usize,
                 names: *mut c_char, names_size: usize, message: *mut c_char, message_size: usize,

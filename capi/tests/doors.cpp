@@ -298,6 +298,9 @@ static void on_skeletons() {
   check(refused(DQ8_STATUS_LENGTH, "offsets has length 3", [&] { skeleton.rotations_to_model(turns, {1, 2, 3}, models); }), "offsets");
   dq8::skeleton gone({-1}), stays(std::move(gone));
   check(stays.joints() == 1 && refused(DQ8_STATUS_UNKNOWN_VALUE, "skeleton: this object has been moved away", [&] { gone.joints(); }), "moved skeleton");
+  auto &same = stays;
+  stays = std::move(same);
+  check(refused(DQ8_STATUS_UNKNOWN_VALUE, "skeleton: this object has been moved away", [&] { stays.joints(); }), "a skeleton moved to itself");
   dq8::plan old(skeleton), kept(std::move(old));
   check(refused(DQ8_STATUS_UNKNOWN_VALUE, "plan: this object has been moved away", [&] { old.local_to_model(locals, models); }), "moved plan");
 }

@@ -16,8 +16,8 @@ pub(crate) struct Quality {
     /// rad/s³.
     pub(crate) speed: f64,
     pub(crate) jerk: f64,
-    /// How many of a hundred values of joints that carry a goal are at a limit, and the farthest
-    /// that any value is beyond its limits.
+    /// The percentage of the values of joints that carry a goal that are at a limit, and the
+    /// largest distance of any value beyond its limits.
     pub(crate) at_limits: f64,
     pub(crate) beyond: f64,
 }

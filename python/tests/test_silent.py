@@ -123,6 +123,23 @@ def test_columns_of_quaternions_and_points_are_taken_by_name(random_motions, rng
     np.testing.assert_array_equal(dq8.from_translation(pd.DataFrame(points, columns=list("cba"))), dq8.from_translation(points))
 
 
+def test_labels_of_a_series_of_scalars_do_not_order_it(random_motions):
+    a, b, t = random_motions(3), random_motions(3), [0.0, 0.25, 1.0]
+    np.testing.assert_array_equal(dq8.nlerp(a, b, pd.Series(t, index=list("zyx"))), dq8.nlerp(a, b, t))
+
+
+def test_what_a_dictionary_encodes_is_not_read_as_its_indices(random_motions):
+    times = pa.array([1.0, 0.0, 1.0]).dictionary_encode()
+    with pytest.raises(ValueError, match="encoded by a dictionary: decode it first"):
+        dq8.nlerp(random_motions(3), random_motions(3), times)
+
+
+def test_rows_of_chunks_are_counted_over_the_whole_column():
+    column = pa.chunked_array([pa.array([0.0, 0.5, 1.0]), pa.array([0.0, None, 1.0])])
+    with pytest.raises(ValueError, match="row 4 is null"):
+        dq8.nlerp(dq8.identity((6,)), dq8.identity((6,)), column)
+
+
 def null_inside(rows):
     numbers = rows.reshape(-1).tolist()
     numbers[4 * rows.shape[1] + 2] = None

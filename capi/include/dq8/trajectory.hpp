@@ -95,26 +95,33 @@ class spline {
   spline(double start, double every, span<const double> control, basis kind = basis::smooth)
       : control_(control.begin(), control.end()), start_(start), every_(every), basis_(kind) {
     detail::things("spline", "control", control.size(), 8);
-    sample({}, span<double>());
+    double *none = nullptr;
+    call<double>("spline", {}, {}, none, none, none);
   }
   /* Computes the pose at each time, the body twist there, and the derivative of the twist by time. */
   template <class Out>
   void sample(span<const double> times, Out &&poses, span<detail::number<Out>> twists = {},
               span<detail::number<Out>> accelerations = {}, const trajectory_options &options = {}) const {
     constexpr auto name = "spline::sample";
-    owner_.check("spline");
     const span<detail::number<Out>> to(poses);
     detail::length(name, "poses", to.size(), 8 * times.size());
     detail::length_if(name, "twists", twists.size(), 6 * times.size());
     detail::length_if(name, "accelerations", accelerations.size(), 6 * times.size());
-    std::size_t bad = nowhere;
-    const dq8_status status = detail::abi<detail::number<Out>>::spline_poses(
-        control_.data(), control_.size() / 8, start_, every_, static_cast<std::int32_t>(basis_), &options, times.data(),
-        to.data(), detail::maybe(twists), detail::maybe(accelerations), times.size(), &bad);
-    detail::check(name, status, bad);
+    call<detail::number<Out>>(name, times, options, to.data(), detail::maybe(twists), detail::maybe(accelerations));
   }
 
  private:
+  template <class T>
+  void call(const char *name, span<const double> times, const trajectory_options &options, T *poses, T *twists,
+            T *accelerations) const {
+    owner_.check("spline");
+    std::size_t bad = nowhere;
+    const dq8_status status = detail::abi<T>::spline_poses(
+        control_.data(), control_.size() / 8, start_, every_, static_cast<std::int32_t>(basis_), &options, times.data(),
+        poses, twists, accelerations, times.size(), &bad);
+    detail::check(name, status, bad);
+  }
+
   std::vector<double> control_;
   double start_, every_;
   basis basis_;

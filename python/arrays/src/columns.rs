@@ -100,7 +100,7 @@ fn mismatch(name: &str, what: &str, names: &[String]) -> PyErr {
     PyValueError::new_err(format!("`{name}`: {what}; the {one}s are {}.", names.join(", ")))
 }
 
-/// Of which kind a number of the argument `name` is.
+/// Returns the noun for a number of the argument `name`, for errors.
 fn one(name: &str) -> &'static str {
     if name == "rates" { "rate" } else { "value" }
 }

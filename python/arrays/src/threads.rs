@@ -136,9 +136,9 @@ impl Threads {
     }
 }
 
-/// What `job` returns, which has no pieces between which it could be interrupted: it computes in a
-/// thread of its own, and this one, which Python tells of signals, waits for it. Where a signal
-/// ends the call, the job is left alone: it owns what it reads, and ends by itself.
+/// Runs a job that has no pieces between which it could be interrupted, and returns its result. The
+/// job runs in a thread of its own, and the calling thread, which Python tells of signals, waits
+/// for it. If a signal ends the call, the job goes on alone: it owns its input, and ends by itself.
 pub fn whole<T: Send + 'static>(
     py: Python<'_>,
     job: impl FnOnce() -> T + Send + 'static,

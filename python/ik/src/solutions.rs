@@ -95,7 +95,7 @@ fn typed<'py, R: Number>(
         .into_pyobject(py)
 }
 
-/// What is found of all targets, or of some.
+/// The solutions of all targets, or of a piece of them.
 struct Parts<V, C, D, S, B> {
     values: V,
     counts: C,
@@ -109,7 +109,8 @@ type SomeParts<'s, R> =
     Parts<&'s mut [R], &'s mut [u8], &'s mut [R], &'s mut [bool], &'s mut [bool]>;
 
 impl<R: Number> AllParts<R> {
-    /// Of so many targets, for configurations of `count` values. Zeros, which the system has ready.
+    /// Makes room for the solutions of `targets` targets, in configurations of `count` values. It
+    /// is zero, because the system has memory of zeros ready.
     fn new(targets: usize, count: usize) -> Self {
         Self {
             values: vec![R::ZERO; targets * PLACES * count],

@@ -68,8 +68,9 @@ _NUMBERS: dict[bytes, np.dtype[Any]] = {
 class _Owner:
     """What keeps memory of a producer alive: released with the last array that shows it."""
 
-    def __init__(self, array: _Array) -> None:
-        self.array = array
+    def __init__(self, array: _Array, before: int = 0) -> None:
+        # Rows of a column are counted from its first chunk on.
+        self.array, self.before = array, before
 
     def __del__(self) -> None:
         if self.array.release:
@@ -103,7 +104,7 @@ def _check_nulls(owner: _Owner, array: _Array, what: str, first: int, count: int
     bits = _memory(owner, array.buffers[0], np.dtype(np.uint8), 0, (begin + count + 7) // 8)
     valid = np.unpackbits(bits, bitorder="little")[begin : begin + count]
     if not valid.all():
-        raise ValueError(f"Expected {what} without nulls: row {int(np.argmin(valid)) // size} is null.")
+        raise ValueError(f"Expected {what} without nulls: row {owner.before + int(np.argmin(valid)) // size} is null.")
 
 
 def _numbers(owner: _Owner, schema: _Schema, array: _Array, first: int, count: int) -> NDArray[Any]:
@@ -135,7 +136,7 @@ def _numbers(owner: _Owner, schema: _Schema, array: _Array, first: int, count: i
         size, begin = (int(sizes[0]), int(ends[0])) if count else (0, 0)
         if (sizes != size).any():
             row = int(np.argmax(sizes != size))
-            raise ValueError(f"Expected lists of one length, got {size} numbers in row 0 and {sizes[row]} in row {row}.")
+            raise ValueError(f"Expected lists of one length, got {size} numbers in row {owner.before} and {sizes[row]} in row {owner.before + row}.")
     else:
         raise TypeError(f"Expected an Arrow array of numbers of at most 64 bits, lists or structs of these, got format {form.decode()!r}.")
     child = array.children[0].contents
@@ -178,7 +179,7 @@ def _read(value: Any) -> tuple[_Form, list[_Owner]]:
         got(stream.get_next, array)
         if not array.release:
             return form, chunks
-        chunks.append(_Owner(array))
+        chunks.append(_Owner(array, sum(chunk.array.length for chunk in chunks)))
 
 
 def _joined(chunks: list[NDArray[Any]], schema: _Schema, core: tuple[int, ...]) -> NDArray[Any]:

@@ -249,7 +249,7 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 type Compute<'f, R, const C: usize> =
     dyn Fn(Given<'_, R>, &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
-/// How many configurations a piece has: whole registers.
+/// Returns the number of configurations of a piece, which fill whole registers.
 pub(crate) fn configurations_per_piece<R: Number>(view: Mechanism<'_, R>) -> usize {
     GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES)
 }

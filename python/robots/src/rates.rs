@@ -1,5 +1,5 @@
-//! What is made of the Jacobians of many configurations, on lanes: manipulabilities, velocities of
-//! links, and the rates that move links so. No Jacobian leaves the caches.
+//! Manipulabilities, velocities of links, and the rates for given velocities, from the Jacobians of
+//! many configurations on lanes. No Jacobian leaves the caches.
 
 use crate::argument::{Argument, Input, is_single};
 use crate::broadcast::{common, misfit};
@@ -67,7 +67,7 @@ pub fn rates_for<'py>(
     found(mechanism, values, link, frame, Some(twists), Law::Rates { damping }, out)
 }
 
-/// What is computed of a Jacobian.
+/// The computation from a Jacobian.
 #[derive(Clone, Copy, Debug)]
 enum Law {
     /// A number.
@@ -98,7 +98,7 @@ fn found<'py>(
     }
 }
 
-/// What the caller asks for.
+/// The arguments of the caller, besides the values.
 #[derive(Clone, Copy)]
 struct Asked<'a, 'py> {
     link: usize,

@@ -74,13 +74,13 @@ fn add_packing(joints: usize, to: &mut Vec<Function>) {
             clips: reads::<Frames>(2).only(move |at| of_c(&given, at))
                 .keeps(keys.iter().map(|keys| memory(keys)).collect())
                 .fault(Status::NullPointer, None, |clips| clips[1].keys = std::ptr::null())
-                .fault(Status::NoInfluences, None, |clips| clips[1].count = 0)
+                .fault(Status::NoFrames, None, |clips| clips[1].count = 0)
                 .fault(Status::UnknownValue, None, |clips| clips[0].loops = 2)
                 .fault(Status::UnknownValue, None, |clips| clips[0].rate = -1.0)
                 .fault_through(Status::NotUnit, 6 * joints + bad, wrong(bad, 3, 2.0))
                 .fault_through(Status::NotFinite, 6 * joints + bad, wrong(bad, 5, f32::NAN)),
-            clip_count: passes(2).wrong(0, Status::NoInfluences).wrong(usize::MAX, Status::TooLarge),
-            joint_count: passes(joints).wrong(0, Status::NoInfluences),
+            clip_count: passes(2).wrong(0, Status::NoFrames).wrong(usize::MAX, Status::TooLarge),
+            joint_count: passes(joints).wrong(0, Status::NoFrames),
             angle: passes(1e-3_f32), length_tolerance: passes(1e-4_f32),
             bytes: writes::<u8>(length), capacity: passes(length).wrong(length - 1, Status::LengthBytes),
             length: writes::<usize>(1), bad_key: names(),

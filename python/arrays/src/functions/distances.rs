@@ -60,8 +60,8 @@ function! {
 }
 
 function! {
-    /// How far dual quaternions ``p + εq`` are from unit: the larger one of ``| |p| − 1 |`` and
-    /// ``|p·q|/(1 + |q|)``.
+    /// The distance of dual quaternions ``p + εq`` from unit: the larger one of ``| |p| − 1 |``
+    /// and ``|p·q|/(1 + |q|)``.
     fn unit_defect(
         /// Dual quaternions.
         motions: [8],

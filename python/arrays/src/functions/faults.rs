@@ -1,4 +1,5 @@
-//! [`Fault`]: what is wrong with elements that people have typed, and the first that has it.
+//! [`Fault`], a mistake in elements that people have typed, and the search for the first element
+//! that has it.
 
 use crate::argument::{Argument, Input};
 use crate::law::load;
@@ -11,16 +12,16 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How far lengths, and products of rows, may be from those of a rotation: numbers typed with four
-/// digits are nearer.
+/// The largest difference of lengths, and of products of rows, from those of a rotation. Numbers
+/// that were typed with four digits are nearer.
 pub(super) const TOLERANCE: f64 = 1e-3;
 
-/// What an element of `C` numbers may have that makes it no motion. NaN is none: it stays in its
+/// A fault of an element of `C` numbers, which makes it no motion. NaN is no fault: it stays in its
 /// row.
 pub(super) trait Fault<const C: usize>: Copy + Send + Sync {
-    /// The lanes whose elements have it.
+    /// Returns the lanes whose elements have this fault.
     fn is_in<L: Lanes>(self, element: [L; C]) -> L::Mask;
-    /// How it is told of one that has it.
+    /// Returns the text of the error for an element that has this fault.
     fn reason<R: Number>(self, element: [R; C]) -> String;
 }
 
@@ -132,7 +133,7 @@ impl Fault<8> for NoAxis {
     }
 }
 
-/// Where the square of a length is not 1.
+/// Returns the lanes in which the square of a length is not 1.
 #[inline(always)]
 fn is_off<L: Lanes>(square: L) -> L::Mask {
     square.constant(2.0 * TOLERANCE).lt((square - square.constant(1.0)).abs())

@@ -140,24 +140,8 @@ impl<const C: usize> Fault<C> for NotRigid {
     #[inline(always)]
     fn is_in<L: Lanes>(self, matrix: [L; C]) -> L::Mask {
         let zero = matrix[0].constant(0.0);
-        let mut whole = [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero.constant(1.0),
-        ];
+        let mut whole = [zero; 16];
+        whole[15] = zero.constant(1.0);
         whole[..C].copy_from_slice(&matrix);
         let [defect, determinant, last_row] = rigidity_of(whole);
         let mut wrong = !last_row.le(zero) | determinant.le(zero);
