@@ -29,7 +29,7 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
         let joints = run.parents.len().max(1);
         for (instance, locals) in locals.chunks_exact_mut(joints).enumerate() {
             let first = instance * joints;
-            let models = models.part(first..first + joints);
+            let Some(models) = models.part(first..first + joints) else { return };
             if E::Layout::transposes::<V>() {
                 run.locals_of_plain(level, models, locals, instance);
             } else {
@@ -50,7 +50,8 @@ impl<E: Element<8>> Backward<'_, '_, E> {
             let all = (locals, joints);
             return run.backend.share(grain(joints), all, &|first, (locals, _): Rows<'_, E>| {
                 let range = first..first + locals.len() / joints;
-                let models = models.part(range.start * joints..range.end * joints);
+                let joints_of = range.start * joints..range.end * joints;
+                let Some(models) = models.part(joints_of) else { return };
                 run.backend.run(Backward { run: &run.part(range), models, locals });
             });
         }

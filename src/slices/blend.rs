@@ -3,7 +3,7 @@
 
 #[cfg(feature = "rayon")]
 use super::sweep::GRAIN;
-use super::sweep::{SliceKernel, Things, part, sweep};
+use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::number::Scalar;
@@ -84,7 +84,7 @@ impl Backend {
         if self.many() {
             let converged = core::sync::atomic::AtomicUsize::new(0);
             self.share(GRAIN, (means, 1), &|start, (means, _): (&mut [_], usize)| {
-                let poses = part(poses, start..start + means.len() + W - 1);
+                let Some(poses) = poses.get(start..start + means.len() + W - 1) else { return };
                 let windows = Windows { poses, weights, tolerance, max_iterations, means };
                 converged.fetch_add(self.run(windows), core::sync::atomic::Ordering::Relaxed);
             });
@@ -111,10 +111,13 @@ where
         }
         Some(batch::DualQuat::dlb(&influences)?.to_array())
     }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self(self.0.map(|(motions, weights)| {
-            (part(motions, elements.clone()), part(weights, elements.clone()))
-        }))
+    fn part(&self, elements: Range<usize>) -> Option<Self> {
+        let mut parts = self.0;
+        for (motions, weights) in &mut parts {
+            *motions = motions.get(elements.clone())?;
+            *weights = weights.get(elements.clone())?;
+        }
+        Some(Self(parts))
     }
 }
 

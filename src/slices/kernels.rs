@@ -1,7 +1,7 @@
 //! The kernels that compute each element from one element of every input, declared once in
 //! [`for_each_kernel`](crate::__for_each_kernel), and the macros that make methods of that list.
 
-use super::sweep::{SliceKernel, Things, part, sweep};
+use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::Backend;
 use crate::batch::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
@@ -566,12 +566,12 @@ macro_rules! methods {
                         $(let $parameter = Register::<$E, V, $size>::splat(level, self.$parameter);)?
                         Some(__record!($result of $one))
                     }
-                    fn part(&self, elements: Range<usize>) -> Self {
-                        Self {
-                            $($other: part(self.$other, elements.clone()),)*
+                    fn part(&self, elements: Range<usize>) -> Option<Self> {
+                        Some(Self {
+                            $($other: self.$other.get(elements.clone())?,)*
                             $($parameter: self.$parameter,)?
-                            $input: input!($($in_place)? part self.$input, elements),
-                        }
+                            $input: input!($($in_place)? part self.$input, elements)?,
+                        })
                     }
                 }
             )*
@@ -587,7 +587,7 @@ macro_rules! input {
     (as $life:lifetime $I:ident) => { &$life [$I] };
     (in $input:expr) => { false };
     (at $input:expr, $output:expr) => { $input };
-    (part $input:expr, $elements:expr) => { part($input, $elements) };
+    (part $input:expr, $elements:expr) => { $input.get($elements) };
     ($in_place:ident of $slice:expr) => { Source::Slice($slice) };
     ($in_place:ident as $life:lifetime $I:ident) => { Source<$life, $I> };
     ($in_place:ident in $input:expr) => { $input.is_output() };

@@ -1,6 +1,6 @@
 //! Kernels that turn motions into matrices and matrices into motions.
 
-use super::sweep::{SliceKernel, Things, part, sweep};
+use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::{Backend, Kernel};
 use crate::batch;
 use crate::macros::errors;
@@ -152,8 +152,8 @@ where
     fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Things<M, V, C> {
         Some(M::of(motions(level, self.motions, tile)?, self.order))
     }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { motions: part(self.motions, elements), order: self.order }
+    fn part(&self, elements: Range<usize>) -> Option<Self> {
+        Some(Self { motions: self.motions.get(elements)?, order: self.order })
     }
 }
 
@@ -172,8 +172,8 @@ where
         let numbers = M::load(level, self.matrices, tile, &storage::identity())?;
         Some(M::motion(numbers, self.order).to_array())
     }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { matrices: part(self.matrices, elements), order: self.order }
+    fn part(&self, elements: Range<usize>) -> Option<Self> {
+        Some(Self { matrices: self.matrices.get(elements)?, order: self.order })
     }
 }
 

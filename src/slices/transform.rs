@@ -95,8 +95,8 @@ impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
         let left = batch::DualQuat::splat(level, self.0);
         Some((left * motions(level, output, tile)?).to_array())
     }
-    fn part(&self, _: Range<usize>) -> Self {
-        Self(self.0)
+    fn part(&self, _: Range<usize>) -> Option<Self> {
+        Some(Self(self.0))
     }
 }
 
@@ -114,6 +114,7 @@ impl<'s, P: Element<3>> ByOne<'s, P> {
 }
 
 impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
+    const TILES: usize = 2;
     fn reads_output(&self) -> bool {
         self.from.is_output()
     }
@@ -132,7 +133,7 @@ impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
         }
         Some(moved)
     }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { rows: self.rows, from: self.from.part(elements) }
+    fn part(&self, elements: Range<usize>) -> Option<Self> {
+        Some(Self { rows: self.rows, from: self.from.part(elements)? })
     }
 }

@@ -1,6 +1,6 @@
 //! The kernel over slices that bends limbs of two bones.
 
-use super::sweep::{GRAIN, part};
+use super::sweep::GRAIN;
 use crate::backend::{Backend, Kernel, Rows};
 use crate::batch;
 use crate::ik::{Asked, LimbsError, fault};
@@ -67,7 +67,7 @@ impl Backend {
             ((uppers, 1), (lowers, 1)),
             &|first, outputs: (Rows<'_, Q>, Rows<'_, Q>)| {
                 let ((uppers, _), (lowers, _)) = outputs;
-                let limbs = limbs.part(first..first + uppers.len());
+                let Some(limbs) = limbs.part(first..first + uppers.len()) else { return };
                 self.run(Reach { limbs, uppers, lowers });
             },
         );
@@ -96,14 +96,13 @@ impl<P: Element<3>, N: Element<2, Layout = P::Layout>> Limbs<'_, P, N> {
         ))
     }
 
-    fn part(&self, limbs: Range<usize>) -> Self {
-        let points = |points| part(points, limbs.clone());
-        Self {
-            roots: points(self.roots),
-            lengths: part(self.lengths, limbs.clone()),
-            targets: points(self.targets),
-            poles: points(self.poles),
-        }
+    fn part(&self, limbs: Range<usize>) -> Option<Self> {
+        Some(Self {
+            roots: self.roots.get(limbs.clone())?,
+            lengths: self.lengths.get(limbs.clone())?,
+            targets: self.targets.get(limbs.clone())?,
+            poles: self.poles.get(limbs)?,
+        })
     }
 }
 

@@ -28,13 +28,13 @@ impl<'s, E> Source<'s, E> {
         }
     }
 
-    /// Returns the part of the input at these indices; a part beyond the end of a slice is empty.
+    /// Returns the part of the input at these indices; `None` if the slice ends before them.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn part(self, elements: Range<usize>) -> Self {
-        match self {
-            Self::Slice(slice) => Self::Slice(slice.get(elements).unwrap_or_default()),
+    pub(crate) fn part(self, elements: Range<usize>) -> Option<Self> {
+        Some(match self {
+            Self::Slice(slice) => Self::Slice(slice.get(elements)?),
             Self::Output => Self::Output,
-        }
+        })
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -73,6 +73,7 @@ vector! {
     mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
     splat _mm_set1_ps; load _mm_loadu_ps; store _mm_storeu_ps; stream _mm_stream_ps;
     quads f32x4_load f32x4_store f32x4_store_triples f32x4_sum;
+    triples f32x4_load_triples;
     shorts one_by_one;
     and _mm_and_ps; and_not _mm_andnot_ps; or _mm_or_ps; xor _mm_xor_ps;
     less |a, b| M32x4(_mm_cmplt_ps(a.0, b.0), a.1);
@@ -88,6 +89,7 @@ vector! {
     mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
     splat _mm256_set1_ps; load _mm256_loadu_ps; store _mm256_storeu_ps; stream _mm256_stream_ps;
     quads f32x8_load f32x8_store f32x8_store_triples f32x8_sum;
+    triples f32x8_load_triples;
     between_shorts f32x8_between;
     and _mm256_and_ps; and_not _mm256_andnot_ps; or _mm256_or_ps; xor _mm256_xor_ps;
     less |a, b| M32x8(_mm256_cmp_ps::<_CMP_LT_OQ>(a.0, b.0), a.1);

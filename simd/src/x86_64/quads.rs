@@ -78,7 +78,8 @@ sum_singles! { f32x16_sum, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm51
 /// register into its 128-bit groups.
 macro_rules! single_quads {
     (
-        $load:ident, $store:ident, $triples:ident, $register:ident, $transpose:ident, $shuffle:ident;
+        $load:ident, $store:ident, $load_triples:ident, $triples:ident, $register:ident,
+        $transpose:ident, $shuffle:ident;
         join |$get:ident, $i:ident| $join:expr;
         split |$whole:ident| $split:expr;
     ) => {
@@ -115,6 +116,31 @@ macro_rules! single_quads {
             }
         }
         #[cfg_attr(not(opt_level_0), inline(always))]
+        pub(super) unsafe fn $load_triples(at: *const f32) -> [$register; 3] {
+            // SAFETY: the caller guarantees that the CPU has the instructions, and that three
+            // components per lane from `at` on are readable.
+            unsafe {
+                let mut rows = [core::mem::zeroed::<$register>(); 3];
+                for ($i, row) in rows.iter_mut().enumerate() {
+                    // Four records fill three rows of one group.
+                    macro_rules! $get {
+                        ($row:expr) => {
+                            _mm_loadu_ps(at.add(4 * (3 * ($row / 4) + $row % 4)))
+                        };
+                    }
+                    *row = $join;
+                }
+                let [a, b, c] = rows; // x₀ y₀ z₀ x₁, y₁ z₁ x₂ y₂, z₂ x₃ y₃ z₃
+                let xy = $shuffle::<0b10_01_11_10>(b, c); // x₂ y₂ x₃ y₃
+                let yz = $shuffle::<0b01_00_10_01>(a, b); // y₀ z₀ y₁ z₁
+                [
+                    $shuffle::<0b10_00_11_00>(a, xy),
+                    $shuffle::<0b11_01_10_00>(yz, xy),
+                    $shuffle::<0b11_00_11_01>(yz, c),
+                ]
+            }
+        }
+        #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $triples([x, y, z]: [$register; 3], at: *mut f32) {
             // SAFETY: the caller guarantees that the CPU has the instructions, and that three
             // components per lane from `at` on are writable.
@@ -138,17 +164,20 @@ macro_rules! single_quads {
 }
 
 single_quads! {
-    f32x4_load, f32x4_store, f32x4_store_triples, __m128, transpose_f32x4, _mm_shuffle_ps;
+    f32x4_load, f32x4_store, f32x4_load_triples, f32x4_store_triples, __m128,
+    transpose_f32x4, _mm_shuffle_ps;
     join |get, i| get!(i);
     split |whole| [whole];
 }
 single_quads! {
-    f32x8_load, f32x8_store, f32x8_store_triples, __m256, transpose_f32x8, _mm256_shuffle_ps;
+    f32x8_load, f32x8_store, f32x8_load_triples, f32x8_store_triples, __m256,
+    transpose_f32x8, _mm256_shuffle_ps;
     join |get, i| _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(get!(i)), get!(i + 4));
     split |whole| [_mm256_castps256_ps128(whole), _mm256_extractf128_ps::<1>(whole)];
 }
 single_quads! {
-    f32x16_load, f32x16_store, f32x16_store_triples, __m512, transpose_f32x16, _mm512_shuffle_ps;
+    f32x16_load, f32x16_store, f32x16_load_triples, f32x16_store_triples, __m512,
+    transpose_f32x16, _mm512_shuffle_ps;
     join |get, i| {
         let two = _mm512_insertf32x4::<1>(_mm512_castps128_ps512(get!(i)), get!(i + 4));
         _mm512_insertf32x4::<3>(_mm512_insertf32x4::<2>(two, get!(i + 8)), get!(i + 12))

@@ -14,6 +14,7 @@ macro_rules! vector {
         mul_add $mul_add:ident; neg_mul_add $neg_mul_add:ident;
         splat $splat:ident; load $load:ident; store $store:ident; stream $stream:ident;
         quads $load_quads:ident $store_quads:ident $store_triples:ident $($sum_quads:ident)?;
+        $(triples $load_triples:ident;)?
         $(between_shorts $between:ident;)?
         $(shorts $one_by_one:ident;)?
         and $and:ident; and_not $and_not:ident; or $or:ident; xor $xor:ident;
@@ -84,6 +85,25 @@ macro_rules! vector {
                 // guarantees four writable components from `to + i · stride` on for each lane `i`.
                 unsafe { $store_quads([x.0, y.0, z.0, w.0], to, stride) }
             }
+            $(
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                unsafe fn load_adjoining<const C: usize>(
+                    level: $level,
+                    from: *const $real,
+                ) -> Option<[Self; C]> {
+                    if C != 3 {
+                        return None;
+                    }
+                    // SAFETY: `level` proves that the CPU has the instructions, and the caller
+                    // guarantees three readable components per lane from `from` on.
+                    let [x, y, z] = unsafe { $load_triples(from) };
+                    let mut components = [Self(x, level); C];
+                    if let [_, second, third] = components.as_mut_slice() {
+                        (*second, *third) = (Self(y, level), Self(z, level));
+                    }
+                    Some(components)
+                }
+            )?
             #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut $real) {
                 // SAFETY: the vectors prove that the CPU has the instructions, and the caller
