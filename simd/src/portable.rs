@@ -183,8 +183,13 @@ macro_rules! wide_lanes {
                 }
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
-                    let [a, b, c, d] = Self::$transpose(vectors);
-                    (a + c) + (b + d)
+                    #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
+                    return aarch64::$vector::sum_quads(vectors);
+                    #[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
+                    {
+                        let [a, b, c, d] = Self::$transpose(vectors);
+                        (a + c) + (b + d)
+                    }
                 }
             )?
             $(
@@ -263,12 +268,15 @@ macro_rules! wide_lanes {
                 }
                 // This replaces the loop over lanes in `Lanes::sum_quads`. The compiler would store
                 // the vectors of that loop to memory and reload them, which takes five times as
-                // long with SSE2.
+                // long with SSE2. It would also call `map` as a function that takes its vectors
+                // from memory, if the two sums were computed by `map`.
                 #[inline(always)]
-                fn sum_quads(vectors: [Self; 4]) -> Self {
-                    let halves = vectors.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
-                    let sums = [halves.map(|half| half[0]), halves.map(|half| half[1])];
-                    bytemuck::cast(sums.map(<$half as Lanes>::sum_quads))
+                fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {
+                    let [a, b, c, d]: [[$half; 2]; 4] =
+                        [bytemuck::cast(a), bytemuck::cast(b), bytemuck::cast(c), bytemuck::cast(d)];
+                    let lower = $half::sum_quads([a[0], b[0], c[0], d[0]]);
+                    let upper = $half::sum_quads([a[1], b[1], c[1], d[1]]);
+                    bytemuck::cast([lower, upper])
                 }
             )?
             #[inline(always)]

@@ -125,11 +125,13 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         let mut four = 0;
         while four < count {
             let (mut two, mut third) = ([one.0; 4], [one.1; 4]);
+            let weights: &[_; 4] = weights.get(four..four + 4)?.first_chunk()?;
+            let points: &[R; 13] = rest.get(3 * four..)?.first_chunk()?;
             let mut which = 0;
             while which < 4 {
                 let vertex = four + which;
-                let sum = blended::<R, V>(level, picked.records(vertex)?, *weights.get(vertex)?)?;
-                let point = rest.get(3 * vertex..)?.first_chunk()?;
+                let sum = blended::<R, V>(level, picked.records(vertex)?, weights[which])?;
+                let point = points[3 * which..].first_chunk()?;
                 let twice = R::Packed::select(fourth.0, one.0, R::Packed::load_twice(level, point));
                 let once = R::Half::select(fourth.1, one.1, R::Half::load(level, point));
                 (two[which], third[which]) = (sum.0 * twice, sum.1 * once);

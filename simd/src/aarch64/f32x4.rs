@@ -3,6 +3,7 @@
 //! with the stores (`st2`).
 
 use core::arch::aarch64::*;
+use core::arch::asm;
 use core::mem::transmute;
 use wide::f32x4;
 
@@ -33,6 +34,31 @@ pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f32x4; C], to:
     // `f32` that the caller guarantees to be writable.
     unsafe { vst2q_f32(to, components.as_ptr().cast::<float32x4x2_t>().read()) };
     true
+}
+
+/// Implements [`Lanes::sum_quads`](crate::Lanes::sum_quads). Pairs of lanes are joined before they
+/// are added, which takes half as many shuffles as a transpose of all four vectors.
+#[inline(always)]
+pub(crate) fn sum_quads(vectors: [f32x4; 4]) -> f32x4 {
+    // SAFETY: this module is compiled only for targets with NEON, and all registers have 128 bits,
+    // so the transmutes keep the size.
+    unsafe {
+        let [a, b, c, d]: [float64x2_t; 4] = transmute(vectors);
+        // a₀+a₂ a₁+a₃ b₀+b₂ b₁+b₃
+        let sums = |a, b| {
+            let (first, last): (float32x4_t, float32x4_t) =
+                (transmute(vzip1q_f64(a, b)), transmute(vzip2q_f64(a, b)));
+            vaddq_f32(first, last)
+        };
+        let (ab, cd) = (sums(a, b), sums(c, d));
+        // The instruction adds neighbouring lanes. It is written as assembly because the compiler
+        // replaces the intrinsic `vpaddq_f32` by shuffles, which it merges with those above to
+        // twice as many.
+        let sum: float32x4_t;
+        asm!("faddp {0:v}.4s, {1:v}.4s, {2:v}.4s", out(vreg) sum, in(vreg) ab, in(vreg) cd,
+            options(pure, nomem, nostack, preserves_flags));
+        transmute(sum)
+    }
 }
 
 /// Implements [`Lanes::load_adjoining`](crate::Lanes::load_adjoining).
