@@ -53,6 +53,8 @@ mod sealed;
 pub mod sealed;
 mod shorts;
 pub mod unfused;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod wasm32;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
 

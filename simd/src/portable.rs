@@ -1,12 +1,16 @@
 //! [`Portable`]: the level of the build target, whose lanes are the vectors of the crate [`wide`].
 
 #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
-use crate::aarch64;
+use crate::aarch64::{f32x4 as singles, f64x2 as doubles};
 use crate::internal::square_root::VECTORS;
 #[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
 use crate::lanes::PackedDualQuat;
 use crate::lanes::{Lanes, Level, Mask};
 use crate::shorts::{Shorts, four_at_once, one_by_one};
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use crate::wasm32 as singles;
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+use crate::x86_64::f32x4 as singles;
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -128,7 +132,7 @@ mod relaxed {
 /// Implements [`Lanes`] and [`Mask`] for the vectors of `wide`. This is a macro, because the
 /// operations of these vectors are inherent methods, which no generic `impl` can call.
 macro_rules! wide_lanes {
-    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(quads $quads:ident)? $(records $neon:ident)? $(=> $half:ident)?;)*) => {$(
+    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(quads $quads:ident)? $(records $records:ident)? $(=> $half:ident)?;)*) => {$(
         impl crate::sealed::Sealed for $vector {}
         impl Lanes for $vector {
             type Real = $real;
@@ -184,7 +188,7 @@ macro_rules! wide_lanes {
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
                     #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
-                    return aarch64::$vector::sum_quads(vectors);
+                    return singles::sum_quads(vectors);
                     #[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
                     {
                         let [a, b, c, d] = Self::$transpose(vectors);
@@ -201,13 +205,13 @@ macro_rules! wide_lanes {
                 ) -> [Self; 4] {
                     // SAFETY: `load_quads` reads the four components from `from + offset(i)` on for
                     // each lane `i`, which the caller guarantees to be readable.
-                    unsafe { aarch64::$quads::load_quads(from, offset) }
+                    unsafe { $quads::load_quads(from, offset) }
                 }
                 #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     // SAFETY: `store_quads` writes the four components from `to + i · stride` on
                     // for each lane `i`, which the caller guarantees to be writable.
-                    unsafe { aarch64::$quads::store_quads(components, to, stride) }
+                    unsafe { $quads::store_quads(components, to, stride) }
                 }
             )?
             $(
@@ -215,7 +219,7 @@ macro_rules! wide_lanes {
                 unsafe fn store_triples(components: [Self; 3], to: *mut $real) {
                     // SAFETY: `store_triples` writes three components per lane from `to` on, which
                     // the caller guarantees to be writable.
-                    unsafe { aarch64::$neon::store_triples(components, to) }
+                    unsafe { $records::store_triples(components, to) }
                 }
                 #[inline(always)]
                 unsafe fn store_adjoining<const C: usize>(
@@ -224,7 +228,7 @@ macro_rules! wide_lanes {
                 ) -> bool {
                     // SAFETY: `store_adjoining` writes `C` components per lane from `to` on, which
                     // the caller guarantees to be writable.
-                    unsafe { aarch64::$neon::store_adjoining(components, to) }
+                    unsafe { $records::store_adjoining(components, to) }
                 }
                 #[inline(always)]
                 unsafe fn load_adjoining<const C: usize>(
@@ -233,7 +237,7 @@ macro_rules! wide_lanes {
                 ) -> Option<[Self; C]> {
                     // SAFETY: `load_adjoining` reads `C` components per lane from `from` on, which
                     // the caller guarantees to be readable.
-                    unsafe { aarch64::$neon::load_adjoining::<C>(from) }
+                    unsafe { $records::load_adjoining::<C>(from) }
                 }
             )?
             $(
@@ -355,15 +359,27 @@ macro_rules! wide_lanes {
         }
     )*};
 }
-#[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
+#[cfg(any(
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "wasm32", target_feature = "simd128")
+))]
+wide_lanes! {
+    f32x4: [f32; 4], part::F32x4, four_at_once, transpose records singles;
+    f64x2: [f64; 2], part::F64x2, one_by_one;
+}
+#[cfg(not(any(
+    all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"),
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
 wide_lanes! {
     f32x4: [f32; 4], part::F32x4, four_at_once, transpose;
     f64x2: [f64; 2], part::F64x2, one_by_one;
 }
 #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
 wide_lanes! {
-    f32x4: [f32; 4], part::F32x4, four_at_once, transpose records f32x4;
-    f64x2: [f64; 2], part::F64x2, one_by_one quads f64x2 records f64x2;
+    f32x4: [f32; 4], part::F32x4, four_at_once, transpose records singles;
+    f64x2: [f64; 2], part::F64x2, one_by_one quads doubles records doubles;
 }
 wide_lanes! {
     f32x8: [f32; 8], part::F32x8, one_by_one => f32x4;
