@@ -83,12 +83,13 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("internal", &["index", "lanes", "pod", "shorts"]),
     ("records", &["internal", "lanes"]),
     ("aarch64", &["lanes"]),
-    ("portable", &["aarch64", "internal", "lanes", "sealed", "shorts"]),
-    ("one", &["internal", "lanes", "portable", "shorts"]),
-    ("unfused", &["lanes", "sealed", "shorts"]),
+    ("wasm32", &["lanes"]),
     ("pair", &["lanes", "sealed", "shorts"]),
     ("detect", &[]),
     ("x86_64", &["lanes", "pair", "sealed", "detect", "shorts"]),
+    ("portable", &["aarch64", "internal", "lanes", "sealed", "shorts", "wasm32", "x86_64"]),
+    ("one", &["internal", "lanes", "portable", "shorts"]),
+    ("unfused", &["lanes", "sealed", "shorts"]),
 ];
 
 /// The same for `dq8-robot`, which Cargo keeps from everything that `dq8` does not show.
