@@ -48,7 +48,7 @@ export class Solids {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
-  /** Triangles of corners; `view` goes to the screen, `turn` to what the viewer calls right, up and near. */
+  /** Triangles of corners; `view` leads to the screen, `turn` to the viewer's right, up and near. */
   draw(corners, indices, tint, { view, turn }) {
     const gl = this.#gl;
     gl.bufferData(gl.ARRAY_BUFFER, corners, gl.DYNAMIC_DRAW);

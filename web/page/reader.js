@@ -1,4 +1,5 @@
-// The worker that reads a file, so that the page goes on. Its answers: { part }, { made } or { error }.
+// The worker that reads a file, so that the page goes on. It answers with { part }, { made } or
+// { error }.
 import { bvh, glb } from "./files.js";
 
 const READERS = {

@@ -1,4 +1,5 @@
-// A panel: two canvases, of solids below and of lines and words above, and a camera that goes around.
+// A panel: two canvases, of solids below and of lines and words above, and a camera that goes
+// around.
 import { NO_WEBGL, Solids } from "./gl.js";
 
 const probe = document.createElement("span");

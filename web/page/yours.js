@@ -2,6 +2,9 @@ import { Rods } from "./gl.js";
 import { place } from "./motion.js";
 import { Scene, rgb } from "./scene.js";
 
+/** How many poses have to fit into the picture. */
+const POSES = 16;
+
 /** What plays a file, or an error and nothing. */
 function read(dq8, { parents, keys, seconds, mesh }) {
   const own = [],
@@ -37,12 +40,22 @@ function pose(dq8, { skeleton, clip, at, models, skin, binds, motions, rest, pos
   skin.pose({ motions, rest, posed });
 }
 
-/** Lowest and highest numbers of points on each axis. */
-function bounds(points) {
+/** Where the joints are; a skeleton may walk away, so the first joint stays in the middle. */
+function joints({ models, parents }) {
+  const [x, , z] = place(models.view, 0);
+  return parents.map((_, j) => place(models.view, j)).map(([a, b, c]) => [a - x, b, c - z]);
+}
+
+/** Lowest and highest numbers on each axis, of some poses from the first to the last. */
+function bounds(dq8, made) {
   const ends = [0, 1, 2].map(() => [Infinity, -Infinity]);
-  for (let i = 0; i < points.length; i++) {
-    const [low, high] = ends[i % 3];
-    ends[i % 3] = [Math.min(low, points[i]), Math.max(high, points[i])];
+  for (let k = 0; k < POSES; k++) {
+    pose(dq8, made, (k / POSES) * (made.frames - 1));
+    const points = made.posed?.view ?? joints(made).flat();
+    for (let i = 0; i < points.length; i++) {
+      const [low, high] = ends[i % 3];
+      ends[i % 3] = [Math.min(low, points[i]), Math.max(high, points[i])];
+    }
   }
   return ends;
 }
@@ -60,14 +73,11 @@ export function yours(dq8, section) {
     return true;
   }
   function draw() {
-    const { models, posed, parents, mesh, rods } = made;
+    const { posed, parents, mesh, rods } = made;
     scene.clear();
     if (mesh) return scene.solid(posed.view, mesh.indices, rgb("--b"));
-    // It may walk away: the first joint stays in the middle.
-    const [x, , z] = place(models.view, 0),
-      [right, , near] = scene.centre,
-      at = parents.map((_, j) => place(models.view, j)).map(([a, b, c]) => [a - x + right, b, c - z + near]);
-    const thick = 0.012 * scene.size;
+    const at = joints(made),
+      thick = 0.012 * scene.size;
     rods.set(parents.map((parent, j) => [at[Math.max(parent, 0)], at[j], thick, 0.6 * thick]));
     return scene.solid(rods.corners, rods.indices, rgb("--b"));
   }
@@ -80,8 +90,8 @@ export function yours(dq8, section) {
     section.querySelector("h2").textContent = name;
     scene ??= state.scene = new Scene(section, { yaw: 0.4, pitch: 0.15, draw, step });
     time = 0;
-    const { mesh, posed, models, parents, frames } = made,
-      ends = bounds(mesh ? posed.view : parents.flatMap((_, j) => place(models.view, j)));
+    const { parents, frames } = made,
+      ends = bounds(dq8, made);
     scene.centre = ends.map(([low, high]) => (low + high) / 2);
     scene.size = 1.3 * Math.max(1e-3, ...ends.map(([low, high]) => high - low));
     scene.tell(file.what);

@@ -1,4 +1,5 @@
-// The page in Debian's headless Chromium: what each panel says is so, files are opened, keys, fingers and phones work.
+// The page in Debian's headless Chromium: what each panel says is so, files are opened, keys,
+// fingers and phones work.
 import { gzipSync } from "node:zlib";
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
@@ -226,7 +227,8 @@ test("dual quaternions keep the volume of a twisted sleeve, matrices pinch it", 
   for (const volume of await page.evaluate("dq8.sleeve.volumes")) near(volume, 1, 1e-5, "the volume at rest");
   await set("twist", 180);
   const [linear, dual, mixed] = await page.evaluate("dq8.sleeve.volumes");
-  // Rings shrink by |1 − 2w| where matrices blend: over 1/1.6 of the length, a third is left; the rings are 41.
+  // Rings shrink by |1 − 2w| where matrices blend: over 1/1.6 of the length, a third is left; the
+  // rings are 41.
   near(linear, 1 - (2 / 3) / 1.6, 0.01, "linear");
   near(dual, 1, 0.01, "dual");
   assert.ok(linear < mixed && mixed < dual);
