@@ -50,7 +50,7 @@ function joints({ models, parents }) {
 function bounds(dq8, made) {
   const ends = [0, 1, 2].map(() => [Infinity, -Infinity]);
   for (let k = 0; k < POSES; k++) {
-    pose(dq8, made, (k / POSES) * (made.frames - 1));
+    pose(dq8, made, (k / (POSES - 1)) * (made.frames - 1));
     const points = made.posed?.view ?? joints(made).flat();
     for (let i = 0; i < points.length; i++) {
       const [low, high] = ends[i % 3];

@@ -141,15 +141,16 @@ test("on a phone a swipe over a picture scrolls, across it turns it, and on the 
 });
 
 test("what is out of view is not drawn, and goes on when it is in view again", async () => {
-  const own = await browser.page(url, DESK);
+  const own = await browser.page(url, { width: 600, height: 400 });
   await own.until("window.dq8?.ready");
+  await own.evaluate(`document.getElementById("people").value = 5`);
   await dropped("legs.bvh", BVH, own);
   await go("between", own);
   await own.until("!dq8.yours.scene.seen && !dq8.crowd.scene.seen");
   const draws = "Object.values(dq8).filter((panel) => panel?.scene).map(({ scene }) => scene.draws)";
   await own.evaluate(`document.getElementById("twist").dispatchEvent(new Event("input"))`);
   const before = await own.evaluate(draws);
-  await own.evaluate("new Promise((later) => setTimeout(later, 500))");
+  await own.evaluate("new Promise((later) => setTimeout(later, 1000))");
   const after = await own.evaluate(draws);
   // The panel that is seen may be drawn; it does not move by itself.
   assert.ok(after.reduce((sum, x, i) => sum + x - before[i], 0) <= 1, `${before} to ${after}`);
@@ -259,6 +260,8 @@ test("the crowd is where plain JavaScript has it, its feet on the ground; JavaSc
   await page.evaluate(`document.getElementById("pause").checked = true`);
   await frames(5);
   assert.equal(await page.evaluate("dq8.crowd.crowd.plain ?? null"), null, "nobody has asked");
+  // A clock that ticks when it is read: before and behind each half, and not over the ground.
+  assert.equal(await page.evaluate("((ticks) => dq8.crowd.crowd.all(() => ticks++))(0)"), 2 * 2);
   // Batches, and a smaller last one.
   assert.deepEqual(await page.evaluate("dq8.crowd.crowd.batches.map(({ count }) => count)"), [256, 144]);
   await page.evaluate(`document.getElementById("compare").click()`);
@@ -345,6 +348,16 @@ test("a dropped file plays; a bad one says where it is bad and changes nothing",
   assert.match(await dropped("arm.glb", model()), /^\|arm\.glb: 2 joints, .*3 vertices/);
 });
 
+test("the picture has room for all poses of a clip, and a skeleton that walks away stays in its middle", async () => {
+  await dropped("rises.bvh", BVH.replace("0 1 0 0 0 0 0 40 0", "7 5 0 0 0 0 0 0 0"));
+  const [size, [x, y]] = await page.evaluate("[dq8.yours.scene.size, dq8.yours.scene.centre]");
+  // From the end of the leg in the first pose to the hips in the last.
+  const low = 1 - 0.5 * (1 + Math.cos(Math.PI / 18));
+  near(y, (low + 5) / 2, 0.02, "the middle");
+  near(size, 1.3 * (5 - low), 0.05, "the size");
+  near(x, 0, 0.1, "the middle across");
+});
+
 test("a mesh is drawn by WebGL, where its joints have it", async () => {
   await dropped("arm.glb", model());
   const [covered, wanted] = await page.evaluate(`(() => {
@@ -403,6 +416,7 @@ test("a long file is read in a worker, with a bar, and can be given up", async (
 });
 
 test("keys reach every panel, turn it and move its sliders", async () => {
+  await dropped("legs.bvh", BVH);
   await page.evaluate(`document.getElementById("twist").focus()`);
   await set("twist", 150);
   await page.key("ArrowLeft");
