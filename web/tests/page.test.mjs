@@ -93,6 +93,16 @@ test("every panel fits its window, with its numbers and what moves them", async 
       await own.until(`dq8.${section}.scene.draws > 0`);
     }
     assert.equal(await own.evaluate("document.documentElement.scrollWidth"), size.width, "nothing lies beside it");
+    // All that may be said at once has room.
+    const edges = await own.evaluate(`(() => {
+      for (const id of ["compared", "told"]) {
+        document.getElementById(id).textContent = "Many words are said. ".repeat(9);
+      }
+      document.getElementById("reading").hidden = false;
+      const rect = (of) => document.querySelector(of).getBoundingClientRect();
+      return [rect(".live").bottom, rect("#drop").top, rect("#drop").bottom, rect("#crowd").bottom];
+    })()`);
+    assert.deepEqual(edges, edges.slice().sort((a, b) => a - b), `what is in the first panel at ${size.width}`);
     assert.deepEqual(own.messages, []);
     await own.close();
   }
