@@ -464,7 +464,7 @@ test("nothing has been said to the console, and the page is small", (t) => {
   assert.ok(bytes <= 20_500, `${bytes} bytes`);
 });
 
-test("ten thousand people take half the time of JavaScript, and a frame little more than dq8", async (t) => {
+test("ten thousand people take less than half the time of JavaScript, a frame little more than dq8", async (t) => {
   // With nothing to draw in software, ten thousand are soon computed.
   const phone = await browser.page(url, { ...PHONE, before: `{
     const of = HTMLCanvasElement.prototype.getContext;
@@ -490,7 +490,7 @@ test("ten thousand people take half the time of JavaScript, and a frame little m
   })()`);
   t.diagnostic(`JavaScript takes ${ratio.toFixed(1)} times as long, a frame ${frame.toFixed(2)} times`);
   assert.equal(people, 10000);
-  assert.ok(ratio > 1.5, `${ratio} times`);
+  assert.ok(ratio > 2, `${ratio} times`);
   assert.ok(frame < 1.4, `${frame} times`);
   assert.deepEqual(phone.messages, []);
   await phone.close();
