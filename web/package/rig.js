@@ -143,6 +143,7 @@ export function rig(given, skins, clips, options = {}) {
         clip,
         kept.map((index) => make.get(index)(clip)),
         chosen.rate,
+        options.error ?? true,
       ),
     ),
     skins: skins.map((skin) => bound(skin, nodes, { of, count: kept.length }, scale, chosen)),

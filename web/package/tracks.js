@@ -1,7 +1,8 @@
 // Numbers over time, as files have them: LINEAR (rotations by slerp), STEP and CUBICSPLINE of glTF.
 
-const slerp = (a, b, t, out) => {
-  let cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3],
+/** From the rotation at `a` to that at `b` in an array of them. */
+const slerp = (v, a, b, t, out) => {
+  let cosine = v[a] * v[b] + v[a + 1] * v[b + 1] + v[a + 2] * v[b + 2] + v[a + 3] * v[b + 3],
     from = 1 - t,
     to = t;
   const sign = cosine < 0 ? -1 : 1;
@@ -13,7 +14,8 @@ const slerp = (a, b, t, out) => {
     from = Math.sin(from * angle) / sine;
     to = Math.sin(to * angle) / sine;
   }
-  for (let k = 0; k < 4; k++) out[k] = from * a[k] + sign * to * b[k];
+  to *= sign;
+  for (let k = 0; k < 4; k++) out[k] = from * v[a + k] + to * v[b + k];
 };
 
 /** Rotations (`width` 4) or vectors of one node over time. */
@@ -23,14 +25,11 @@ export class Track {
   #width;
   #kind;
   #next = 1;
-  #a;
-  #b;
   constructor(times, values, width, kind = "LINEAR") {
     this.#times = times;
     this.#values = values;
     this.#width = width;
     this.#kind = kind;
-    [this.#a, this.#b] = [new Float64Array(width), new Float64Array(width)];
   }
   get times() {
     return this.#times;
@@ -54,37 +53,36 @@ export class Track {
     while (next < times.length && times[next] <= time) next++;
     return ((this.#next = Math.max(next, 1)), next);
   }
-  /** Part `part` of key `key`: a cubic spline has a tangent in, the value and a tangent out. */
-  #key(key, to, part = 1) {
-    const width = this.#width,
-      from = (this.#kind === "CUBICSPLINE" ? 3 * key + part : key) * width;
-    for (let k = 0; k < width; k++) to[k] = this.#values[from + k];
-    return to;
-  }
   /**
    * Writes the numbers at a time: before the first key those of the first, after the last those of
    * the last.
    */
   at(time, out) {
     const times = this.#times,
+      v = this.#values,
+      width = this.#width,
+      kind = this.#kind,
       next = this.#after(time),
-      kind = this.#kind;
-    if (next === 0 || next === times.length || kind === "STEP") {
-      this.#key(Math.max(next - 1, 0), out);
+      held = next === 0 || next === times.length || kind === "STEP",
+      key = Math.max(next - 1, 0);
+    // A cubic spline has a tangent in, the value and a tangent out.
+    const stride = kind === "CUBICSPLINE" ? 3 * width : width,
+      a = stride * key + (kind === "CUBICSPLINE" ? width : 0),
+      b = a + stride;
+    if (held) {
+      for (let k = 0; k < width; k++) out[k] = v[a + k];
       return;
     }
-    const span = times[next] - times[next - 1],
-      t = (time - times[next - 1]) / span;
-    const a = this.#key(next - 1, this.#a),
-      b = this.#key(next, this.#b);
+    const span = times[next] - times[key],
+      t = (time - times[key]) / span;
     if (kind === "CUBICSPLINE") {
       const t2 = t * t,
         t3 = t2 * t,
-        [from, to] = [2 * t3 - 3 * t2 + 1, 3 * t2 - 2 * t3];
-      for (let k = 0; k < out.length; k++) out[k] = from * a[k] + to * b[k];
-      const [leave, arrive] = [this.#key(next - 1, a, 2), this.#key(next, b, 0)];
-      for (let k = 0; k < out.length; k++) out[k] += span * ((t3 - 2 * t2 + t) * leave[k] + (t3 - t2) * arrive[k]);
-    } else if (this.#width === 4) slerp(a, b, t, out);
-    else for (let k = 0; k < out.length; k++) out[k] = a[k] + t * (b[k] - a[k]);
+        to = 3 * t2 - 2 * t3,
+        [leave, arrive] = [span * (t3 - 2 * t2 + t), span * (t3 - t2)];
+      for (let k = 0; k < width; k++)
+        out[k] = (1 - to) * v[a + k] + to * v[b + k] + leave * v[a + width + k] + arrive * v[b - width + k];
+    } else if (width === 4) slerp(v, a, b, t, out);
+    else for (let k = 0; k < width; k++) out[k] = v[a + k] + t * (v[b + k] - v[a + k]);
   }
 }

@@ -1,55 +1,105 @@
-import { Scene, colour, place, rgb } from "./scene.js";
+import { Rods } from "./gl.js";
+import { place } from "./motion.js";
+import { Scene, rgb } from "./scene.js";
+
+/** How many poses have to fit into the picture. */
+const POSES = 16;
+
+/** What plays a file, or an error and nothing. */
+function read(dq8, { parents, keys, seconds, mesh }) {
+  const own = [],
+    keep = (thing) => (own.push(thing), thing),
+    joints = parents.length,
+    made = { own, parents, seconds, mesh, frames: keys.length / 7 / joints };
+  try {
+    made.skeleton = keep(dq8.skeleton(parents));
+    made.clip = keep(made.skeleton.clip(keys));
+    made.at = keep(dq8.floats(1));
+    made.models = keep(dq8.motions(joints));
+    if (mesh) {
+      made.binds = keep(dq8.motions(mesh.inverseBinds));
+      made.motions = keep(dq8.motions(joints));
+      made.skin = keep(dq8.skin({ jointCount: joints, ...mesh }));
+      made.rest = keep(dq8.floats(mesh.rest));
+      made.posed = keep(dq8.floats(mesh.rest.length));
+    } else made.rods = new Rods(joints);
+    pose(dq8, made, 0);
+    if (made.models.view.some((x) => !Number.isFinite(x))) throw new Error("a number in it is not finite");
+    return made;
+  } catch (error) {
+    for (const thing of own) thing.free();
+    throw error;
+  }
+}
+
+function pose(dq8, { skeleton, clip, at, models, skin, binds, motions, rest, posed }, frame) {
+  at.view[0] = frame;
+  skeleton.localToModel(clip.sample(at), models);
+  if (!skin) return;
+  dq8.mul(models, binds, motions);
+  skin.pose({ motions, rest, posed });
+}
+
+/** Where the joints are; a skeleton may walk away, so the first joint stays in the middle. */
+function joints({ models, parents }) {
+  const [x, , z] = place(models.view, 0);
+  return parents.map((_, j) => place(models.view, j)).map(([a, b, c]) => [a - x, b, c - z]);
+}
+
+/** Lowest and highest numbers on each axis, of some poses from the first to the last. */
+function bounds(dq8, made) {
+  const ends = [0, 1, 2].map(() => [Infinity, -Infinity]);
+  for (let k = 0; k < POSES; k++) {
+    pose(dq8, made, (k / (POSES - 1)) * (made.frames - 1));
+    const points = made.posed?.view ?? joints(made).flat();
+    for (let i = 0; i < points.length; i++) {
+      const [low, high] = ends[i % 3];
+      ends[i % 3] = [Math.min(low, points[i]), Math.max(high, points[i])];
+    }
+  }
+  return ends;
+}
 
 export function yours(dq8, section) {
-  const state = { show };
-  let scene, made;
+  const state = { show },
+    stop = section.querySelector("#stop");
+  let scene,
+    made,
+    time = 0;
+  function step(seconds) {
+    if (stop.checked) return false;
+    time += seconds;
+    pose(dq8, made, (time / made.seconds) % Math.max(1, made.frames - 1));
+    return true;
+  }
+  function draw() {
+    const { posed, parents, mesh, rods } = made;
+    scene.clear();
+    if (mesh) return scene.solid(posed.view, mesh.indices, rgb("--b"));
+    const at = joints(made),
+      thick = 0.012 * scene.size;
+    rods.set(parents.map((parent, j) => [at[Math.max(parent, 0)], at[j], thick, 0.6 * thick]));
+    return scene.solid(rods.corners, rods.indices, rgb("--b"));
+  }
   /** Throws before anything has changed. */
-  function show(name, { parents, keys, seconds, mesh, what }) {
-    const joints = parents.length, next = { own: [], parents, seconds, frames: keys.length / 7 / joints, indices: mesh?.indices }, keep = (thing) => (next.own.push(thing), thing);
-    try {
-      next.skeleton = keep(dq8.skeleton(parents)); next.clip = keep(next.skeleton.clip(keys)); next.at = keep(dq8.floats(1)); next.models = keep(dq8.motions(joints));
-      next.skeleton.localToModel(next.clip.sample(next.at), next.models);
-      if (next.models.view.some((x) => !Number.isFinite(x))) throw new Error("a number in it is not finite");
-      if (mesh) {
-        next.binds = keep(dq8.motions(mesh.inverseBinds)); next.motions = keep(dq8.motions(joints));
-        next.skin = keep(dq8.skin({ jointCount: joints, influences: mesh.influences, joints: mesh.joints, weights: mesh.weights })); next.rest = keep(dq8.floats(mesh.rest)); next.posed = keep(dq8.floats(mesh.rest.length));
-      }
-    } catch (error) { for (const thing of next.own) thing.free(); throw error; }
+  function show(name, file) {
+    const next = read(dq8, file);
     for (const thing of made?.own ?? []) thing.free();
     made = next;
     section.hidden = false;
     section.querySelector("h2").textContent = name;
-    scene ??= new Scene(section, { yaw: 0.4, pitch: 0.15 });
-    pose(0);
-    const points = mesh ? Array.from({ length: mesh.rest.length / 3 }, (_, i) => made.posed.view.subarray(3 * i, 3 * i + 3)) : parents.map((_, j) => place(made.models.view, j));
-    const ends = [0, 1, 2].map((k) => points.reduce(([low, high], p) => [Math.min(low, p[k]), Math.max(high, p[k])], [Infinity, -Infinity]));
+    scene ??= state.scene = new Scene(section, { yaw: 0.4, pitch: 0.15, draw, step });
+    time = 0;
+    const { parents, frames } = made,
+      ends = bounds(dq8, made);
     scene.centre = ends.map(([low, high]) => (low + high) / 2);
-    scene.size = 1.5 * Math.max(1e-3, ...ends.map(([low, high]) => high - low));
-    scene.output.textContent = what;
-    Object.assign(state, { name, joints, frames: next.frames });
-    scene.draw = draw;
-    draw();
+    scene.size = 1.3 * Math.max(1e-3, ...ends.map(([low, high]) => high - low));
+    scene.tell(file.what);
+    Object.assign(state, { name, joints: parents.length, frames });
     section.scrollIntoView();
-    return what;
+    scene.ask();
+    return file.what;
   }
-  function pose(frame) {
-    const { skeleton, clip, at, models, skin } = made;
-    at.view[0] = frame;
-    skeleton.localToModel(clip.sample(at), models);
-    if (skin) { dq8.mul(models, made.binds, made.motions); skin.pose({ motions: made.motions, rest: made.rest, posed: made.posed }); }
-  }
-  function draw() {
-    const { models, posed, parents, indices } = made, project = scene.project();
-    scene.clear();
-    if (posed) return scene.triangles(posed.view, indices, rgb("--b"), project);
-    // It may walk away: the first joint stays in the middle.
-    const root = place(models.view, 0), at = parents.map((_, j) => { const [x, y, z] = place(models.view, j); return project(x - root[0] + scene.centre[0], y, z - root[2] + scene.centre[2]); });
-    parents.forEach((parent, j) => { if (parent >= 0) scene.line([at[parent], at[j]], colour("--b"), 4); });
-  }
-  const loop = (now) => {
-    if (made && !document.hidden) { pose((now / 1000 / made.seconds) % Math.max(1, made.frames - 1)); draw(); }
-    requestAnimationFrame(loop);
-  };
-  requestAnimationFrame(loop);
+  stop.addEventListener("change", () => scene.ask());
   return state;
 }

@@ -365,6 +365,22 @@ describe("what is read", () => {
     }
   });
 
+  test("without the error the frames are the same, and the error is no number", () => {
+    const file = arm({}),
+      times = [0, 0.17, 0.3, 1],
+      animations = [channels(file, [1, "rotation", times, turns(times, 0, 2)])],
+      read = (options) => readGltf(file.bytes({ animations }), options).clips[0],
+      [measured, quick] = [read({}), read({ error: false })];
+    assert.deepEqual(quick.keys, measured.keys);
+    assert.ok(measured.error.rotation > 0);
+    assert.deepEqual(quick.error, {
+      rotation: NaN,
+      translation: NaN,
+      rotationAt: undefined,
+      translationAt: undefined,
+    });
+  });
+
   test("a step is taken at the frame of its time, though times are rounded", async () => {
     const file = arm({}),
       times = Array.from({ length: 11 }, (_, i) => i / 10),

@@ -4,22 +4,44 @@ import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";
 
 const ROOT = new URL("../..", import.meta.url).pathname;
-const TYPES = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".css": "text/css" };
+const TYPES = {
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript",
+  ".mjs": "text/javascript",
+  ".wasm": "application/wasm",
+  ".css": "text/css",
+  ".png": "image/png",
+  ".md": "text/plain; charset=utf-8",
+  ".ts": "text/plain; charset=utf-8",
+};
+const ISOLATED = { "cross-origin-opener-policy": "same-origin", "cross-origin-embedder-policy": "require-corp" };
 
-/** Serves until `close`; `extra` maps further prefixes to folders, such as those of npm. Isolated pages have the finer clock. */
+/**
+ * Serves until `close`; `extra` maps further prefixes to folders, such as those of npm. Isolated
+ * pages have the finer clock.
+ */
 export async function serve(port = 0, { extra = {}, isolated = false } = {}) {
-  const headers = isolated ? { "cross-origin-opener-policy": "same-origin", "cross-origin-embedder-policy": "require-corp" } : {};
+  const headers = isolated ? ISOLATED : {};
   const server = createServer(async (request, answer) => {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
     const [prefix, folder] = Object.entries(extra).find(([prefix]) => path.startsWith(prefix)) ?? ["", ROOT];
     try {
-      if (folder === ROOT && !/^\/(web|robot)\//.test(path)) throw new Error("not served");
+      if (folder === ROOT && !/^\/((web|robot)\/|README\.md$)/.test(path)) throw new Error("not served");
       const body = await readFile(join(folder, path.slice(prefix.length)));
-      answer.writeHead(200, { ...headers, "content-type": TYPES[extname(path)] ?? "application/octet-stream" }).end(body);
-    } catch { answer.writeHead(404).end(`${path}: not found`); }
+      const type = TYPES[extname(path)] ?? "application/octet-stream";
+      answer.writeHead(200, { ...headers, "content-type": type }).end(body);
+    } catch {
+      answer.writeHead(404).end(`${path}: not found`);
+    }
   });
   await new Promise((listening) => server.listen(port, "127.0.0.1", listening));
-  return { url: `http://127.0.0.1:${server.address().port}`, close: () => { server.close(); server.closeAllConnections(); } };
+  const close = () => {
+    server.close();
+    server.closeAllConnections();
+  };
+  return { url: `http://127.0.0.1:${server.address().port}`, close };
 }
 
-if (process.argv[1] === new URL(import.meta.url).pathname) console.log(`${(await serve(8080)).url}/web/page/index.html`);
+if (process.argv[1] === new URL(import.meta.url).pathname) {
+  console.log(`${(await serve(8080)).url}/web/page/index.html`);
+}
