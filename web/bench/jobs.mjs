@@ -2,6 +2,7 @@
 // compared before anything is timed; contenders take turns, and the minimum of each counts.
 import relaxed from "../package/relaxed.js";
 import robotsRelaxed from "../package/robots-relaxed.js";
+import { bits } from "../tests/bits.mjs";
 import { animate, localToModel, skinDual, skinLinear } from "./plain.js";
 
 const LEVELS = { simd128: [], relaxed: [relaxed, robotsRelaxed] };
@@ -39,6 +40,8 @@ export async function run({
       return [level, await load({ level: core }), await loadRobots({ level: arms })];
     }),
   );
+
+  for (const [level, dq8, robots] of modules) log(`${level} has the bits ${bits({ dq8, robots, urdf })}`);
 
   /**
    * Contenders are { name, run, answer, before }; the first that has an answer is what the others are compared with.
