@@ -36,7 +36,10 @@ export class Numbers {
     this.#at = bytes < 2 ** 31 ? module.raw.dq8_allocate(bytes) >>> 0 : 0;
     if (this.#at === 0) throw new RangeError(`there is no memory for ${length} numbers`);
     if (typeof source === "number") return;
-    try { this.view.set(source); } catch (error) { this.free(); throw error; }
+    try { this.view.set(source); } catch (error) {
+      this.free();
+      throw length ? error : new TypeError("source is a view from before memory has grown: take .view again");
+    }
   }
   get length() { return this.#length; }
   /** The numbers, without a copy. Take it again after anything that allocates, which may move all memory. */

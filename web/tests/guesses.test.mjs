@@ -26,6 +26,48 @@ test("arrays are made of arrays, of handles and of views of the same memory, tho
   fails(() => dq8.floats([1, "2"]), /^source\[1\] is no number$/);
 });
 
+test("views of other memory, and of the module's own, are copied whatever is made of them", () => {
+  const numbers = Float32Array.from({ length: 56 }, (_, i) => [0, 0, 0, 1, i, 0.5, 0][i % 7]);
+  const memory = new WebAssembly.Memory({ initial: 1 }),
+    foreign = new Float32Array(memory.buffer, 64, numbers.length);
+  foreign.set(numbers);
+  // Every array of a module has a view of it, and memory that grows detaches the view while it is read.
+  const own = (from) => dq8.floats(from).view,
+    grow = () => dq8.floats(1 << 20);
+  const joints = Uint16Array.of(0, 1, 1, 0),
+    weights = Float32Array.of(1, 1, 1, 1),
+    rest = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
+  for (const of of [() => foreign, () => own(numbers), () => own(numbers).subarray(0)]) {
+    assert.deepEqual([...dq8.floats(of()).view], [...numbers]);
+    assert.deepEqual([...dq8.motions(of()).view], [...numbers]);
+    const locals = dq8.motions(2);
+    skeleton.locals(skeleton.clip(of()).sample(0.5), locals);
+    const old = of();
+    grow();
+    if (old !== foreign)
+      fails(() => dq8.floats(old), /^source is a view from before memory has grown: take \.view again$/);
+    assert.deepEqual(
+      [4, 12].map((i) => locals.view[i]),
+      [5.5, 9],
+    );
+  }
+  const shared = new Float32Array(memory.buffer, 1024, 4);
+  shared.set(weights);
+  for (const of of [() => shared, () => own(weights), () => [...weights]]) {
+    const given = of(),
+      ids = given === shared ? joints : own(joints);
+    const skin = dq8.skin({ jointCount: 2, influences: 1, joints: ids, weights: given }),
+      [from, posed] = [dq8.floats(rest), dq8.floats(12)];
+    skin.pose({ motions: dq8.motions(2), rest: from, posed });
+    assert.deepEqual([...posed.view], rest);
+  }
+  // What has been copied is nobody else's.
+  const copy = dq8.floats(foreign);
+  foreign.fill(9);
+  memory.grow(1);
+  assert.deepEqual([...copy.view], [...numbers]);
+});
+
 test("one motion is the parent of many", () => {
   const one = dq8.motions([0, 0, 1, 0, 0.5, 0, 0, 0]),
     many = dq8.motions(5),
