@@ -61,6 +61,11 @@ test("views of other memory, and of the module's own, are copied whatever is mad
     skin.pose({ motions: dq8.motions(2), rest: from, posed });
     assert.deepEqual([...posed.view], rest);
   }
+  // Joints take so much that memory grows before weights are read.
+  const vertices = 1 << 21,
+    heavy = dq8.floats(vertices);
+  heavy.view.fill(1);
+  dq8.skin({ jointCount: 1, influences: 1, joints: new Uint16Array(vertices), weights: heavy.view }).free();
   // What has been copied is nobody else's.
   const copy = dq8.floats(foreign);
   foreign.fill(9);
