@@ -126,6 +126,8 @@ export class Crowd extends Handle {
   set(poses: Floats): void;
   /** In place. */
   localToModel(): void;
+  /** Skinning palettes [instance][joint] of models, 4×4 matrices by columns. */
+  palette(options: { inverseBinds: Floats; palette: Floats }): void;
   copyTo(poses: Floats): void;
 }
 

@@ -297,7 +297,8 @@ export class PackedClip extends Handle {
 }
 
 /** Rust's name for the poses of a crowd, for errors. */
-const THINGS = { names: { things: "poses" } };
+const THINGS = { names: { things: "poses" } },
+  CROWD = { names: { things: "palette", models: "palette" } };
 
 export class Crowd extends Handle {
   #skeleton;
@@ -319,6 +320,19 @@ export class Crowd extends Handle {
   /** In place. */
   localToModel() {
     run(this, "dq8_crowd_local_to_model", [of(this.#skeleton, Skeleton, "skeleton")]);
+  }
+  /** Skinning palettes [instance][joint] of models, 4×4 matrices by columns. */
+  palette({ inverseBinds, palette } = {}) {
+    const skeleton = of(this.#skeleton, Skeleton, "skeleton");
+    run(
+      this,
+      "dq8_crowd_palette",
+      [skeleton],
+      { inverseBinds: [inverseBinds, 8] },
+      { palette: [palette, 16] },
+      {},
+      CROWD,
+    );
   }
   copyTo(poses) {
     run(this, "dq8_crowd_copy_to", [], {}, { poses: [poses, 8] }, {}, THINGS);

@@ -18,4 +18,9 @@ export class Floats extends Handle {
    * memory grows.
    */
   readonly view: View;
+  /**
+   * The numbers from `begin` to before `end`, without a copy: a batch of instances. They are those of this array, and
+   * are freed with it.
+   */
+  subarray(begin?: number, end?: number): Floats;
 }

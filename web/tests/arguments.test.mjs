@@ -166,6 +166,13 @@ const ROWS = [
   { of: "Crowd", method: "set", reads: { poses: [8, J * N] }, writes: {}, call: ({ poses }) => crowd.set(poses) },
   { of: "Crowd", method: "copyTo", reads: {}, writes: { poses: [8, J * N] }, call: ({ poses }) => crowd.copyTo(poses) },
   {
+    of: "Crowd",
+    method: "palette",
+    reads: { inverseBinds: [8, J] },
+    writes: { palette: [16, J * N] },
+    call: (arrays) => crowd.palette(arrays),
+  },
+  {
     of: "Skin",
     method: "pose",
     reads: { motions: [8, J], shares: [1, V], rest: [3, V], normals: [3, V] },

@@ -78,6 +78,7 @@ const TABLE = [
   ],
   ["src/fit.rs", "rigid", none(RECORDED), none("fits are not in the C interface yet"), "fit_pairs"],
   ["src/storage/mod.rs", null, "floats", none("arrays are the caller's"), none("arrays are NumPy's")],
+  ["src/storage/mod.rs", null, "subarray", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/storage/mod.rs", null, "motions", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/hierarchy/skeleton.rs", null, "free", none(BORROWED), none("Python collects what is not needed")],
 ];
