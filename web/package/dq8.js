@@ -1,6 +1,7 @@
 // dq8 for JavaScript: skeletons, clips and skins, many at a time. README.md begins with an example.
 import { floats, motions } from "./arrays.js";
 import { compile as compileFile, LevelError, supports } from "./engine.js";
+import { guesses } from "./loud.js";
 import { Module, Noun, Numbers, count, dispose } from "./memory.js";
 import { LOCALS, Sampled, Scratch } from "./sampled.js";
 
@@ -396,3 +397,22 @@ export class Skin extends Handle {
     run(this, "dq8_skin_pose", [kind, mesh.byteOffset], reads, {}, {}, SURFACE);
   }
 }
+
+const GLTF = "readGltf of dq8/gltf";
+guesses(Dq8, {
+  multiply: "mul",
+  invert: "inverse",
+  conjugate: "inverse",
+  slerp: "sclerpEach",
+  lerp: "sclerpEach",
+  fromMatrices: "fromMatrices of dq8/gltf",
+  toMatrices: "matrices",
+  gltf: GLTF,
+  loadGltf: GLTF,
+  clip: "skeleton.clip",
+  crowd: "skeleton.crowd",
+  robot: "robot of dq8/robots",
+});
+guesses(Skeleton, { sample: "clip.sample", update: "palette", pose: "localToModel", bones: "joints" });
+guesses(Skin, { update: "pose", apply: "pose" });
+guesses(Clip, { pack: "a packed clip that Rust or Python wrote", times: "duration and frames" });

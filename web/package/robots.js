@@ -1,6 +1,7 @@
 // Robots of URDF files: poses of links, Jacobians, inverse kinematics. The only file that knows what a robot exports.
 import { floats, motions } from "./arrays.js";
 import { compile as compileFile, LevelError, supports } from "./engine.js";
+import { guesses } from "./loud.js";
 import { Module, Noun, Numbers, count, dispose } from "./memory.js";
 
 const SIMD128 = { module: "dq8/robots", name: "simd128", url: () => new URL("./robots.simd128.wasm", import.meta.url) };
@@ -176,3 +177,5 @@ export class Robot {
     this.free();
   }
 }
+
+guesses(Robot, { solve: "reach", ik: "reach", forwardKinematics: "poses", jointNames: "valueNames" });

@@ -110,3 +110,47 @@ test("links are given by name, and robots have motions", () => {
   fails(() => robot.reach("hnd", target, one), /^link is hnd, none of .*hand/);
   fails(() => robot.reach(0.5, target, one), /^link is 0.5, not a whole number$/);
 });
+
+test("other names for what there is say which to take", () => {
+  const skin = dq8.skin({ jointCount: 1, influences: 1, joints: [0], weights: [1] }),
+    clip = skeleton.clip(KEYS);
+  const robot = robots.robot(readFileSync(new URL("../../robot/robots/arm7.urdf", import.meta.url), "utf8"));
+  const told = [
+    [() => dq8.multiply(1, 2), /^Dq8 has no multiply: take mul$/],
+    [() => dq8.invert, /take inverse$/],
+    [() => dq8.slerp(), /take sclerpEach$/],
+    [() => dq8.fromMatrices([]), /take fromMatrices of dq8\/gltf$/],
+    [() => dq8.gltf(), /take readGltf of dq8\/gltf$/],
+    [() => dq8.clip(KEYS), /take skeleton\.clip$/],
+    [() => dq8.robot(""), /take robot of dq8\/robots$/],
+    [() => skeleton.sample(0), /^Skeleton has no sample: take clip\.sample$/],
+    [() => skeleton.update(), /take palette$/],
+    [() => skeleton.bones, /take joints$/],
+    [() => skin.update(), /^Skin has no update: take pose$/],
+    [() => clip.pack(), /take a packed clip that Rust or Python wrote$/],
+    [() => robot.solve(), /^Robot has no solve: take reach$/],
+    [() => robot.ik(), /take reach$/],
+    [() => robot.forwardKinematics(), /take poses$/],
+    [() => robot.jointNames, /take valueNames$/],
+  ];
+  for (const [call, text] of told) fails(call, text);
+  // What is asked about and not taken is no error.
+  assert.deepEqual(Object.keys(dq8), []);
+  assert.ok("multiply" in dq8 && !Object.hasOwn(skeleton, "update"));
+});
+
+test("arrays that are taken for numbers say where those are", () => {
+  const numbers = dq8.floats(3),
+    told = /its numbers are in \.view$/;
+  for (const call of [
+    () => numbers[0],
+    () => (numbers[0] = 1),
+    () => numbers.set([1]),
+    () => numbers.fill(0),
+    () => [...numbers],
+    () => Array.from(numbers),
+    () => new Float32Array(numbers),
+    () => numbers.buffer,
+  ])
+    fails(call, told);
+});
