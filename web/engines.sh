@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the bench in three engines, each against flat JavaScript in the same run: V8 (node, chromium), SpiderMonkey
-# (firefox) and JavaScriptCore (jsc, its shell; webkit, GTK's browser): `web/engines.sh [NAME…]`, all by default. Answers
+# (firefox) and JavaScriptCore (jsc; webkit, GTK's browser): `web/engines.sh [NAME…]`, all by default. Answers
 # are compared with those of peers, and all engines must have the same bits. The level is simd128.
 set -euo pipefail
 cd "$(dirname "$0")"
