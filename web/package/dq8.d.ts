@@ -1,7 +1,7 @@
 import type { LoadOptions } from "./engine.js";
-import type { Floats } from "./memory.js";
+import { Floats, Handle } from "./memory.js";
 export { LevelError, supports } from "./engine.js";
-export type { Floats, LoadOptions };
+export { Floats, type LoadOptions };
 
 /** A module of its own, with its own memory. */
 export function load(options?: LoadOptions<"dq8">): Promise<Dq8>;
@@ -9,13 +9,12 @@ export default load;
 /** The compiled code, which can be posted to workers: `load({ wasm })` there. */
 export function compile(options?: LoadOptions<"dq8">): Promise<object>;
 
-interface Freed {
-  free(): void;
-  [Symbol.dispose](): void;
-}
-
-/** Motions are eight numbers each, x y z w of the rotation and of the dual part; all errors are thrown before anything is written. */
-export interface Dq8 {
+/**
+ * Motions are eight numbers each, x y z w of the rotation and of the dual part; all errors are thrown before anything
+ * is written.
+ */
+export class Dq8 {
+  private constructor();
   floats(source: number | ArrayLike<number>): Floats;
   /** So many identities, or the numbers of an array. */
   motions(source: number | ArrayLike<number>): Floats;
@@ -43,20 +42,27 @@ export interface Dq8 {
   matrices(motions: Floats, matrices: Floats): void;
 }
 
-export interface Skeleton extends Freed {
+export class Skeleton extends Handle {
+  private constructor();
   readonly joints: number;
   /**
-   * A clip of keys [frame][joint][x y z w tx ty tz], copied. Its times are frames, or seconds with a rate in frames a second; one
-   * that loops ends with its first frame once more.
+   * A clip of keys [frame][joint][x y z w tx ty tz], copied. Its times are frames, or seconds with a rate in frames a
+   * second; one that loops ends with its first frame once more.
    */
   clip(keys: ArrayLike<number>, options?: { rate?: number; loops?: boolean }): Clip;
   /** Poses in blocks of four instances: the quickest form where nothing else wants them plain. */
   crowd(instances: number): Crowd;
-  /** Locals [instance][joint] of sampled clips: to turn a head or to take the motion of a root, and then as locals again. */
+  /**
+   * Locals [instance][joint] of sampled clips: to turn a head or to take the motion of a root, and then as locals
+   * again.
+   */
   locals(poses: Sampled, locals: Floats): void;
   /** The locals of models, as after a simulation; with the roots that the models have. */
   modelToLocal(models: Floats, locals: Floats, options?: { roots?: Floats }): void;
-  /** `roots` are a motion for each instance, or one for all. Model poses [instance][joint] of locals or of sampled clips; over the locals themselves without `models`. */
+  /**
+   * `roots` are a motion for each instance, or one for all. Model poses [instance][joint] of locals or of sampled
+   * clips; over the locals themselves without `models`.
+   */
   localToModel(locals: Floats, models?: Floats, options?: { roots?: Floats }): void;
   localToModel(poses: Sampled, models: Floats, options?: { roots?: Floats }): void;
   /** Skinning palettes [instance][joint], 4×4 matrices by columns. */
@@ -67,48 +73,61 @@ export interface Skeleton extends Freed {
   twoBone(limb: readonly [number, number, number], models: Floats, targets: Floats, poles: Floats): void;
 }
 
-export interface Clip extends Freed {
+export class Clip extends Handle {
+  private constructor();
   /** The time from the first frame to the last. */
   readonly duration: number;
   readonly frames: number;
   /**
-   * Its poses, instance i at the time at[i], or all at one time; held at both ends if it does not loop. Between two frames rotations
-   * are normalized means (NLERP): of frames that are an angle θ apart, within θ³/249 of slerp, which is 4e-6 for 0.1 radians.
+   * Its poses, instance i at the time at[i], or all at one time; held at both ends if it does not loop. Between two
+   * frames rotations are normalized means (NLERP): of frames that are an angle θ apart, within θ³/249 of slerp, which
+   * is 4e-6 for 0.1 radians.
    */
   sample(at: number | Floats): Sampled;
 }
 
 /** Clips of one skeleton in 8 bytes for each track that moves, and frame. */
-export interface PackedClip extends Freed {
+export class PackedClip extends Handle {
+  private constructor();
   /** How many clips there are. */
   readonly clips: number;
   /** How many frames one of them has; 0 if there is none of this number. */
   frames(clip?: number): number;
-  /** The time from the first frame of one of them to its last, in seconds if it has a rate; 0 if there is none of this number. */
+  /**
+   * The time from the first frame of one of them to its last, in seconds if it has a rate; 0 if there is none of this
+   * number.
+   */
   duration(clip?: number): number;
   /**
-   * Poses, instance i at the time at[i] of clip clips[i], or all of one clip, the first if none is given. Held at both ends if the
-   * clip does not loop.
+   * Poses, instance i at the time at[i] of clip clips[i], or all of one clip, the first if none is given. Held at both
+   * ends if the clip does not loop.
    */
   sample(at: number | Floats, clips?: number | Floats): Sampled;
 }
 
-/** Poses that are made as they are loaded, of plain clips, of packed ones, or of an array. What blends and adds can be blended and added again. */
-export interface Sampled {
+/**
+ * Poses that are made as they are loaded, of plain clips, of packed ones, or of an array. What blends and adds can be
+ * blended and added again.
+ */
+export class Sampled {
+  private constructor();
   /**
-   * From these to those of a layer, by a weight for each instance, or one for all, times one for each joint. The law is "nlerp" for
-   * rotations, the normalized mean, where none is given. "slerp" turns at constant speed, as three.js does, and takes longer; between
-   * poses that are 90° apart the two differ by up to 0.92°.
+   * From these to those of a layer, by a weight for each instance, or one for all, times one for each joint. The law is
+   * "nlerp" for rotations, the normalized mean, where none is given. "slerp" turns at constant speed, as three.js does,
+   * and takes longer; between poses that are 90° apart the two differ by up to 0.92°.
    */
   blend(layer: Sampled, weights: number | Floats, options?: { mask?: Floats; law?: "nlerp" | "slerp" }): Sampled;
   /** These, then so much of those of a layer on top: its rotations from the left, its translations added. */
   add(layer: Sampled, weights: number | Floats, options?: { mask?: Floats }): Sampled;
 }
 
-export interface Crowd extends Freed {
+export class Crowd extends Handle {
+  private constructor();
   set(poses: Floats): void;
   /** In place. */
   localToModel(): void;
+  /** Skinning palettes [instance][joint] of models, 4×4 matrices by columns. */
+  palette(options: { inverseBinds: Floats; palette: Floats }): void;
   copyTo(poses: Floats): void;
 }
 
@@ -120,7 +139,8 @@ export interface SkinOptions {
   weights: ArrayLike<number>;
 }
 
-export interface Skin extends Freed {
+export class Skin extends Handle {
+  private constructor();
   pose(options: {
     blend?: "dual" | "linear" | "mixed";
     /** A motion for each joint. */

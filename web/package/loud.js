@@ -22,3 +22,13 @@ export function loud(Class) {
     }),
   );
 }
+
+/** Lets names that others have for what a class does, or that are of another class, fail with what to take. */
+export function guesses(Class, names) {
+  for (const [guess, use] of Object.entries(names)) {
+    const get = () => {
+      throw new TypeError(`${Class.name} has no ${guess}: take ${use}`);
+    };
+    Object.defineProperty(Class.prototype, guess, { get });
+  }
+}

@@ -24,7 +24,7 @@ function worded(text, sizes = {}, { names = {}, each } = {}) {
 
 /** Numbers in a module's memory. */
 export class Numbers {
-  #module; #Type; #view; #at; #length;
+  #module; #Type; #view; #at; #length; #whole;
   constructor(module, Type, source) {
     const length = typeof source === "number" ? source : source?.length;
     if (length === undefined) throw new TypeError(`source is ${source}, neither a number nor an array`);
@@ -36,22 +36,47 @@ export class Numbers {
     this.#at = bytes < 2 ** 31 ? module.raw.dq8_allocate(bytes) >>> 0 : 0;
     if (this.#at === 0) throw new RangeError(`there is no memory for ${length} numbers`);
     if (typeof source === "number") return;
-    try { this.view.set(source); } catch (error) { this.free(); throw error; }
+    try { this.view.set(source); } catch (error) {
+      this.free();
+      throw length ? error : new TypeError("source is a view from before memory has grown: take .view again");
+    }
   }
   get length() { return this.#length; }
+  /** Numbers from `begin` to before `end`, without a copy, for as long as these are there. */
+  subarray(begin = 0, end = this.#length) {
+    this.#check("the array");
+    if (count("begin", begin) > count("end", end) || end > this.#length) {
+      throw new RangeError(`${begin} to ${end} is no part of ${this.#length} numbers`);
+    }
+    const part = new Numbers(this.#module, this.#Type, 0);
+    part.free();
+    part.#at = this.#at + begin * this.#Type.BYTES_PER_ELEMENT;
+    part.#length = end - begin;
+    part.#whole = this;
+    return part;
+  }
   /** The numbers, without a copy. Take it again after anything that allocates, which may move all memory. */
   get view() {
-    if (this.#at === 0) throw new Error("the array has been freed");
+    this.#check("the array");
     const { buffer } = this.#module.raw.memory;
     if (this.#view?.buffer !== buffer) this.#view = new this.#Type(buffer, this.#at, this.#length);
     return this.#view;
   }
   free() {
-    if (this.#at) this.#module.raw.dq8_free(this.#at, this.#length * this.#Type.BYTES_PER_ELEMENT);
+    if (this.#at && !this.#whole) this.#module.raw.dq8_free(this.#at, this.#length * this.#Type.BYTES_PER_ELEMENT);
     this.#at = this.#length = 0;
     this.#view = undefined;
   }
   [dispose]() { this.free(); }
+  /** Whether they, or what they are a part of, have been freed. */
+  get #freed() { return this.#at === 0 || (this.#whole?.#freed ?? false); }
+  #check(name) { if (this.#freed) throw new Error(`${name} has been freed`); }
+  /** Whether they share numbers. */
+  static overlap(a, b) {
+    const [first, next] = a.#at < b.#at ? [a, b] : [b, a];
+    const end = first.#at + first.#length * first.#Type.BYTES_PER_ELEMENT;
+    return a.#module === b.#module && !a.#freed && !b.#freed && next.#length > 0 && next.#at < end;
+  }
   /** Place and count of an array of things of `size` numbers. */
   static place(module, name, numbers, size) {
     if (numbers === undefined || numbers === null) throw new TypeError(`${name} is missing`);
@@ -59,7 +84,7 @@ export class Numbers {
       throw new TypeError(`${name} is no array of ${module.name}.floats`);
     }
     if (numbers.#module !== module) throw new TypeError(`${name} is an array of another module`);
-    if (numbers.#at === 0) throw new Error(`${name} has been freed`);
+    numbers.#check(name);
     if (numbers.#length % size) {
       throw new RangeError(`${name} holds ${numbers.#length} numbers, which is not a multiple of ${size}`);
     }
@@ -105,7 +130,10 @@ export class Module {
   /** What is written can be none of what is read. */
   apart(name, numbers, inputs) {
     for (const input in inputs) {
-      if (numbers && inputs[input] === numbers) throw new RangeError(`${name} is the same array as ${input}`);
+      const other = inputs[input];
+      if (numbers && other === numbers) throw new RangeError(`${name} is the same array as ${input}`);
+      const both = numbers instanceof Numbers && other instanceof Numbers;
+      if (both && Numbers.overlap(numbers, other)) throw new RangeError(`${name} has numbers of ${input}`);
     }
   }
 }

@@ -1,9 +1,9 @@
 //! Crowds: poses in blocks of four instances, the quickest form where nothing else wants them
 //! plain.
 
-use crate::Motion;
 use crate::memory::{exports, frees, status};
-use crate::skeleton::Rig;
+use crate::skeleton::{Rig, model_palette};
+use crate::{Columns, Motion};
 use dq8::Crowd;
 
 type Blocks = Crowd<f32, 4>;
@@ -20,6 +20,19 @@ exports! {
 
     fn dq8_crowd_copy_to(crowd: &Blocks;; poses[count]: Motion) -> u32 {
         status(crowd.copy_to_slice(poses))
+    }
+
+    /// Palettes of models, by way of plain ones.
+    fn dq8_crowd_palette(
+        crowd: &Blocks, rig: &mut Rig; inverse_binds[bind_count]: Motion; palette[count]: Columns
+    ) -> u32 {
+        let Rig { loose, scratch, models, .. } = rig;
+        models.resize(palette.len(), Motion::IDENTITY);
+        status(
+            crowd
+                .copy_to_slice(models)
+                .and_then(|()| model_palette(loose, models, scratch, inverse_binds, palette)),
+        )
     }
 
     /// In place.

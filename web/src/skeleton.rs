@@ -15,10 +15,10 @@ const AT_ONCE: usize = 16;
 pub(crate) struct Rig {
     pub(crate) skeleton: Skeleton,
     /// No joint has a parent: what models and inverse binds make palettes by.
-    loose: Box<[u32]>,
+    pub(crate) loose: Box<[u32]>,
     places: [Places; 2],
-    scratch: Box<[Motion]>,
-    models: Vec<Motion>,
+    pub(crate) scratch: Box<[Motion]>,
+    pub(crate) models: Vec<Motion>,
 }
 
 impl Rig {
@@ -43,7 +43,7 @@ unsafe fn root<'a>(roots: *const Motion, count: usize) -> Root<'a, Motion> {
 }
 
 /// Palettes of models that are there.
-fn model_palette(
+pub(crate) fn model_palette(
     loose: &[u32],
     models: &[Motion],
     scratch: &mut [Motion],

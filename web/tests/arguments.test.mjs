@@ -15,7 +15,7 @@ const J = 2,
   N = 3,
   V = 4;
 
-let dq8, other, robots, otherRobots, skeleton, clip, skin, crowd, robot;
+let dq8, other, robots, otherRobots, skeleton, clip, skin, crowd, robot, arm;
 before(async () => {
   [dq8, other, robots, otherRobots] = await Promise.all([load(), load(), loadRobots(), loadRobots()]);
   skeleton = dq8.skeleton([-1, 0]);
@@ -23,6 +23,7 @@ before(async () => {
   skin = dq8.skin({ jointCount: J, influences: 1, joints: [0, 1, 0, 1], weights: [1, 1, 1, 1] });
   crowd = skeleton.crowd(N);
   robot = robots.robot(URDF);
+  arm = robots.robot(text("robot/robots/arm6.urdf"));
 });
 
 /**
@@ -165,6 +166,13 @@ const ROWS = [
   { of: "Crowd", method: "set", reads: { poses: [8, J * N] }, writes: {}, call: ({ poses }) => crowd.set(poses) },
   { of: "Crowd", method: "copyTo", reads: {}, writes: { poses: [8, J * N] }, call: ({ poses }) => crowd.copyTo(poses) },
   {
+    of: "Crowd",
+    method: "palette",
+    reads: { inverseBinds: [8, J] },
+    writes: { palette: [16, J * N] },
+    call: (arrays) => crowd.palette(arrays),
+  },
+  {
     of: "Skin",
     method: "pose",
     reads: { motions: [8, J], shares: [1, V], rest: [3, V], normals: [3, V] },
@@ -194,6 +202,30 @@ const ROWS = [
     reads: { target: [8, 1] },
     writes: { values: [1, 8] },
     call: ({ target, values }) => robot.reach(1, target, values),
+  },
+  {
+    of: "Robot",
+    method: "reachEach",
+    robot: true,
+    reads: { targets: [8, N] },
+    writes: { values: [1, 8 * N] },
+    call: ({ targets, values }) => robot.reachEach(1, targets, values),
+  },
+  {
+    of: "Robot",
+    method: "follow",
+    robot: true,
+    reads: { targets: [8, N] },
+    writes: { values: [1, 8 * N] },
+    call: ({ targets, values }) => robot.follow(1, targets, values),
+  },
+  {
+    of: "Robot",
+    method: "solutions",
+    robot: true,
+    reads: { target: [8, 1], values: [1, 6] },
+    writes: {},
+    call: ({ target, values }) => arm.solutions(arm.linkNames.at(-1), target, values),
   },
 ];
 

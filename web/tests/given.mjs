@@ -1,11 +1,17 @@
 // What the tests ask, the same for the module and for the native library: see ../examples/answers.rs.
-export const JOINTS = 23, INSTANCES = 21, FRAMES = 5, VERTICES = 333, CONFIGURATIONS = 9;
+export const JOINTS = 23,
+  INSTANCES = 21,
+  FRAMES = 5,
+  VERTICES = 333,
+  CONFIGURATIONS = 9;
 export const parents = Int32Array.from({ length: JOINTS }, (_, joint) => ((joint + 1) >> 1) - 1);
 
 let state = 0x2545f491;
 /** In [0, 1), on every machine. */
 export function random() {
-  state ^= state << 13; state ^= state >>> 17; state ^= state << 5;
+  state ^= state << 13;
+  state ^= state >>> 17;
+  state ^= state << 5;
   return (state >>> 8) / 2 ** 24;
 }
 export const numbers = (count, of = () => 2 * random() - 1) => Float32Array.from({ length: count }, of);
@@ -29,12 +35,22 @@ const weights = (vertices) => {
 
 /** In the order in which the native program reads them. */
 export const given = {
-  locals: poses(INSTANCES * JOINTS), roots: poses(INSTANCES), binds: poses(JOINTS),
-  clipA: poses(FRAMES * JOINTS), clipB: poses(FRAMES * JOINTS),
-  atA: numbers(INSTANCES, () => 6 * random() - 1), atB: numbers(INSTANCES, () => 4 * random()), weights: numbers(INSTANCES, random),
-  mask: numbers(JOINTS, random), clips: numbers(INSTANCES, () => Math.floor(2 * random())),
-  t: numbers(INSTANCES * JOINTS, random), points: numbers(3 * INSTANCES * JOINTS),
-  rest: numbers(3 * VERTICES), normals: numbers(3 * VERTICES),
-  joints: numbers(4 * VERTICES, () => Math.floor(JOINTS * random())), skinWeights: weights(VERTICES), shares: numbers(VERTICES, random),
+  locals: poses(INSTANCES * JOINTS),
+  roots: poses(INSTANCES),
+  binds: poses(JOINTS),
+  clipA: poses(FRAMES * JOINTS),
+  clipB: poses(FRAMES * JOINTS),
+  atA: numbers(INSTANCES, () => 6 * random() - 1),
+  atB: numbers(INSTANCES, () => 4 * random()),
+  weights: numbers(INSTANCES, random),
+  mask: numbers(JOINTS, random),
+  clips: numbers(INSTANCES, () => Math.floor(2 * random())),
+  t: numbers(INSTANCES * JOINTS, random),
+  points: numbers(3 * INSTANCES * JOINTS),
+  rest: numbers(3 * VERTICES),
+  normals: numbers(3 * VERTICES),
+  joints: numbers(4 * VERTICES, () => Math.floor(JOINTS * random())),
+  skinWeights: weights(VERTICES),
+  shares: numbers(VERTICES, random),
   values: numbers(9 * CONFIGURATIONS, () => 0.02 * random()),
 };

@@ -217,6 +217,31 @@ describe("palettes are those of three.js", () => {
     assert.deepEqual([...read.skins[0].joints], [4, 2]);
   });
 
+  test("of a mirrored skin, whose normals still look out of its triangles", () => {
+    const file = new File(),
+      corners = [0, 0, 0, 2, 0, 0, 0, 3, 0];
+    const attributes = {
+      POSITION: file.accessor("VEC3", corners),
+      NORMAL: file.accessor("VEC3", [0, 0, 1, 0, 0, 1, 0, 0, 1]),
+      JOINTS_0: file.accessor("VEC4", new Uint8Array(12)),
+      WEIGHTS_0: file.accessor("VEC4", [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]),
+    };
+    for (const scale of [1, -1]) {
+      const nodes = [{ scale: [scale, scale, scale], children: [1] }, {}, { mesh: 0, skin: 0 }];
+      const read = readGltf(
+        file.bytes({ nodes, meshes: [{ primitives: [{ attributes }] }], skins: [{ joints: [1] }] }),
+      );
+      const [{ scale: found, primitives }] = read.skins,
+        [{ positions, normals, indices }] = primitives;
+      assert.equal(found, scale);
+      const [a, b, c] = Array.from(indices, (i) => positions.subarray(3 * i, 3 * i + 3)),
+        [u, v] = [b, c].map((to) => to.map((x, k) => x - a[k]));
+      const out = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+      assert.deepEqual([...positions].map(Math.abs), corners);
+      assert.deepEqual([positions[3], normals[2], out[2]], [2 * scale, scale, 6 * scale]);
+    }
+  });
+
   test("of cubic splines", async () => {
     const file = arm({}),
       times = [0, 0.4, 1],

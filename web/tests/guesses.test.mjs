@@ -26,6 +26,53 @@ test("arrays are made of arrays, of handles and of views of the same memory, tho
   fails(() => dq8.floats([1, "2"]), /^source\[1\] is no number$/);
 });
 
+test("views of other memory, and of the module's own, are copied whatever is made of them", () => {
+  const numbers = Float32Array.from({ length: 56 }, (_, i) => [0, 0, 0, 1, i, 0.5, 0][i % 7]);
+  const memory = new WebAssembly.Memory({ initial: 1 }),
+    foreign = new Float32Array(memory.buffer, 64, numbers.length);
+  foreign.set(numbers);
+  // Every array of a module has a view of it, and memory that grows detaches the view while it is read.
+  const own = (from) => dq8.floats(from).view,
+    grow = () => dq8.floats(1 << 20);
+  const joints = Uint16Array.of(0, 1, 1, 0),
+    weights = Float32Array.of(1, 1, 1, 1),
+    rest = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
+  for (const of of [() => foreign, () => own(numbers), () => own(numbers).subarray(0)]) {
+    assert.deepEqual([...dq8.floats(of()).view], [...numbers]);
+    assert.deepEqual([...dq8.motions(of()).view], [...numbers]);
+    const locals = dq8.motions(2);
+    skeleton.locals(skeleton.clip(of()).sample(0.5), locals);
+    const old = of();
+    grow();
+    if (old !== foreign)
+      fails(() => dq8.floats(old), /^source is a view from before memory has grown: take \.view again$/);
+    assert.deepEqual(
+      [4, 12].map((i) => locals.view[i]),
+      [5.5, 9],
+    );
+  }
+  const shared = new Float32Array(memory.buffer, 1024, 4);
+  shared.set(weights);
+  for (const of of [() => shared, () => own(weights), () => [...weights]]) {
+    const given = of(),
+      ids = given === shared ? joints : own(joints);
+    const skin = dq8.skin({ jointCount: 2, influences: 1, joints: ids, weights: given }),
+      [from, posed] = [dq8.floats(rest), dq8.floats(12)];
+    skin.pose({ motions: dq8.motions(2), rest: from, posed });
+    assert.deepEqual([...posed.view], rest);
+  }
+  // Joints take so much that memory grows before weights are read.
+  const vertices = 1 << 21,
+    heavy = dq8.floats(vertices);
+  heavy.view.fill(1);
+  dq8.skin({ jointCount: 1, influences: 1, joints: new Uint16Array(vertices), weights: heavy.view }).free();
+  // What has been copied is nobody else's.
+  const copy = dq8.floats(foreign);
+  foreign.fill(9);
+  memory.grow(1);
+  assert.deepEqual([...copy.view], [...numbers]);
+});
+
 test("one motion is the parent of many", () => {
   const one = dq8.motions([0, 0, 1, 0, 0.5, 0, 0, 0]),
     many = dq8.motions(5),
@@ -62,4 +109,48 @@ test("links are given by name, and robots have motions", () => {
   assert.ok(columns.view.some((x) => x !== 0));
   fails(() => robot.reach("hnd", target, one), /^link is hnd, none of .*hand/);
   fails(() => robot.reach(0.5, target, one), /^link is 0.5, not a whole number$/);
+});
+
+test("other names for what there is say which to take", () => {
+  const skin = dq8.skin({ jointCount: 1, influences: 1, joints: [0], weights: [1] }),
+    clip = skeleton.clip(KEYS);
+  const robot = robots.robot(readFileSync(new URL("../../robot/robots/arm7.urdf", import.meta.url), "utf8"));
+  const told = [
+    [() => dq8.multiply(1, 2), /^Dq8 has no multiply: take mul$/],
+    [() => dq8.invert, /take inverse$/],
+    [() => dq8.slerp(), /take sclerpEach$/],
+    [() => dq8.fromMatrices([]), /take fromMatrices of dq8\/gltf$/],
+    [() => dq8.gltf(), /take readGltf of dq8\/gltf$/],
+    [() => dq8.clip(KEYS), /take skeleton\.clip$/],
+    [() => dq8.robot(""), /take robot of dq8\/robots$/],
+    [() => skeleton.sample(0), /^Skeleton has no sample: take clip\.sample$/],
+    [() => skeleton.update(), /take palette$/],
+    [() => skeleton.bones, /take joints$/],
+    [() => skin.update(), /^Skin has no update: take pose$/],
+    [() => clip.pack(), /take a packed clip that Rust or Python wrote$/],
+    [() => robot.solve(), /^Robot has no solve: take reach$/],
+    [() => robot.ik(), /take reach$/],
+    [() => robot.forwardKinematics(), /take poses$/],
+    [() => robot.jointNames, /take valueNames$/],
+  ];
+  for (const [call, text] of told) fails(call, text);
+  // What is asked about and not taken is no error.
+  assert.deepEqual(Object.keys(dq8), []);
+  assert.ok("multiply" in dq8 && !Object.hasOwn(skeleton, "update"));
+});
+
+test("arrays that are taken for numbers say where those are", () => {
+  const numbers = dq8.floats(3),
+    told = /its numbers are in \.view$/;
+  for (const call of [
+    () => numbers[0],
+    () => (numbers[0] = 1),
+    () => numbers.set([1]),
+    () => numbers.fill(0),
+    () => [...numbers],
+    () => Array.from(numbers),
+    () => new Float32Array(numbers),
+    () => numbers.buffer,
+  ])
+    fails(call, told);
 });

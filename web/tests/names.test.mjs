@@ -1,11 +1,13 @@
-// Names of JavaScript, C and Python beside those of Rust: what one language lacks has a reason here, and what this package
-// has is in this table.
+// Names of JavaScript, C and Python beside those of Rust: what one language lacks has a reason here, and what this
+// package has is in this table.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 
 const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
-const BORROWED = "C keeps what it has made itself", WHOLE = "Python has whole arrays, and no frame to keep within", NAMED = "made from arrays in one call";
+const BORROWED = "C keeps what it has made itself",
+  WHOLE = "Python has whole arrays, and no frame to keep within",
+  NAMED = "made from arrays in one call";
 const RECORDED = "robots and cars record trajectories and scans, and pages get them when they are put right";
 /** A reason instead of a name. */
 const none = (reason) => ({ reason });
@@ -29,7 +31,13 @@ const TABLE = [
   ["src/hierarchy/crowd.rs", "new", "crowd", "block_size", none(WHOLE)],
   ["src/storage/packing.rs", "pack", "set", "pack", none(WHOLE)],
   ["src/hierarchy/crowd.rs", "copy_to_slice", "copyTo", "unpack", none(WHOLE)],
-  ["src/scalar/two_bone.rs", "reach", "twoBone", none("limbs are not in the C interface yet"), none("limbs are not in Python yet")],
+  [
+    "src/scalar/two_bone.rs",
+    "reach",
+    "twoBone",
+    none("limbs are not in the C interface yet"),
+    none("limbs are not in Python yet"),
+  ],
   ["src/skinning/skin.rs", "new", "skin", "skin_make", none(NAMED)],
   ["src/skinning/job.rs", "pose", "pose", "skin_dual", "skin"],
   ["src/slices/kernels.rs", "mul", "mul", "mul", "mul"],
@@ -39,13 +47,21 @@ const TABLE = [
   ["src/slices/kernels.rs", "conjugate", "inverse", "conjugate", "conjugate"],
   ["src/scalar/rigid.rs", "translation", "toRotationsTranslations", "motion_to_rotation_translation", "translation"],
   ["src/slices/matrix.rs", "matrices", "matrices", "matrices_4x4", "to_matrix"],
-  ["src/scalar/rigid.rs", "from_rotation_translation", "fromRotationsTranslations", "motion_from_rotation_translation", "from_rotation_translation"],
+  [
+    "src/scalar/rigid.rs",
+    "from_rotation_translation",
+    "fromRotationsTranslations",
+    "motion_from_rotation_translation",
+    "from_rotation_translation",
+  ],
   ["robot/src/urdf/robot.rs", "from_urdf", "robot", none("C reads no files"), "from_urdf"],
   ["robot/src/urdf/robot.rs", "link", "link", none("C reads no files"), "links"],
   ["robot/src/mechanism/job.rs", "poses", "poses", "link_poses", "poses"],
   ["robot/src/mechanism/jacobians.rs", "jacobians", "jacobians", "mechanism_link_jacobian", "jacobian"],
   ["robot/src/ik/job.rs", "solve", "reach", "mechanism_reach", "reach"],
-  ["robot/src/ik/job.rs", "solve_in", none("a page has one target at a time"), "reach", "reach"],
+  ["robot/src/ik/job.rs", "solve_in", "reachEach", "reach", "reach"],
+  ["robot/src/ik/job.rs", "follow", "follow", none("reach has an option"), none("reach has an option")],
+  ["robot/src/ik/six_axis.rs", "solutions", "solutions", "solutions", "solutions"],
   ["src/scalar/blend.rs", "dib", none("of clips, blend has the mean of two"), "motion_mean", "mean"],
   ["trajectory/src/job.rs", "sample", none("clips are sampled by their frames"), "trajectory_sample", "sample"],
   ["trajectory/src/job.rs", "sample", none("clips are sampled by their frames"), "resample", "resample"],
@@ -53,13 +69,20 @@ const TABLE = [
   ["trajectory/src/job.rs", "deskew", none(RECORDED), "trajectory_deskew", "deskew"],
   ["trajectory/src/job.rs", "skew", none(RECORDED), "trajectory_skew", "skew"],
   ["trajectory/src/spline/job.rs", "sample", none("a page has squad and clips"), "spline_poses", "class Spline"],
-  ["trajectory/src/compare/pairs.rs", "absolute", none(RECORDED), none("a comparison ends in text, not in arrays"), "compare"],
+  [
+    "trajectory/src/compare/pairs.rs",
+    "absolute",
+    none(RECORDED),
+    none("a comparison ends in text, not in arrays"),
+    "compare",
+  ],
   ["src/fit.rs", "rigid", none(RECORDED), none("fits are not in the C interface yet"), "fit_pairs"],
   ["src/storage/mod.rs", null, "floats", none("arrays are the caller's"), none("arrays are NumPy's")],
+  ["src/storage/mod.rs", null, "subarray", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/storage/mod.rs", null, "motions", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/hierarchy/skeleton.rs", null, "free", none(BORROWED), none("Python collects what is not needed")],
 ];
-const declared = ["dq8", "robots"].map((file) => text(`web/package/${file}.d.ts`)).join("\n");
+const declared = ["dq8", "robots", "memory"].map((file) => text(`web/package/${file}.d.ts`)).join("\n");
 const [c, python] = [text("capi/include/dq8.h"), text("python/package/dq8/_core.pyi")];
 const word = (name) => new RegExp(`\\b${name.replace(/ /g, "\\s+")}\\b`);
 
@@ -68,10 +91,17 @@ test("every name in the table is there", () => {
     // Kernels over slices are rows of a list.
     const declares = file === "src/slices/kernels.rs" ? `^ {4}${rust}\\b` : `pub fn ${rust}\\b`;
     if (rust) assert.match(text(file), new RegExp(declares, "m"), `Rust: ${file}: ${rust}`);
-    if (js.reason) assert.ok(js.reason.length > 10); else assert.match(declared, new RegExp(`^\\s+${js}\\(`, "m"), `JavaScript: ${js}`);
-    if (inC.reason) assert.ok(inC.reason.length > 10); else assert.match(c, new RegExp(`\\bdq8_${inC}(_f32)?\\(`), `C: ${inC}`);
+    if (js.reason) assert.ok(js.reason.length > 10);
+    else assert.match(declared, new RegExp(`^\\s+${js}\\(`, "m"), `JavaScript: ${js}`);
+    if (inC.reason) assert.ok(inC.reason.length > 10);
+    else assert.match(c, new RegExp(`\\bdq8_${inC}(_f32)?\\(`), `C: ${inC}`);
     if (inPython.reason) assert.ok(inPython.reason.length > 10);
-    else assert.match(python, inPython.startsWith("class") ? word(inPython) : new RegExp(`def ${inPython}\\(`), `Python: ${inPython}`);
+    else
+      assert.match(
+        python,
+        inPython.startsWith("class") ? word(inPython) : new RegExp(`def ${inPython}\\(`),
+        `Python: ${inPython}`,
+      );
   }
 });
 
@@ -84,9 +114,13 @@ test("every method of the package is declared, and every export is called", () =
   const files = ["dq8", "robots"].map((file) => text(`web/package/${file}.js`));
   const internal = new Set(["constructor", "write"]);
   for (const [, name] of files.join("\n").matchAll(/^ {2}(\w+)\(.*\{/gm)) {
-    if (!internal.has(name) && !["for", "if"].includes(name)) assert.match(declared, new RegExp(`\\b${name}\\(`), `${name} is not declared`);
+    if (!internal.has(name) && !["for", "if"].includes(name))
+      assert.match(declared, new RegExp(`\\b${name}\\(`), `${name} is not declared`);
   }
   const called = [...files, ...["memory", "sampled"].map((file) => text(`web/package/${file}.js`))].join("\n");
-  const sources = readdirSync(new URL("../src", import.meta.url)).map((file) => text(`web/src/${file}`)).join("\n");
-  for (const [, name] of sources.matchAll(/(?:fn |frees!\()(dq8_\w+)/g)) assert.ok(called.includes(name), `${name} is called by nobody`);
+  const sources = readdirSync(new URL("../src", import.meta.url))
+    .map((file) => text(`web/src/${file}`))
+    .join("\n");
+  for (const [, name] of sources.matchAll(/(?:fn |frees!\()(dq8_\w+)/g))
+    assert.ok(called.includes(name), `${name} is called by nobody`);
 });

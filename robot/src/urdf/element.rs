@@ -4,6 +4,7 @@
 //! part.
 
 use super::error::{UrdfError, UrdfWarning};
+use super::number;
 use roxmltree::Node;
 
 /// The text of a file, and the positions at which its lines begin.
@@ -188,8 +189,7 @@ impl<'f> Element<'f> {
         attribute: &'static str,
     ) -> Result<Option<[f64; N]>, UrdfError> {
         let Some(text) = self.node.attribute(attribute) else { return Ok(None) };
-        let number = |word: &str| word.parse::<f64>().ok().filter(|number| number.is_finite());
-        let numbers: Option<Vec<f64>> = text.split_whitespace().map(number).collect();
+        let numbers: Option<Vec<f64>> = text.split_whitespace().map(number::finite).collect();
         let numbers = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
         let error = || UrdfError::Numbers {
             line: self.line(),

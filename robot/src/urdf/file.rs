@@ -3,6 +3,7 @@
 
 use super::element::{AXIS, END, Element, JOINT, LIMIT, LINK, Lines, MIMIC, ORIGIN, ROBOT};
 use super::error::{UrdfError, UrdfWarning};
+use super::number;
 use super::xml;
 use crate::{Joint, JointKind};
 use dq8::{DualQuat, Quat};
@@ -264,7 +265,7 @@ impl Drive {
 
     pub(super) fn of(limit: Element<'_>) -> Self {
         let greatest = |name| {
-            let number = limit.node.attribute(name).and_then(|text| text.trim().parse().ok());
+            let number = limit.node.attribute(name).and_then(|text| number::finite(text.trim()));
             number.filter(|&number| number >= 0.0).unwrap_or(f64::INFINITY)
         };
         Self { velocity: greatest("velocity"), effort: greatest("effort") }
