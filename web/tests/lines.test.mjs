@@ -4,10 +4,6 @@ import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 
 const MOST = 120;
-/** Files that may have longer lines. */
-const LONG = new Set([
-  "bench/index.html", "bench/plain.js",
-]);
 
 test(`lines have at most ${MOST} characters`, () => {
   for (const folder of ["package", "bundlers", "page", "tests", "bench"]) {
@@ -15,7 +11,7 @@ test(`lines have at most ${MOST} characters`, () => {
       if (!/\.(m?js|m?ts|html)$/.test(name)) continue;
       const lines = readFileSync(new URL(`../${folder}/${name}`, import.meta.url), "utf8").split("\n");
       const long = lines.findIndex((line) => line.length > MOST);
-      if (!LONG.has(`${folder}/${name}`)) assert.equal(long, -1, `${folder}/${name}:${long + 1}`);
+      assert.equal(long, -1, `${folder}/${name}:${long + 1}`);
     }
   }
 });
