@@ -26,6 +26,7 @@
 // `rates.rs` solves for rates, from velocities of links. `six_axis.rs` finds all solutions of an
 // arm of six hinges, with `family.rs` (geometry and a drawing) and `branches.rs` (formulas).
 
+mod body;
 mod branches;
 mod family;
 mod freedom;

@@ -168,7 +168,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         };
         let mut numbers = ValueRegisters(values);
         let one_half = L::splat(level, L::Real::HALF);
-        let (mut position, mut twist) = (0, 0);
+        let mut position = 0;
         while let Some(step) = reach.mechanism.steps.get(position) {
             if !reach.moves_goal(position) {
                 position += step.size as usize;
@@ -185,8 +185,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if of == Configurations::Current {
                 let joined = LinkFrames { joint: before, link: pose };
                 for index in 0..step.kind.rates() {
-                    scratch.twists.set_record(twist, joined.screw(step, index).to_array());
-                    twist += 6;
+                    let twist = joined.screw(step, index).to_array();
+                    scratch.twists.set_record((step.twist as usize + index) * 6, twist);
                 }
             }
             for (index, goal) in reach.goals.iter().enumerate() {
@@ -402,21 +402,20 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         for goal in 0..reach.goals.len() {
             self.scratch.goals.set_record(goal * GOAL + MOVED, [zero; 6]);
         }
-        let (mut position, mut screw) = (0, 0);
+        let mut position = 0;
         while let Some(step) = reach.mechanism.steps.get(position) {
-            // A branch of the tree without a goal is skipped as a whole, because `twists` holds no
-            // screws of its joints.
+            // A branch of the tree without a goal is skipped as a whole, because no screws of its
+            // joints have been written to `twists`.
             if !reach.moves_goal(position) {
                 position += step.size as usize;
                 continue;
             }
             for index in 0..step.kind.rates() {
-                let twist = Twist::from_array(self.scratch.twists.record(level, screw));
-                screw += 6;
+                let twist = self.scratch.twists.record(level, (step.twist as usize + index) * 6);
                 self.add_columns(
                     position,
                     reach.column(step.rate as usize + index),
-                    twist,
+                    Twist::from_array(twist),
                     second_order,
                 );
             }

@@ -11,6 +11,7 @@ mod owned;
 mod posture;
 mod rates;
 mod refused;
+mod shape;
 mod tracking;
 mod turns;
 mod units;
