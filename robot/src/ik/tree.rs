@@ -291,8 +291,20 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 }
 
 impl<R: Real> Reach<'_, R> {
-    /// Returns `true` if the posture or the start has a weight in every step.
+    /// Returns `true` if the posture, the start, or the start of a floating joint has a weight in
+    /// every step.
     pub(super) fn has_weights(&self, settings: Settings<'_, R>) -> bool {
+        self.weighs_joints(settings) || self.weighs_floating(settings)
+    }
+
+    /// Returns `true` if a floating joint moves a goal, and has a weight.
+    pub(super) fn weighs_floating(&self, settings: Settings<'_, R>) -> bool {
+        let mut freedoms = self.freedoms.iter();
+        settings.floating_weight > R::ZERO && freedoms.any(|freedom| !freedom.is_single())
+    }
+
+    /// Returns `true` if the posture or the start has a weight.
+    pub(super) fn weighs_joints(&self, settings: Settings<'_, R>) -> bool {
         let posture = self.posture.is_some() && settings.posture_weight > R::ZERO;
         posture || settings.start_weight > R::ZERO
     }

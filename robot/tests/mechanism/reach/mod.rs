@@ -2,6 +2,7 @@
 //! returned, one product after the other.
 
 mod beyond;
+mod floating;
 mod free;
 mod honest;
 mod kinds;

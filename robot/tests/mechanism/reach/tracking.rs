@@ -87,7 +87,7 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
     {
         let options =
             Options { max_iterations: 60, damping: 0.0, least_gain: 0.0, ..Options::track() };
-        let options = Tracking { options, posture_weight, start_weight };
+        let options = Tracking { posture_weight, start_weight, ..options.into() };
         let [to_posture, to_start] = [posture_weight, start_weight].map(|weight| weight * weight);
         // From the target itself too, which it leaves for the posture.
         for start in [-1.0, 2.0] {
