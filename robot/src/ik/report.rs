@@ -152,6 +152,13 @@ pub struct Tracking<R> {
     /// near the path from which the frames start. With zero, the default, floating joints move as
     /// the goals ask.
     pub floating_weight: R,
+    /// `true` if a frame keeps the values from which it starts, unless a step reduces the weighted
+    /// squared error by the part [`least_gain`](Options::least_gain). A target beyond reach that is
+    /// asked again and again so leads to the same values, once steps gain less than that. With
+    /// `false`, the default, a frame ends with its newest values: an arm goes with a target that
+    /// moves beyond reach in every frame, but may sway by some tenths of a radian if the target
+    /// stands still.
+    pub steady: bool,
 }
 
 /// Makes tracking options of [`Options::track`], with weights of zero.
@@ -165,7 +172,8 @@ impl<R: Real> Default for Tracking<R> {
 impl<R: Real> From<Options<R>> for Tracking<R> {
     fn from(options: Options<R>) -> Self {
         let zero = R::ZERO;
-        Self { options, posture_weight: zero, start_weight: zero, floating_weight: zero }
+        let [posture_weight, start_weight, floating_weight] = [zero; 3];
+        Self { options, posture_weight, start_weight, floating_weight, steady: false }
     }
 }
 
@@ -177,7 +185,8 @@ impl<R: Real> Tracking<R> {
             [self.posture_weight, self.start_weight, self.floating_weight]
                 .map(|weight| S::from_f64(weight.into()));
         let options = self.options.cast();
-        Tracking { options, posture_weight, start_weight, floating_weight }
+        let steady = self.steady;
+        Tracking { options, posture_weight, start_weight, floating_weight, steady }
     }
 }
 
@@ -189,21 +198,23 @@ pub(super) struct Settings<'s, R> {
     pub(super) posture_weight: R,
     pub(super) start_weight: R,
     pub(super) floating_weight: R,
+    pub(super) steady: bool,
 }
 
 impl<'s, R: Real> From<&'s Options<R>> for Settings<'s, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(options: &'s Options<R>) -> Self {
         let zero = R::ZERO;
-        Self { options, posture_weight: zero, start_weight: zero, floating_weight: zero }
+        let [posture_weight, start_weight, floating_weight] = [zero; 3];
+        Self { options, posture_weight, start_weight, floating_weight, steady: false }
     }
 }
 
 impl<'s, R: Real> From<&'s Tracking<R>> for Settings<'s, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(tracking: &'s Tracking<R>) -> Self {
-        let Tracking { posture_weight, start_weight, floating_weight, .. } = *tracking;
-        Self { options: &tracking.options, posture_weight, start_weight, floating_weight }
+        let Tracking { posture_weight, start_weight, floating_weight, steady, .. } = *tracking;
+        Self { options: &tracking.options, posture_weight, start_weight, floating_weight, steady }
     }
 }
 
