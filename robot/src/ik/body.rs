@@ -1,4 +1,4 @@
-//! [`Body`], the composite rigid bodies from which `tree.rs` assembles the sparse normal equations.
+//! [`Body`], the composite bodies from which `tree.rs` assembles the sparse normal equations.
 
 use super::goal::Goal;
 use super::model::Model;

@@ -2,11 +2,11 @@
 //! others.
 //!
 //! With the weight w and the difference z between the start and the present pose of a floating
-//! joint, a step minimises |Jx − e|² + λ²|x|² + w²|x − z|², where the last term has only the
-//! freedoms of floating joints. In the sparse normal equations w² is added to their diagonal, and
-//! w²z to their right-hand side. The dense equations have one damping for all freedoms, so there a
-//! floating joint is given other units: with x = s y and s² = λ²/(λ² + w²), the last two terms
-//! are λ²|y − z′|², where s z′ = w²z/(λ² + w²).
+//! joint, a step minimises |Jx − e|² + λ²|x|² + w²|x − z|², where the last term has only
+//! the freedoms of floating joints. In the sparse normal equations w² is added to their diagonal,
+//! and w²z to their right-hand side. The dense equations have one damping for all freedoms, so
+//! there a floating joint is given other units: with x = s y and s² = λ²/(λ² + w²), the last
+//! two terms are λ²|y − z′|², where s z′ = w²z/(λ² + w²).
 
 use super::freedom::Kind;
 use super::model::Model;

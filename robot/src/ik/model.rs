@@ -33,8 +33,8 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) weights: PostureWeights<L>,
 }
 
-/// The weights of the posture and of the start values, which only a search that tracks has. Floating
-/// joints have a weight of their own.
+/// The weights of the posture and of the start values, which only a search that tracks has.
+/// Floating joints have a weight of their own.
 #[derive(Clone, Copy)]
 pub(super) struct PostureWeights<L> {
     /// `true` if steps solve the sparse normal equations of `tree.rs`.
@@ -610,8 +610,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 
     /// Drops the step toward the posture in lanes that are not at their targets yet, because it
     /// would disturb the search. If the posture or the start has a weight, the step acts in every
-    /// lane and is divided by the damping λ², because its weight is a part of the damping. The weight
-    /// of floating joints is no part of it.
+    /// lane and is divided by the damping λ², because its weight is a part of the damping. The
+    /// weight of floating joints is no part of it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish_posture_step(&mut self, arrived: L::Mask, damping: L) {
         if self.has_weights() {

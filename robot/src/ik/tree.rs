@@ -31,6 +31,11 @@
 //!
 //! Row i has the entries of the joints from the base to i, in this order. So the entries of row i
 //! begin with the columns of any joint that carries i.
+//!
+//! A joint that mimics another adds to the row and column of that joint, at which freedoms of
+//! different branches meet. So the paths of freedoms to the base are those of the elimination tree
+//! (Liu 1990), which `freedom.rs` finds: it is the tree of the joints, with the leader below or
+//! above the joints that it meets.
 
 use super::body::Body;
 use super::freedom::{Freedom, carrier};
