@@ -1,7 +1,7 @@
 //! [`Freedom`], a degree of freedom of a mechanism that a search may change, and [`Range`], the
 //! values within its limits.
 
-use super::goal::{Goal, ReachError};
+use super::goal::ReachError;
 use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{NONE, Step, unlimited};
 use dq8::batch::{half_turns, vector};
@@ -25,13 +25,15 @@ pub struct Freedom<R> {
     /// index of this element in the array. All other fields of the element may belong to another
     /// rate, because the freedoms that move a goal are moved to the front of the array.
     pub(super) column: u32,
-    /// The index of the next freedom on the path to the base.
+    /// The index of the next freedom on the path to the base, in the elimination tree of the sparse
+    /// normal equations (see `tree.rs`).
     pub(super) parent: u32,
     /// The number of freedoms on the path to the base.
     pub(super) depth: u32,
-    /// The index of the freedom's first entry in the sparse normal equations (see `tree.rs`).
+    /// The index of the freedom's first entry in the sparse normal equations.
     pub(super) first_entry: u32,
-    /// The index of the first of the six registers of the freedom's twist in the scratch.
+    /// The index of the first of the six registers in the scratch with the twist of the joint that
+    /// has this freedom. Joints that mimic this joint have twists of their own.
     pub(super) twist_row: u32,
 }
 
@@ -263,51 +265,81 @@ fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {
     ReachError::Limits { joint: step.link as usize, low: low.into(), high: high.into() }
 }
 
-/// Finds the place of each freedom in the tree of joints. Returns the number of entries of the
-/// normal equations JᵀJ, which are nonzero only where one joint carries the other. Returns zero
-/// if these equations cannot be used, because a joint that mimics shares a column or weights differ
-/// from axis to axis. Also returns zero if the goals have at most six weighted components, for
-/// which the dense equations JJᵀ are quicker.
+/// Finds the place of each of the first `count` freedoms in the elimination tree of the normal
+/// equations JᵀJ: two freedoms with a nonzero entry are on one path to the base. Without joints
+/// that mimic it is the tree of the joints. Returns the number of entries between a freedom and
+/// those on its path. Returns zero if the goals have at most six weighted components, for which the
+/// dense equations JJᵀ are quicker. `moves` tells which joints move a goal.
 pub(super) fn tree_shape<R: Real>(
     steps: &[Step<R>],
-    goals: &[Goal<R>],
     rows: usize,
     by_rate: &mut [Freedom<R>],
+    count: usize,
+    moves: impl Fn(usize) -> bool,
 ) -> usize {
-    if rows <= 6 || !goals.iter().all(Goal::is_even) {
+    if rows <= 6 {
         return 0;
     }
     let column = |by_rate: &[Freedom<R>], step: &Step<R>, index: usize| {
         by_rate.get(step.rate as usize + index).map_or(NONE, |freedom| freedom.column)
     };
-    let (mut twist, mut entries) = (0, 0);
-    for step in steps {
-        if column(by_rate, step, 0) == NONE {
-            continue;
-        }
-        if step.mimics {
-            return 0;
-        }
-        let of_link = |link: u32| steps.get(steps.get(link as usize)?.position as usize);
-        let (mut above, mut carrier) = (NONE, of_link(step.parent));
-        while let Some(other) = carrier {
+    let any_mimics = steps.iter().any(|step| step.mimics);
+    for (_, step) in steps.iter().enumerate().filter(|(position, _)| moves(*position)) {
+        // The freedoms of all joints that carry this one are already on one path, and the last of
+        // them is the freedom with the largest column. Without joints that mimic it belongs to the
+        // nearest of these joints.
+        let (mut last, mut above) = (None, carrier(steps, step));
+        while let Some(other) = above {
             if other.kind.rates() > 0 {
-                above = column(by_rate, other, other.kind.rates() - 1);
-                break;
+                last = last.max(Some(column(by_rate, other, other.kind.rates() - 1)));
+                if !any_mimics {
+                    break;
+                }
             }
-            carrier = of_link(other.parent);
+            above = carrier(steps, other);
         }
         for index in 0..step.kind.rates() {
             let own = column(by_rate, step, index);
-            let depth = by_rate.get(above as usize).map_or(0, |carrier| carrier.depth + 1);
-            if let Some(freedom) = by_rate.get_mut(own as usize) {
-                (freedom.parent, freedom.depth, freedom.twist_row) = (above, depth, twist);
-                freedom.first_entry = entries;
+            join(by_rate, own, last.unwrap_or(own));
+            last = last.max(Some(own));
+            if let Some(freedom) = by_rate.get_mut(own as usize).filter(|_| !step.mimics) {
+                freedom.twist_row = (step.twist + index as u32) * 6;
             }
-            (above, twist, entries) = (own, twist + 6, entries + depth + 1);
+        }
+    }
+    let mut entries = 0;
+    for column in 0..count {
+        let above = by_rate.get(column).map_or(NONE, |freedom| freedom.parent);
+        let depth = by_rate.get(above as usize).map_or(0, |carrier| carrier.depth + 1);
+        if let Some(freedom) = by_rate.get_mut(column) {
+            (freedom.depth, freedom.first_entry) = (depth, entries);
+            entries += depth + 1;
         }
     }
     entries as usize
+}
+
+/// Returns the step of the joint that carries the joint of `step`.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn carrier<'s, R>(steps: &'s [Step<R>], step: &Step<R>) -> Option<&'s Step<R>> {
+    steps.get(steps.get(step.parent as usize)?.position as usize)
+}
+
+/// Brings two freedoms, and all that are on their paths to the base, onto one path. Columns fall
+/// along every path.
+fn join<R>(freedoms: &mut [Freedom<R>], a: u32, b: u32) {
+    let (mut below, mut above) = (a.max(b), a.min(b));
+    while below != above {
+        let Some(freedom) = freedoms.get_mut(below as usize) else { return };
+        match freedom.parent {
+            NONE => return freedom.parent = above,
+            next if next < above => {
+                freedom.parent = above;
+                (below, above) = (above, next);
+            }
+            next => below = next,
+        }
+    }
 }
 
 /// The width of a range, in turns, above which a hinge counts as endless.

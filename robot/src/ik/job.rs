@@ -74,12 +74,14 @@ where
 
     /// Follows moving targets of many goals. Steps are of first order. If the goals have more than
     /// six components, steps solve sparse normal equations, in which an entry is nonzero only if
-    /// one joint carries the other. This takes a fifth of the time or less. The length that weighs
+    /// one joint carries the other, or a joint that mimics either of them does. This takes a fifth
+    /// of the time or less. The length that weighs
     /// as much as a radian does not depend on the position of a floating joint (see
     /// [`Options::length_per_radian`]). Unless a posture or the start has a weight, steps are
     /// damped by half of the squared error, averaged over the goals (λ² = ½|e|², Sugihara
     /// 2011). The search returns its final values and not its best values, so an arm keeps
-    /// following a moving target even while the target is out of reach.
+    /// following a moving target even while the target is out of reach. With the option
+    /// [`steady`](Tracking::steady) it stands still where steps gain too little.
     /// [`ReachJob::sequence`](super::ReachJob::sequence) tracks targets in clips, on lanes.
     ///
     /// # Errors

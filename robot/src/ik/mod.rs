@@ -21,13 +21,16 @@
 // - `search.rs`: the loop of iterations and its decisions, with the memory that `scratch.rs`
 //   divides;
 // - `model.rs`: poses, errors and the Jacobian;
-// - `step.rs`, or `tree.rs` for many goals: damped least squares.
+// - `step.rs`, or `tree.rs` with `body.rs` for many goals: damped least squares, to which
+//   `floating.rs` adds the weight of floating joints.
 //
 // `rates.rs` solves for rates, from velocities of links. `six_axis.rs` finds all solutions of an
 // arm of six hinges, with `family.rs` (geometry and a drawing) and `branches.rs` (formulas).
 
+mod body;
 mod branches;
 mod family;
+mod floating;
 mod freedom;
 mod goal;
 mod job;

@@ -34,16 +34,25 @@ pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
 }
 
 /// The weights of the posture and of the start values, which only a search that tracks has.
+/// Floating joints have a weight of their own.
 #[derive(Clone, Copy)]
 pub(super) struct PostureWeights<L> {
     /// `true` if steps solve the sparse normal equations of `tree.rs`.
     uses_tree: bool,
-    /// `true` if one of the two weights is not zero.
+    /// `true` if one of the weights is not zero.
     has_weights: bool,
+    /// `true` if the weight of the posture or of the start is not zero.
+    weighs_joints: bool,
+    /// `true` if floating joints have a weight.
+    weighs_floating: bool,
     /// The square of the weight of the posture.
     pub(super) posture: L,
     /// The square of the weight of the start.
     pub(super) start: L,
+    /// The square of the weight of the start of floating joints.
+    pub(super) floating: L,
+    /// The units of floating joints in the dense normal equations.
+    pub(super) floating_scale: L,
 }
 
 /// The factor between lengths and radians, and the quantities that keep a step short.
@@ -117,8 +126,12 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
         let weights = PostureWeights {
             uses_tree: TRACK && reach.uses_tree(settings),
             has_weights: TRACK && reach.has_weights(settings),
+            weighs_joints: TRACK && reach.weighs_joints(settings),
+            weighs_floating: TRACK && reach.weighs_floating(settings),
             posture: square(posture),
             start: square(settings.start_weight),
+            floating: square(settings.floating_weight),
+            floating_scale: one,
         };
         Some(Self { level, reach, scales, scratch, weights })
     }
@@ -127,6 +140,12 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn has_weights(&self) -> bool {
         TRACK && self.weights.has_weights
+    }
+
+    /// Returns `true` if floating joints have a weight.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn weighs_floating(&self) -> bool {
+        TRACK && self.weights.weighs_floating
     }
 
     /// Returns `true` if steps solve the sparse normal equations of `tree.rs`.
@@ -168,7 +187,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         };
         let mut numbers = ValueRegisters(values);
         let one_half = L::splat(level, L::Real::HALF);
-        let (mut position, mut twist) = (0, 0);
+        let mut position = 0;
         while let Some(step) = reach.mechanism.steps.get(position) {
             if !reach.moves_goal(position) {
                 position += step.size as usize;
@@ -185,8 +204,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             if of == Configurations::Current {
                 let joined = LinkFrames { joint: before, link: pose };
                 for index in 0..step.kind.rates() {
-                    scratch.twists.set_record(twist, joined.screw(step, index).to_array());
-                    twist += 6;
+                    let twist = joined.screw(step, index).to_array();
+                    scratch.twists.set_record((step.twist as usize + index) * 6, twist);
                 }
             }
             for (index, goal) in reach.goals.iter().enumerate() {
@@ -402,21 +421,20 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         for goal in 0..reach.goals.len() {
             self.scratch.goals.set_record(goal * GOAL + MOVED, [zero; 6]);
         }
-        let (mut position, mut screw) = (0, 0);
+        let mut position = 0;
         while let Some(step) = reach.mechanism.steps.get(position) {
-            // A branch of the tree without a goal is skipped as a whole, because `twists` holds no
-            // screws of its joints.
+            // A branch of the tree without a goal is skipped as a whole, because no screws of its
+            // joints have been written to `twists`.
             if !reach.moves_goal(position) {
                 position += step.size as usize;
                 continue;
             }
             for index in 0..step.kind.rates() {
-                let twist = Twist::from_array(self.scratch.twists.record(level, screw));
-                screw += 6;
+                let twist = self.scratch.twists.record(level, (step.twist as usize + index) * 6);
                 self.add_columns(
                     position,
                     reach.column(step.rate as usize + index),
-                    twist,
+                    Twist::from_array(twist),
                     second_order,
                 );
             }
@@ -587,16 +605,21 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             self.scratch.posture_step.set(index, posture_step);
         }
-        square
+        if self.weighs_floating() { square + self.floating_step() } else { square }
     }
 
     /// Drops the step toward the posture in lanes that are not at their targets yet, because it
     /// would disturb the search. If the posture or the start has a weight, the step acts in every
-    /// lane and is divided by the damping λ², because its weight is a part of the damping.
+    /// lane and is divided by the damping λ², because its weight is a part of the damping. The
+    /// weight of floating joints is no part of it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish_posture_step(&mut self, arrived: L::Mask, damping: L) {
         if self.has_weights() {
-            for index in 0..self.reach.freedoms.len() {
+            let weights = self.weights;
+            for (index, freedom) in self.reach.freedoms.iter().enumerate() {
+                if weights.weighs_floating && !(weights.weighs_joints && freedom.is_single()) {
+                    continue;
+                }
                 let posture_step = self.scratch.posture_step.get(self.level, index);
                 self.scratch.posture_step.set(index, posture_step / damping);
             }

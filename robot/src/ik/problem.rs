@@ -80,11 +80,15 @@ brief!([R] Reach<'_, R>: Reach |it| { mechanism: it.mechanism, goals: it.goals.l
 pub(super) struct Facts<R> {
     /// The number of weighted components of all goals, which are the rows of the Jacobian.
     pub(super) rows: usize,
-    /// The number of screws of the joints that move a goal.
+    /// The number of screws of all joints up to the last joint that moves a goal.
     pub(super) twists: usize,
     /// The number of entries of the sparse normal equations of `tree.rs`, or zero if the problem
     /// cannot use these equations.
     pub(super) tree: usize,
+    /// `true` if no goal has weights that differ from axis to axis.
+    pub(super) is_even: bool,
+    /// `true` if any joint that moves a goal mimics another joint.
+    pub(super) any_mimics: bool,
     /// A length that is typical of the mechanism.
     pub(super) size: R,
     /// `true` if any joint that moves a goal is a floating joint, or a prismatic or screw joint
@@ -126,14 +130,19 @@ impl<'a, R: Real> Reach<'a, R> {
         let steps = mechanism.steps;
         let moves = |position| moves_any(steps, position, goals);
         let count = self::freedoms(steps, by_rate, moves)?;
-        let tree = tree_shape(steps, goals, rows, by_rate);
+        let tree = tree_shape(steps, rows, by_rate, count, moves);
         let by_rate: &'a [Freedom<R>] = by_rate;
-        let mut twists = 0;
+        let (mut twists, mut any_mimics) = (0, false);
         for (position, step) in steps.iter().enumerate() {
-            twists += if moves(position) { step.kind.rates() } else { 0 };
+            if moves(position) {
+                twists = step.twist as usize + step.kind.rates();
+                any_mimics |= step.mimics;
+            }
         }
         let freedoms = by_rate.get(..count).unwrap_or_default();
-        let facts = Facts { rows, twists, tree, size: R::ONE, is_endless: false, bound: None };
+        let is_even = goals.iter().all(Goal::is_even);
+        let (size, is_endless, bound) = (R::ONE, false, None);
+        let facts = Facts { rows, twists, tree, is_even, any_mimics, size, is_endless, bound };
         let mut reach = Self { mechanism, goals, freedoms, by_rate, posture: None, facts };
         reach.facts.size = reach.typical_length();
         reach.facts.is_endless = reach.has_endless_slides();

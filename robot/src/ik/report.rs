@@ -123,7 +123,7 @@ impl<R: Real> Options<R> {
 }
 
 /// The options of a search that [tracks](super::Reach::track): the [`Options`] of any search, and
-/// two weights that act in every step together with the goals.
+/// weights that act in every step together with the goals.
 ///
 /// ```
 /// use dq8_robot::ik::{Options, Tracking};
@@ -143,9 +143,22 @@ pub struct Tracking<R> {
     /// The weight of a radian of distance from the start. If a target moves, the start is the
     /// solution of the previous frame. It keeps joints that the goals hardly determine from
     /// shaking. In return, joints lag by w² frames, where w is this weight: at a rate of r frames
-    /// per second, a weight of √(r/480) makes the lag two milliseconds. The default is zero. The
-    /// weight does not act on floating joints, which it would only slow down.
+    /// per second, a weight of √(r/480) makes the lag two milliseconds. The default is zero.
+    /// Floating joints have a weight of their own, the next field.
     pub start_weight: R,
+    /// The weight of a radian by which a floating joint is turned from its start, and of the length
+    /// that weighs as much as a radian by which it is moved. It acts in every step. So the base of
+    /// a humanoid that walks can move freely while its joints are kept from shaking, or can be kept
+    /// near the path from which the frames start. With zero, the default, floating joints move as
+    /// the goals ask.
+    pub floating_weight: R,
+    /// `true` if a frame keeps the values from which it starts, unless a step reduces the weighted
+    /// squared error by the part [`least_gain`](Options::least_gain). A target beyond reach that is
+    /// asked again and again so leads to the same values, once steps gain less than that. With
+    /// `false`, the default, a frame ends with its newest values: an arm goes with a target that
+    /// moves beyond reach in every frame, but may sway by some tenths of a radian if the target
+    /// stands still.
+    pub steady: bool,
 }
 
 /// Makes tracking options of [`Options::track`], with weights of zero.
@@ -158,7 +171,9 @@ impl<R: Real> Default for Tracking<R> {
 /// Converts options to tracking options whose weights are zero.
 impl<R: Real> From<Options<R>> for Tracking<R> {
     fn from(options: Options<R>) -> Self {
-        Self { options, posture_weight: R::ZERO, start_weight: R::ZERO }
+        let zero = R::ZERO;
+        let [posture_weight, start_weight, floating_weight] = [zero; 3];
+        Self { options, posture_weight, start_weight, floating_weight, steady: false }
     }
 }
 
@@ -166,9 +181,12 @@ impl<R: Real> Tracking<R> {
     /// Returns these options with another element type; values are converted to `f64` in between.
     #[must_use]
     pub fn cast<S: Real>(&self) -> Tracking<S> {
-        let [posture_weight, start_weight] =
-            [self.posture_weight, self.start_weight].map(|weight| S::from_f64(weight.into()));
-        Tracking { options: self.options.cast(), posture_weight, start_weight }
+        let [posture_weight, start_weight, floating_weight] =
+            [self.posture_weight, self.start_weight, self.floating_weight]
+                .map(|weight| S::from_f64(weight.into()));
+        let options = self.options.cast();
+        let steady = self.steady;
+        Tracking { options, posture_weight, start_weight, floating_weight, steady }
     }
 }
 
@@ -179,29 +197,35 @@ pub(super) struct Settings<'s, R> {
     pub(super) options: &'s Options<R>,
     pub(super) posture_weight: R,
     pub(super) start_weight: R,
+    pub(super) floating_weight: R,
+    pub(super) steady: bool,
 }
 
 impl<'s, R: Real> From<&'s Options<R>> for Settings<'s, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(options: &'s Options<R>) -> Self {
-        Self { options, posture_weight: R::ZERO, start_weight: R::ZERO }
+        let zero = R::ZERO;
+        let [posture_weight, start_weight, floating_weight] = [zero; 3];
+        Self { options, posture_weight, start_weight, floating_weight, steady: false }
     }
 }
 
 impl<'s, R: Real> From<&'s Tracking<R>> for Settings<'s, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(tracking: &'s Tracking<R>) -> Self {
-        let Tracking { options, posture_weight, start_weight } = tracking;
-        Self { options, posture_weight: *posture_weight, start_weight: *start_weight }
+        let Tracking { posture_weight, start_weight, floating_weight, steady, .. } = *tracking;
+        Self { options: &tracking.options, posture_weight, start_weight, floating_weight, steady }
     }
 }
 
 impl<R: Real> Settings<'_, R> {
-    /// Returns `true` if both weights are finite and not negative.
+    /// Returns `true` if all weights are finite and not negative.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn has_valid_weights(&self) -> bool {
         let is_valid = |weight: R| weight >= R::ZERO && weight.is_finite();
-        is_valid(self.posture_weight) && is_valid(self.start_weight)
+        is_valid(self.posture_weight)
+            && is_valid(self.start_weight)
+            && is_valid(self.floating_weight)
     }
 }
 

@@ -88,7 +88,8 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) best: Registers<'s, L>,
     /// The joint values from which a restart would begin.
     pub(super) candidate: Registers<'s, L>,
-    /// The screws of the joints that move a goal, six registers each.
+    /// The screws of the joints, six registers each. Only those of joints that move a goal are
+    /// written.
     pub(super) twists: Registers<'s, L>,
     /// Poses of links whose children are not computed yet, [`POSE`] registers each.
     pub(super) slots: Registers<'s, L>,
@@ -122,15 +123,17 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) factor: Registers<'s, L>,
     /// The right-hand side of the sparse normal equations.
     pub(super) right_hand_side: Registers<'s, L>,
-    /// The composite rigid bodies of links whose parents are not computed yet, [`BODY`] registers
-    /// each.
+    /// The composite rigid bodies of links whose parents are not computed yet, [`EVEN_BODY`] or
+    /// [`UNEVEN_BODY`] registers each.
     pub(super) bodies: Registers<'s, L>,
 }
 
-/// The number of registers of a composite rigid body: a link with all links that it carries. They
-/// hold its mass, its mass times its position, its inertia (xx, yy, zz, xy, xz, yz), and the torque
-/// and the force on it.
-pub(super) const BODY: usize = 16;
+/// The number of registers of a composite rigid body (see `body.rs`) if all goals have weights that
+/// are equal for all axes.
+pub(super) const EVEN_BODY: usize = 16;
+
+/// The number of registers of a composite rigid body if weights differ from axis to axis.
+pub(super) const UNEVEN_BODY: usize = 27;
 
 /// The number of registers of a goal's state. They hold the target, replaced by the nearest point
 /// within reach if it is out of reach; the vector from that point to the target itself; the pose
@@ -203,6 +206,7 @@ struct Counts {
     freedoms: usize,
     rows: usize,
     tree: usize,
+    body: usize,
 }
 
 impl Counts {
@@ -215,11 +219,12 @@ impl Counts {
             freedoms: reach.freedoms.len(),
             rows: reach.facts.rows,
             tree: reach.facts.tree,
+            body: if reach.facts.is_even { EVEN_BODY } else { UNEVEN_BODY },
         }
     }
 
-    /// Returns the largest number of registers that a search needs for any goals. If all goals are
-    /// whole poses, a search needs exactly this number.
+    /// Returns the largest number of registers that a search needs for any goals. A search for one
+    /// whole pose needs exactly this number.
     const fn most(
         values: usize,
         freedoms: usize,
@@ -230,7 +235,8 @@ impl Counts {
         let rows = goals.saturating_mul(6);
         // A single goal does not use the sparse normal equations.
         let tree = if goals > 1 { triangle(freedoms) } else { 0 };
-        Self { values, twists, slots, goals, freedoms, rows, tree }.numbers()
+        let body = UNEVEN_BODY;
+        Self { values, twists, slots, goals, freedoms, rows, tree, body }.numbers()
     }
 
     /// Returns the number of registers that a search needs. On overflow it is the largest `usize`,
@@ -241,7 +247,7 @@ impl Counts {
         let goals = self.goals.saturating_mul(GOAL).saturating_add(self.rows.saturating_mul(4));
         let poses = self.slots.saturating_mul(POSE);
         let rest = poses.saturating_add(goals).saturating_add(triangle(self.rows));
-        let bodies = self.bodies().saturating_mul(BODY);
+        let bodies = self.bodies().saturating_mul(self.body);
         let tree = self
             .tree
             .saturating_mul(2)
@@ -308,7 +314,7 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
         let first = memory.as_ptr().align_offset(LINE);
         let mut rest = arrays::<L>(memory.get_mut(first..)?, counts.numbers())?;
         let (right_hand_side, bodies) = (counts.right_hand_side(), counts.bodies());
-        let Counts { values, twists, slots, goals, freedoms, rows, tree } = counts;
+        let Counts { values, twists, slots, goals, freedoms, rows, tree, body } = counts;
         Some(Self {
             values: take(&mut rest, values)?,
             start: take(&mut rest, values)?,
@@ -330,7 +336,7 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
             system: take(&mut rest, tree)?,
             factor: take(&mut rest, tree)?,
             right_hand_side: take(&mut rest, right_hand_side)?,
-            bodies: take(&mut rest, BODY * bodies)?,
+            bodies: take(&mut rest, body * bodies)?,
         })
     }
 }

@@ -223,6 +223,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
         let has_posture = self.model.reach.posture.is_some();
         let has_weights = self.model.has_weights();
+        let is_steady = TRACK && self.work.settings.steady;
         let [posture_distance, residual, change] =
             [posture_distance.to_array(), last.residual.to_array(), last.change.to_array()];
         for index in 0..L::LANES {
@@ -244,8 +245,13 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
                 continue;
             }
             let options = self.work.settings.options;
-            let (is_best, next) =
-                lane.decide::<RESTARTS, TRACK>(measured, options, has_posture, has_weights);
+            let (is_best, next) = lane.decide::<RESTARTS, TRACK>(
+                measured,
+                options,
+                has_posture,
+                has_weights,
+                is_steady,
+            );
             lane.next = next;
             // The best values are copied before the step overwrites them, because a search may end
             // far from its best values.
@@ -413,7 +419,8 @@ impl<R: Real> Lane<R> {
 
     /// Returns `true` if the measured values are the best so far, otherwise `false`, together with
     /// the next action. With `has_posture` the search goes on toward a posture after the targets
-    /// are reached. With `has_weights` the posture or the start has a weight in every step.
+    /// are reached. With `has_weights` the posture or the start has a weight in every step. If the
+    /// search `is_steady`, values are better only if they reduce the squared error enough.
     #[cfg_attr(target_os = "none", inline(never))]
     fn decide<const RESTARTS: bool, const TRACK: bool>(
         &mut self,
@@ -421,14 +428,18 @@ impl<R: Real> Lane<R> {
         options: &Options<R>,
         has_posture: bool,
         has_weights: bool,
+        is_steady: bool,
     ) -> (bool, Next) {
         let arrived = measured.angular <= options.angular_tolerance
             && measured.linear <= options.linear_tolerance
             && !self.out_of_reach;
         // The best values are updated before the search can end, because the report has the errors
         // of the best values and not of the final values.
+        let gains = measured.square < self.best.square * (R::ONE - options.least_gain);
         let is_best = if has_weights {
-            self.is_new || self.is_nearer(&measured)
+            self.is_new || self.is_nearer(&measured) && (gains || !is_steady)
+        } else if TRACK && is_steady && !self.converged {
+            self.is_new || arrived || gains
         } else if TRACK && !self.converged && measured.square.is_finite() {
             // For a moving target the newest values count as the best if their pose is finite.
             // Otherwise an arm whose target is out of reach would stand still until a step reduced

@@ -81,8 +81,14 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         for order in 0..=usize::from(needs_second_order) {
             if self.uses_tree() {
                 self.assemble();
+                if self.weighs_floating() {
+                    self.weigh_floating();
+                }
             } else {
                 self.linearize(order == 1);
+                if self.weighs_floating() {
+                    self.scale_floating(damping);
+                }
             }
             limited = self.limited_step(damping, running);
         }
@@ -168,6 +174,9 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 radians = L::load(level, component).mul_add(y, radians);
             }
             scratch.radians.set(index, radians);
+        }
+        if self.weighs_floating() {
+            self.unscale_floating();
         }
         self.shrink()
     }

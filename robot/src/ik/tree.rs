@@ -31,15 +31,21 @@
 //!
 //! Row i has the entries of the joints from the base to i, in this order. So the entries of row i
 //! begin with the columns of any joint that carries i.
+//!
+//! A joint that mimics another adds to the row and column of that joint, at which freedoms of
+//! different branches meet. So the paths of freedoms to the base are those of the elimination tree
+//! (Liu 1990), which `freedom.rs` finds: it is the tree of the joints, with the leader below or
+//! above the joints that it meets.
 
-use super::goal::Goal;
+use super::body::Body;
+use super::freedom::{Freedom, carrier};
 use super::model::Model;
 use super::problem::Reach;
 use super::report::Settings;
-use super::scratch::{BODY, Scratch};
+use super::scratch::{EVEN_BODY, Scratch, UNEVEN_BODY};
 use super::step::FLOOR;
-use crate::mechanism::step::NONE;
-use dq8::batch::vector::{self, epsilon};
+use crate::mechanism::step::{NONE, Step};
+use dq8::batch::vector::epsilon;
 use dq8::geometry::Twist;
 use dq8::{Real, Scalar};
 use dq8_simd::{Lanes, Mask};
@@ -48,103 +54,147 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// Computes JᵀJ and Jᵀe at the latest poses.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn assemble(&mut self) {
+        if self.reach.facts.is_even {
+            self.assemble_bodies::<EVEN_BODY>();
+        } else {
+            self.assemble_bodies::<UNEVEN_BODY>();
+        }
+    }
+
+    /// Computes JᵀJ and Jᵀe from bodies of `C` registers.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn assemble_bodies<const C: usize>(&mut self)
+    where
+        [L; C]: Body<L>,
+    {
         let (level, reach) = (self.level, self.reach);
         let zero = L::splat(level, L::Real::default());
         self.scratch.bodies.fill(zero);
-        for freedom in reach.freedoms.iter().filter(|freedom| freedom.is_slide()) {
-            // All unknowns of the equations are in radians, so the twist of a slide is multiplied
-            // by the length that weighs as much as a radian.
-            let at = freedom.twist_row as usize;
-            let twist = Twist::from_array(self.scratch.twists.record(level, at));
-            self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
+        if reach.facts.any_mimics {
+            // Entries are sums over all joints that share a freedom.
+            self.scratch.system.fill(zero);
+            self.scratch.right_hand_side.fill(zero);
         }
+        self.scale_slides();
         for (position, step) in reach.mechanism.steps.iter().enumerate().rev() {
             if !reach.moves_goal(position) {
                 continue;
             }
-            let at = step.slot as usize * BODY;
-            let mut body: [L; BODY] = self.scratch.bodies.record(level, at);
+            let at = step.slot as usize * C;
+            let mut body: [L; C] = self.scratch.bodies.record(level, at);
             let mut row = 0;
             for (index, goal) in reach.goals.iter().enumerate() {
                 if goal.link == step.link as usize {
-                    self.add_goal(&mut body, index, goal, row);
+                    body.add_goal(self, index, goal, row);
                 }
                 row += goal.rows();
             }
             for index in 0..step.kind.rates() {
-                self.set_row(&body, reach.column(step.rate as usize + index));
+                if reach.facts.any_mimics {
+                    self.add_row(&body, step, index);
+                } else {
+                    self.set_row(&body, reach.column(step.rate as usize + index));
+                }
             }
             // The sums of the branches below a link meet in the slot of that link, which is also
             // the slot of its largest branch. Any other branch has a slot of its own. It adds its
             // sum to the slot of the link here, and clears its own slot for the next branch.
-            let below = step.parent_slot as usize * BODY;
+            let below = step.parent_slot as usize * C;
             if step.parent == NONE {
-                body = [zero; BODY];
+                body = [zero; C];
             } else if below != at {
-                let mut others: [L; BODY] = self.scratch.bodies.record(level, below);
-                add(&mut others, body);
+                let mut others: [L; C] = self.scratch.bodies.record(level, below);
+                for (to, from) in others.iter_mut().zip(body) {
+                    *to = *to + from;
+                }
                 self.scratch.bodies.set_record(below, others);
-                body = [zero; BODY];
+                body = [zero; C];
             }
             self.scratch.bodies.set_record(at, body);
         }
     }
 
-    /// Adds to `body` the mass and the inertia that stand for a goal's weights, and the force that
-    /// stands for its error. `row` is the first row of the error.
+    /// Multiplies the twists of slides by the length that weighs as much as a radian, because all
+    /// unknowns of the equations are in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add_goal(&self, body: &mut [L; BODY], index: usize, goal: &Goal<L::Real>, row: usize) {
-        let (level, half) = (self.level, self.pose(index).half);
-        let end = vector::add(half, half);
-        let weight = |weights: [L::Real; 3]| L::splat(level, weights[0]);
-        let (turns, moves) = (weight(goal.angular), weight(goal.linear));
-        let moves = moves * self.scales.radians_per_length;
-        let (inertia, mass) = (turns * turns, moves * moves);
-        let [x, y, z] = end;
-        let [mx, my, mz] = vector::scale(end, mass);
-        let [xx, yy, zz] = [mx * x, my * y, mz * z];
-        let (torque, row) = if goal.asks_rotation() {
-            (vector::scale(self.scratch.error.record(level, row), turns), row + 3)
-        } else {
-            ([inertia.constant(0.0); 3], row)
+    fn scale_slides(&mut self) {
+        let (level, reach) = (self.level, self.reach);
+        let mut scale = |at: usize| {
+            let twist = Twist::from_array(self.scratch.twists.record(level, at));
+            self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
         };
-        let mut force = [inertia.constant(0.0); 3];
-        if goal.linear[0] > L::Real::ZERO {
-            force = vector::scale(self.scratch.error.record(level, row), moves);
+        if !reach.facts.any_mimics {
+            for freedom in reach.freedoms.iter().filter(|freedom| freedom.is_slide()) {
+                scale(freedom.twist_row as usize);
+            }
+            return;
         }
-        let [tx, ty, tz] = vector::cross_onto(end, force, torque);
-        let [fx, fy, fz] = force;
-        let (ixx, iyy, izz) = (inertia + yy + zz, inertia + xx + zz, inertia + xx + yy);
-        let (ixy, ixz, iyz) = (-(mx * y), -(mx * z), -(my * z));
-        add(body, [mass, mx, my, mz, ixx, iyy, izz, ixy, ixz, iyz, tx, ty, tz, fx, fy, fz]);
+        for (position, step) in reach.mechanism.steps.iter().enumerate() {
+            for index in 0..step.kind.rates() {
+                let freedom = reach.freedoms.get(reach.column(step.rate as usize + index));
+                if freedom.is_some_and(Freedom::is_slide) && reach.moves_goal(position) {
+                    scale((step.twist as usize + index) * 6);
+                }
+            }
+        }
     }
 
     /// Computes the row of a freedom in the normal equations: its right-hand side, and the entries
     /// in its own column and in the columns of the freedoms that carry it.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn set_row(&mut self, body: &[L; BODY], column: usize) {
+    fn set_row<const C: usize>(&mut self, body: &[L; C], column: usize)
+    where
+        [L; C]: Body<L>,
+    {
         let (level, reach, scratch) = (self.level, self.reach, &mut self.scratch);
         let Some(mut freedom) = reach.freedoms.get(column) else { return };
         let twist: [L; 6] = scratch.twists.record(level, freedom.twist_row as usize);
-        let [wx, wy, wz, vx, vy, vz] = twist;
-        let (w, v) = ([wx, wy, wz], [vx, vy, vz]);
-        let [mass, hx, hy, hz, xx, yy, zz, xy, xz, yz, tx, ty, tz, fx, fy, fz] = *body;
-        let h = [hx, hy, hz];
-        let turned = [
-            xx.mul_add(wx, xy.mul_add(wy, xz * wz)),
-            xy.mul_add(wx, yy.mul_add(wy, yz * wz)),
-            xz.mul_add(wx, yz.mul_add(wy, zz * wz)),
-        ];
-        let [ax, ay, az] = vector::cross_onto(h, v, turned);
-        let [lx, ly, lz] = vector::cross_onto(w, h, vector::scale(v, mass));
-        scratch.right_hand_side.set(column, dot(twist, [tx, ty, tz, fx, fy, fz]));
-        let momentum = [ax, ay, az, lx, ly, lz];
+        scratch.right_hand_side.set(column, dot(twist, force(body)));
+        let momentum = body.momentum(twist);
         let last = (freedom.first_entry + freedom.depth) as usize;
         for up in 0..=freedom.depth as usize {
             let twist = scratch.twists.record(level, freedom.twist_row as usize);
             scratch.system.set(last - up, dot(twist, momentum));
             let Some(carrier) = reach.freedoms.get(freedom.parent as usize) else { break };
             freedom = carrier;
+        }
+    }
+
+    /// Adds what a joint contributes to the normal equations by its rate at `index`, where several
+    /// joints may share a freedom: to the right-hand side, and to the entries between its freedom
+    /// and the freedoms of the joints that carry it.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn add_row<const C: usize>(&mut self, body: &[L; C], step: &Step<L::Real>, index: usize)
+    where
+        [L; C]: Body<L>,
+    {
+        let (level, reach, scratch) = (self.level, self.reach, &mut self.scratch);
+        let own = reach.column(step.rate as usize + index);
+        let twist: [L; 6] = scratch.twists.record(level, (step.twist as usize + index) * 6);
+        let moved = dot(twist, force(body)) + scratch.right_hand_side.get(level, own);
+        scratch.right_hand_side.set(own, moved);
+        let momentum = body.momentum(twist);
+        let (mut joint, mut rates) = (step, index + 1);
+        loop {
+            for rate in (0..rates).rev() {
+                let row = (joint.twist as usize + rate) * 6;
+                let other = reach.column(joint.rate as usize + rate);
+                let mut entry = dot(scratch.twists.record(level, row), momentum);
+                // A joint that is carried by a joint of the same freedom contributes once as the
+                // one of both and once as the other.
+                if other == own && joint.link != step.link {
+                    entry = entry + entry;
+                }
+                let (Some(low), Some(high)) =
+                    (reach.freedoms.get(own.max(other)), reach.freedoms.get(own.min(other)))
+                else {
+                    continue;
+                };
+                let at = (low.first_entry + high.depth) as usize;
+                scratch.system.set(at, entry + scratch.system.get(level, at));
+            }
+            let Some(carrier) = carrier(reach.mechanism.steps, joint) else { break };
+            (joint, rates) = (carrier, carrier.kind.rates());
         }
     }
 
@@ -246,8 +296,20 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
 }
 
 impl<R: Real> Reach<'_, R> {
-    /// Returns `true` if the posture or the start has a weight in every step.
+    /// Returns `true` if the posture, the start, or the start of a floating joint has a weight in
+    /// every step.
     pub(super) fn has_weights(&self, settings: Settings<'_, R>) -> bool {
+        self.weighs_joints(settings) || self.weighs_floating(settings)
+    }
+
+    /// Returns `true` if a floating joint moves a goal, and has a weight.
+    pub(super) fn weighs_floating(&self, settings: Settings<'_, R>) -> bool {
+        let mut freedoms = self.freedoms.iter();
+        settings.floating_weight > R::ZERO && freedoms.any(|freedom| !freedom.is_single())
+    }
+
+    /// Returns `true` if the posture or the start has a weight.
+    pub(super) fn weighs_joints(&self, settings: Settings<'_, R>) -> bool {
         let posture = self.posture.is_some() && settings.posture_weight > R::ZERO;
         posture || settings.start_weight > R::ZERO
     }
@@ -260,11 +322,10 @@ impl<R: Real> Reach<'_, R> {
     }
 }
 
+/// Returns the torque and the force on a body, its last six registers.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn add<L: Lanes>(to: &mut [L; BODY], from: [L; BODY]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to = *to + from;
-    }
+fn force<L: Lanes, const C: usize>(body: &[L; C]) -> [L; 6] {
+    body.last_chunk().copied().unwrap_or_else(|| [body[0].constant(0.0); 6])
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]

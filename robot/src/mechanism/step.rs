@@ -93,9 +93,10 @@ pub struct Step<R> {
     /// The index of the child with the largest subtree. It is used only while steps are put in
     /// order.
     pub(crate) largest: u32,
-    /// The index at which the subtree of the next child will begin. It is used only while steps are
-    /// put in order.
-    pub(crate) free: u32,
+    /// The number of rates of the joints whose steps are before this step. Joints that mimic count
+    /// too. While the steps are put in order, it is the index at which the subtree of the next
+    /// child will begin.
+    pub(crate) twist: u32,
     /// The index of the slot that holds the pose of this link. Kernels keep poses in a fixed number
     /// of slots.
     pub(crate) slot: u8,
@@ -130,7 +131,7 @@ impl<R: Real> Default for Step<R> {
             position: NONE,
             size: 1,
             largest: NONE,
-            free: 0,
+            twist: 0,
             slot: 0,
             parent_slot: 0,
         }

@@ -330,14 +330,14 @@ fn order<R>(steps: &mut [Step<R>]) {
             (position, slot, parent_slot) =
                 (parent.position + parent.size - size, parent.slot, parent.slot);
             if parent.largest as usize != index {
-                (position, slot) = (parent.free, parent.slot + 1);
-                parent.free += size;
+                (position, slot) = (parent.twist, parent.slot + 1);
+                parent.twist += size;
             }
         } else {
             free += size;
         }
         let Some(step) = steps.get_mut(index) else { return };
-        (step.position, step.free) = (position, position + 1);
+        (step.position, step.twist) = (position, position + 1);
         (step.slot, step.parent_slot) = (slot, parent_slot);
     }
     for index in 0..count {
@@ -348,8 +348,11 @@ fn order<R>(steps: &mut [Step<R>]) {
             core::mem::swap(here, there);
         }
     }
+    let mut twist = 0;
     for position in 0..count {
-        let Some(&Step { link, .. }) = steps.get(position) else { return };
+        let Some(step) = steps.get_mut(position) else { return };
+        (step.twist, twist) = (twist, twist + step.kind.rates() as u32);
+        let link = step.link;
         if let Some(of_link) = steps.get_mut(link as usize) {
             of_link.position = position as u32;
         }

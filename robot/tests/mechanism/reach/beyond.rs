@@ -133,3 +133,40 @@ fn the_same_target_asked_again_never_ends_farther_away() {
     }
     assert!(worse.is_empty(), "{} of 400: {:?}", worse.len(), &worse[..worse.len().min(5)]);
 }
+
+/// Fifty times, after as many frames as the arm needs to come to rest: poses that it cannot hold,
+/// and targets that are too far. Without the option the same arm sways.
+#[test]
+fn a_target_beyond_reach_that_is_asked_again_leads_a_steady_search_to_the_same_values() {
+    for goal in [Goal::position(7), Goal::pose(7)] {
+        let (mut random, mut count, mut sways) = (Random(13), 0, 0);
+        let mut reach = OwnedReach::new(panda::<f64>(), [goal]).unwrap();
+        for _ in 0..40 {
+            let mut target = random.motion(0.8);
+            let [x, y, z] = target.translation();
+            target = DualQuat::from_rotation_translation(target.rotation(), [x, y, z + 0.9]);
+            let mut moves = |steady: bool| {
+                let options = Tracking { steady, ..Tracking::default() };
+                let (mut values, mut most, mut error) = (START, 0.0_f64, f64::INFINITY);
+                for ask in 0..80 {
+                    let before = values;
+                    let report = reach.track(&[target], &mut values, &options).unwrap();
+                    if report.is_converged() {
+                        return None;
+                    }
+                    if goal.angular == [0.0; 3] && steady {
+                        assert!(report.linear_error <= error, "{report:?} {error}");
+                        error = report.linear_error;
+                    }
+                    let steps = values.iter().zip(before).map(|(new, old)| (new - old).abs());
+                    most = if ask < 30 { 0.0 } else { steps.fold(most, f64::max) };
+                }
+                Some(most)
+            };
+            let [Some(steady), Some(newest)] = [true, false].map(&mut moves) else { continue };
+            assert_eq!(steady, 0.0, "{target}");
+            (count, sways) = (count + 1, sways + usize::from(newest > 1e-3));
+        }
+        assert!(count > 10 && sways > 5, "{sways} of {count} sway");
+    }
+}

@@ -2,6 +2,7 @@
 //! returned, one product after the other.
 
 mod beyond;
+mod floating;
 mod free;
 mod honest;
 mod kinds;
@@ -11,6 +12,7 @@ mod owned;
 mod posture;
 mod rates;
 mod refused;
+mod shape;
 mod tracking;
 mod turns;
 mod units;

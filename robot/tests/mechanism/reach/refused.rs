@@ -193,7 +193,8 @@ fn options_that_are_none_and_distances_that_overflow_are_invalid_and_values_are_
     for bad in [f64::NAN, -1.0, f64::INFINITY] {
         let good = Tracking::default();
         let posture = Tracking { posture_weight: bad, ..good };
-        for tracking in [posture, Tracking { start_weight: bad, ..good }] {
+        let floating = Tracking { floating_weight: bad, ..good };
+        for tracking in [posture, floating, Tracking { start_weight: bad, ..good }] {
             let (mut values, mut scratch) = (start, vec![0.0; arm.view().scratch_len()]);
             let report = arm.view().track(&[target], &mut values, &mut scratch, &tracking);
             let outcome = report.expect("lengths fit").outcome;

@@ -1,5 +1,4 @@
-//! Following targets that move: many goals in the shape of the tree, weights that always act, ends,
-//! clips, velocities.
+//! Following targets that move: weights that always act, ends, clips, velocities.
 
 use super::{
     SETTLED, Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve,
@@ -13,7 +12,7 @@ use dq8_robot::{Joint, WorldAligned};
 
 /// A body that floats, with limbs of hinges with limits, a slide, a screw, and a part that carries
 /// nothing.
-fn body() -> Vec<Joint<f64>> {
+pub(super) fn body() -> Vec<Joint<f64>> {
     let mut joints = vec![Joint::floating(None, at(0.1, 0.0, 0.0))];
     for side in [-1.0, 1.0] {
         let first = joints.len();
@@ -32,14 +31,14 @@ fn body() -> Vec<Joint<f64>> {
     joints
 }
 
-fn goals() -> Vec<Goal<f64>> {
+pub(super) fn goals() -> Vec<Goal<f64>> {
     let feet = [4, 8].map(|link| Goal::pose(link).weighing(0.4, 2.0).at([0.1, 0.02, -0.03]));
     let rest = [Goal::position(10), Goal::pose(0), Goal::orientation(2), Goal::position(6)];
     [&feet[..], &rest].concat()
 }
 
 /// Values, with a quaternion first.
-fn configuration(random: &mut Random) -> Vec<f64> {
+pub(super) fn configuration(random: &mut Random) -> Vec<f64> {
     let mut values: Vec<f64> = (0..7).map(|_| random.signed()).collect();
     values[3] += 3.0;
     values.extend(draw(random, &body()[1..]));
@@ -47,7 +46,11 @@ fn configuration(random: &mut Random) -> Vec<f64> {
 }
 
 /// Targets near the poses of a configuration, in every direction, so that no values reach them all.
-fn targets(body: &OwnedReach<f64>, random: &mut Random, near: &[f64]) -> Vec<DualQuat<f64>> {
+pub(super) fn targets(
+    body: &OwnedReach<f64>,
+    random: &mut Random,
+    near: &[f64],
+) -> Vec<DualQuat<f64>> {
     let mut target = |goal: &Goal<f64>| {
         let pose = pose(body, near, goal.link);
         let [x, y, z] = [0.1; 3].map(|size| size * random.signed());
@@ -57,7 +60,7 @@ fn targets(body: &OwnedReach<f64>, random: &mut Random, near: &[f64]) -> Vec<Dua
 }
 
 /// On all backends.
-fn track_everywhere(
+pub(super) fn track_everywhere(
     reach: &OwnedReach<f64>,
     targets: &[DualQuat<f64>],
     start: &[f64],
@@ -72,50 +75,6 @@ fn track_everywhere(
     Backend::available().map(track).collect()
 }
 
-/// Goals whose weights differ from axis to axis, if only by a rounding, have no such shape.
-fn by_rows(goals: &[Goal<f64>]) -> Vec<Goal<f64>> {
-    let bent = |weights: [f64; 3]| [weights[0], weights[1] * (1.0 + 1e-15), weights[2]];
-    goals.iter().map(|g| g.with_angular(bent(g.angular)).with_linear(bent(g.linear))).collect()
-}
-
-#[test]
-fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
-    let problems = [goals(), by_rows(&goals())].map(|goals| problem(&body(), goals));
-    let mut random = Random(41);
-    let (mut limited, mut moved) = (0, 0.0_f64);
-    for (round, options) in [
-        Options { max_iterations: 1, damping: 0.2, ..Options::track() }.into(),
-        Options { max_iterations: 4, ..Options::track() }.into(),
-        Tracking { start_weight: 0.3, posture_weight: 0.2, ..Tracking::default() },
-    ]
-    .iter()
-    .cycle()
-    .take(60)
-    .enumerate()
-    {
-        let near = configuration(&mut random);
-        let targets = targets(&problems[0], &mut random, &near);
-        let start: Vec<f64> = near.iter().map(|value| value + 0.1 * random.signed()).collect();
-        let [tree, rows] = problems.clone().map(|reach| match options.posture_weight > 0.0 {
-            true => reach.with_posture(vec![0.3; near.len()]).expect("a posture"),
-            false => reach,
-        });
-        let expected = track_everywhere(&rows, &targets, &start, options);
-        for ((backend, values, reports), (_, wanted, others)) in
-            track_everywhere(&tree, &targets, &start, options).iter().zip(&expected)
-        {
-            assert_eq!(reports[0].iterations, others[0].iterations, "{backend}: {round}");
-            for (value, wanted) in values.iter().zip(wanted) {
-                assert!((value - wanted).abs() < 1e-9, "{backend}: {round}: {values:?} {wanted:?}");
-                moved = moved.max((value - wanted).abs());
-            }
-            limited += usize::from(others[0].outcome == Outcome::AtLimits);
-        }
-    }
-    // Another way of computing, and limits in its way.
-    assert!(moved > 0.0 && limited > 20, "{moved} {limited}");
-}
-
 /// A slide between a target, a posture and its start divides its way by the squares of their
 /// weights.
 #[test]
@@ -128,7 +87,7 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
     {
         let options =
             Options { max_iterations: 60, damping: 0.0, least_gain: 0.0, ..Options::track() };
-        let options = Tracking { options, posture_weight, start_weight };
+        let options = Tracking { posture_weight, start_weight, ..options.into() };
         let [to_posture, to_start] = [posture_weight, start_weight].map(|weight| weight * weight);
         // From the target itself too, which it leaves for the posture.
         for start in [-1.0, 2.0] {
@@ -290,6 +249,12 @@ fn a_clip_is_its_frames_one_after_the_other() {
         let wrong = job.sequence(&[frames + 1], &all, &mut values, &mut reports, &options);
         assert!(wrong.is_err());
     }
+}
+
+/// Goals whose weights differ from axis to axis, if only by a rounding.
+fn by_rows(goals: &[Goal<f64>]) -> Vec<Goal<f64>> {
+    let bent = |weights: [f64; 3]| [weights[0], weights[1] * (1.0 + 1e-15), weights[2]];
+    goals.iter().map(|g| g.with_angular(bent(g.angular)).with_linear(bent(g.linear))).collect()
 }
 
 /// Where the gradient of |W(Jq̇ − v)|² + λ²|q̇|² vanishes, by the Jacobians of the links.
