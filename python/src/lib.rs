@@ -97,6 +97,8 @@ mod _core {
     #[pymodule_export]
     use dq8_python_trajectories::fit::fit_pairs;
     #[pymodule_export]
+    use dq8_python_trajectories::hand_eye::hand_eye_pairs;
+    #[pymodule_export]
     use dq8_python_trajectories::resample::resample;
     #[pymodule_export]
     use dq8_python_trajectories::spline::Spline;

@@ -88,7 +88,7 @@ from ._core import (
     translation,
 )
 from ._core import forget_threads as _forget_threads
-from ._fits import Fit, fit, hand_eye
+from ._fits import Fit, HandEye, fit, hand_eye
 from . import _mechanisms as _methods
 from ._outcome import Outcome
 from ._rigid_transform import RigidTransform, identity
@@ -115,6 +115,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Comparison",
     "Fit",
+    "HandEye",
     "Hierarchy",
     "Mechanism",
     "Outcome",
