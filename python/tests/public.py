@@ -87,7 +87,7 @@ CALLS: dict[str, tuple[str, str]] = {
     "is_unit": (MANY, "dq8.is_unit(many)"),
     "random": ("", "dq8.random(500_000)"),
     "from_euler": ("angles = np.zeros((1_000_000, 3))", "dq8.from_euler('xyz', angles)"),
-    "to_euler": (MANY, "dq8.to_euler('xyz', many)"),
+    "to_euler": (MANY, "dq8.to_euler(many, 'xyz')"),
     "from_axis_angle": (OTHERS, "dq8.from_axis_angle(points, 0.3)"),
     "to_axis_angle": (MANY, "dq8.to_axis_angle(many)"),
     "from_rotation": (MANY, "dq8.from_rotation(many[:, :4], check=False)"),

@@ -53,12 +53,12 @@ def test_vectors_axes_and_angles_are_those_of_scipy(rotations):
 def test_euler_angles_are_those_of_scipy(order, rotations, rng):
     angles = rng.uniform(-3, 3, size=(50, 3))
     same(dq8.from_euler(order, angles), Rotation.from_euler(order, angles))
-    np.testing.assert_allclose(dq8.to_euler(order, dq8.from_rotation(rotations)), rotations.as_euler(order), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(dq8.to_euler(dq8.from_rotation(rotations), order), rotations.as_euler(order), rtol=0, atol=1e-13)
     # Where only a sum of two angles counts.
     middle = [0.0, np.pi] if order[0] == order[2] else [-np.pi / 2, np.pi / 2]
     for end in middle:
         motions = dq8.from_euler(order, [0.3, end, 0.4])
-        found = dq8.to_euler(order, motions)
+        found = dq8.to_euler(motions, order)
         assert found[0 if order.isupper() else 2] == 0
         assert dq8.allclose(dq8.from_euler(order, found), motions, angle=1e-7)
 
@@ -96,6 +96,11 @@ def test_random_motions_are_unit_and_repeat(rng):
     assert abs(dq8.translation(motions).std() - 3) < 0.15
     # Rotations alike: their mean is nowhere.
     assert abs(dq8.to_matrix(motions)[..., :3, :3].mean(axis=(0, 1))).max() < 0.06
+
+
+def test_arguments_of_to_euler_that_are_swapped_are_told_their_order(random_motions):
+    with pytest.raises(TypeError, match=r"to_euler\(motions, 'xyz'\), got ndarray"):
+        dq8.to_euler("xyz", random_motions())
 
 
 def test_the_same_motions_are_close_up_to_sign_and_others_are_not(random_motions):
