@@ -75,7 +75,7 @@ CALLS: dict[str, tuple[str, str]] = {
     ),
     "Trajectory": (MANY, "dq8.Trajectory(np.arange(1_000_000.0), many)"),
     "Trajectory.sample": (PATH, "path.sample(at)"),
-    "Spline": ("some = np.tile(turned, (100_000, 1))", "dq8.Spline(some)"),
+    "Spline": (MANY, "dq8.Spline(many)"),
     "compare": ("path = dq8.Trajectory(np.arange(300_000.0), np.tile(turned, (300_000, 1)))", "dq8.compare(path, path)"),
     "fit": ("points = np.random.default_rng(1).normal(size=(200_000, 10, 3))", "dq8.fit(points, points)"),
     "hand_eye": ("motions = dq8.random((50_000, 5), rng=1)", "dq8.hand_eye(motions, motions)"),
@@ -105,7 +105,7 @@ CALLS: dict[str, tuple[str, str]] = {
 
 # Settings of the process, what others return, and what lends memory.
 WITHOUT = ["to_arrow", "from_arrow", "Comparison", "Fit", "HandEye", "Hierarchy", "Mechanism", "Outcome", "ReachReport", "Solutions", "Statistics", "backend",
-           "get_num_threads", "set_num_threads", "set_reproducible"]  # fmt: skip
+           "get_num_threads", "progress", "set_num_threads", "set_reproducible"]  # fmt: skip
 
 
 def of_table(name: str, parameters: dict[str, tuple[int, ...]]) -> tuple[str, str]:

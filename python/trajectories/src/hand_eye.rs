@@ -21,8 +21,8 @@ const PAIRS: usize = 4096;
 /// How often a problem is solved with other signs.
 const TURNS: usize = 4;
 
-/// The motions X with ``A X = X B`` of hands A and eyes B, both (..., n, 8), with `weights` (..., n):
-/// seventeen numbers for each problem, and with a `rule` the n numbers by which weights were
+/// The motions X with ``A X = X B`` of hands A and eyes B, both (..., n, 8), with `weights` (...,
+/// n): seventeen numbers for each problem, and with a `rule` the n numbers by which weights were
 /// multiplied.
 #[pyfunction]
 #[pyo3(signature = (hands, eyes, weights, rule))]
@@ -180,8 +180,8 @@ impl Given<'_> {
     }
 }
 
-/// The squares of the singular values of the equations of a problem, and the right singular vectors,
-/// each a row, in no order.
+/// The squares of the singular values of the equations of a problem, and the right singular
+/// vectors, each a row, in no order.
 #[derive(Clone, Copy, Default)]
 struct Decomposed {
     squares: [f64; 8],
@@ -199,8 +199,8 @@ impl Decomposed {
         order.sort_unstable_by(|&a, &b| self.squares[b].total_cmp(&self.squares[a]));
         let sizes = order.map(|at| self.squares[at].sqrt());
         let (first, last) = (&self.vectors[order[6]], &self.vectors[order[7]]);
-        // X is that sum of the two vectors that is unit: λ²u₁·v₁ + λ(u₁·v₂ + u₂·v₁) + u₂·v₂ = 0 has
-        // two solutions, of which the other one has no real part.
+        // X is that sum of the two vectors that is unit: λ²u₁·v₁ + λ(u₁·v₂ +
+        // u₂·v₁) + u₂·v₂ = 0 has two solutions, of which the other one has no real part.
         let across = |a: &[f64; 8], b: &[f64; 8]| -> f64 {
             a[..4].iter().zip(&b[4..]).map(|(u, v)| u * v).sum()
         };
@@ -274,8 +274,8 @@ impl Kernel for Decompose<'_> {
     }
 }
 
-/// The vector parts of ``a x − x b``, linear in x: ``(a + b) × x + (a − b)w`` of the real parts, and
-/// the same of the dual parts.
+/// The vector parts of ``a x − x b``, linear in x: ``(a + b) × x + (a − b)w`` of the real
+/// parts, and the same of the dual parts.
 #[inline(always)]
 fn equations<L: Lanes>(a: [L; 8], b: [L; 8]) -> [[L; 8]; 6] {
     let zero = a[0].constant(0.0);

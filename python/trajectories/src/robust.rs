@@ -25,8 +25,8 @@ impl Rule {
 pub(crate) struct Lengths {
     /// Their median.
     median: f64,
-    /// The k of [`Rule::Huber`] and the c of [`Rule::Tukey`], with which 95 percent of what is known
-    /// of a mean stays known. A test of Python computes all three.
+    /// The k of [`Rule::Huber`] and the c of [`Rule::Tukey`], with which 95 percent of what is
+    /// known of a mean stays known. A test of Python computes all three.
     huber: f64,
     tukey: f64,
 }
