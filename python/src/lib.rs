@@ -36,8 +36,9 @@ fn set_reproducible(reproducible: bool) {
     Backend::set_reproducible(reproducible);
 }
 
-/// dq8 on NumPy arrays.
-#[pymodule]
+/// dq8 on NumPy arrays. A Python without the global interpreter lock switches it on for this
+/// module, and says so: no such interpreter has run the tests.
+#[pymodule(gil_used = true)]
 mod _core {
     #[pymodule_export]
     use super::{backend, set_reproducible};
@@ -74,6 +75,8 @@ mod _core {
     use dq8_python_arrays::functions::squad::{squad, squad_control};
     #[pymodule_export]
     use dq8_python_arrays::functions::windows::dib_windows;
+    #[pymodule_export]
+    use dq8_python_arrays::interrupt::tell_progress;
     #[pymodule_export]
     use dq8_python_arrays::plain::real_array;
     #[pymodule_export]

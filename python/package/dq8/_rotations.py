@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import floats
+from ._extras import needed
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -260,6 +261,5 @@ def to_scipy(motions: ArrayLike) -> Any:
     >>> dq8.to_scipy(dq8.from_translation([1.0, 2.0, 3.0])).translation
     array([1., 2., 3.])
     """
-    from scipy.spatial.transform import RigidTransform
-
-    return RigidTransform.from_dual_quat(floats("motions", motions, (8,)))
+    transforms = needed("scipy.spatial.transform", "scipy")
+    return transforms.RigidTransform.from_dual_quat(floats("motions", motions, (8,)))

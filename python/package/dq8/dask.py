@@ -24,17 +24,17 @@ import operator
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import dask.array
 import numpy as np
 
 from . import __all__ as _public
 from . import _comparisons, _core, _fits, _names, _rotations, _trajectories
 from ._core import Mechanism
+from ._extras import needed
 from ._signatures import CHECKED, SIGNATURES, Shape
 from ._solutions import Solutions
 
 # It has no types.
-da: Any = dask.array
+da: Any = needed("dask.array", "dask")
 
 
 def _dtype(arguments: Sequence[Any]) -> np.dtype[Any]:
