@@ -164,8 +164,8 @@ impl Clip {
     }
 
     /// Returns every joint's motion in the world at `first`, `first + step` and so on seconds after
-    /// the first frame, up to the last frame, `[time][joint]`. Between two frames, the joints' motions
-    /// relative to their parents are interpolated, so bones keep their lengths.
+    /// the first frame, up to the last frame, `[time][joint]`. Between two frames, the joints'
+    /// motions relative to their parents are interpolated, so bones keep their lengths.
     ///
     /// # Errors
     /// If the joints do not form a tree, or there are too many times.

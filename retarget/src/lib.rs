@@ -1,0 +1,29 @@
+#![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
+
+mod collide;
+mod collision;
+mod error;
+mod feet;
+mod humanoid;
+mod motion;
+mod names;
+mod person;
+mod report;
+mod rest;
+mod role;
+mod settings;
+mod shape;
+mod smooth;
+mod table;
+mod targets;
+
+pub use dq8_bvh::{Clip, Warning};
+pub use error::RetargetError;
+pub use humanoid::{Humanoid, Part, Source};
+pub use motion::{Motion, retarget};
+pub use person::Person;
+pub use report::Report;
+pub use role::Role;
+pub use settings::Settings;
+pub use targets::{Place, Targets};
