@@ -13,7 +13,7 @@
 mod picture;
 mod track;
 
-use dq8_retarget::{Humanoid, Person, Role, Settings, Targets, retarget};
+use dq8_retarget::{Humanoid, Person, Role, Settings, Speeds, Targets, retarget};
 use mocap::command::{self, Request, files, print, read};
 use mocap::output;
 use std::error::Error;
@@ -40,7 +40,7 @@ usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--an
                   shapes of the feet
   --smooth HZ     the frequency that passes over the whole motion halve, 4 by default; with 0 nothing
                   is smoothed
-  --speed RAD/S   the greatest speed of joints; by default that of the robot's file
+  --speed RAD/S   the greatest speed of all joints; with `file` that of each joint in the robot's file
   --csv OUT       write the joint values, one row per frame
   --svg OUT       draw the clip and the robot at several moments
 ";
@@ -68,7 +68,10 @@ fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Str
             rest: number("--rest", rest, |_| true)?,
             ankle: number("--ankle", ankle, |height: &f64| height.is_finite())?,
             smooth: smooth.map_or(own.smooth, |hz| Some(hz).filter(positive)),
-            speed: number("--speed", speed, positive)?,
+            speeds: match speed {
+                Some(word) if word.as_os_str() == "file" => Speeds::File,
+                speed => number("--speed", speed, positive)?.map_or(own.speeds, Speeds::AtMost),
+            },
             ..own
         };
         Ok(Args { robot, clip, map, settings, csv, svg })

@@ -25,5 +25,5 @@ pub use motion::{Motion, retarget};
 pub use person::Person;
 pub use report::Report;
 pub use role::Role;
-pub use settings::Settings;
+pub use settings::{Settings, Speeds};
 pub use targets::{Place, Targets};

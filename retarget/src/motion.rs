@@ -2,11 +2,12 @@
 
 use crate::collide::Balls;
 use crate::smooth::{lambda, slow_down, smooth};
-use crate::{Humanoid, Person, Report, RetargetError, Settings, Targets};
+use crate::{Humanoid, Person, Report, RetargetError, Settings, Speeds, Targets};
 use dq8::DualQuat;
 use dq8_robot::OwnedMechanism;
 use dq8_robot::ik::{self, Goal, Options, OwnedReach, Tracking};
 use dq8_robot::urdf::{Drive, Robot};
+use std::ops::Range;
 
 /// The time that the robot lags behind in the first search, seconds. The targets are then farther
 /// away by less than a fiftieth.
@@ -17,6 +18,15 @@ const PASSES: usize = 3;
 
 /// The number of passes at most, if the robot meets itself.
 const MOST_PASSES: usize = 8;
+
+/// The largest number of parts of a clip: so many lanes are filled.
+const PARTS: usize = 16;
+
+/// The time by which parts of a clip begin early. Seconds.
+const EARLY: f64 = 0.3;
+
+/// A part whose joints are farther than this from the part before it is followed again. Radians.
+const TORN: f32 = 0.05;
 
 /// The number of values of the base: a rotation and a place.
 const BASE: usize = 7;
@@ -80,6 +90,15 @@ impl Targets {
     pub fn converging(&self) -> Tracking<f64> {
         let options = Options { max_iterations: 100, least_gain: 1e-5, ..Options::track() };
         Tracking { options, start_weight: 0.0, ..self.tracking() }
+    }
+
+    /// Returns the stance, moved to where the pelvis should be in a frame.
+    pub(crate) fn start_at(&self, frame: usize) -> Vec<f64> {
+        let pelvis = self.poses[frame * self.goals.len()];
+        let mut start = self.start.clone();
+        start[..4].copy_from_slice(&(pelvis.rotation() * self.base).normalize().to_array());
+        start[4..BASE].copy_from_slice(&pelvis.translation());
+        start
     }
 
     /// Returns the values with which the robot reaches the first frame.
@@ -155,14 +174,77 @@ struct Passes<'t> {
 }
 
 impl Passes<'_> {
-    /// Follows the targets, frame after frame.
+    /// Follows the targets. The clip is cut into parts that fill all lanes; each begins some frames
+    /// early, so that it is where the part before it is when its own frames begin.
     fn follow(&mut self, poses: &[DualQuat<f32>]) -> Result<(), RetargetError> {
+        let (goals, frames) = (self.targets.goals.len(), self.targets.frames());
+        let early = (EARLY / self.targets.step).ceil() as usize;
+        let parts = (frames / (2 * early)).min(PARTS);
+        if parts < 4 {
+            return self.follow_on(poses, 1..frames, |_| false);
+        }
+        let cut = |part: usize| part * frames / parts;
+        let begin = |part: usize| if part == 0 { 0 } else { cut(part) - early };
+        let clips: Vec<_> = (0..parts).map(|part| cut(part + 1) - begin(part)).collect();
+        let (mut wanted, mut firsts, mut starts) = (Vec::new(), Vec::new(), Vec::new());
+        for part in 0..parts {
+            wanted.extend(&poses[begin(part) * goals..cut(part + 1) * goals]);
+            firsts.extend(&poses[begin(part) * goals..(begin(part) + 1) * goals]);
+            starts.extend(cast(&self.targets.start_at(begin(part))));
+        }
+        let mut reports = vec![ik::Report::default(); clips.iter().sum()];
+        let options = self.targets.converging().cast();
+        let job = self.reach.job();
+        job.sequence(&vec![1; parts], &firsts, &mut starts, &mut reports[..parts], &options)?;
+        let mut values = vec![0.0; reports.len() * self.columns];
+        let mut row = 0;
+        for (clip, start) in clips.iter().zip(starts.chunks_exact(self.columns)) {
+            values[row * self.columns..][..self.columns].copy_from_slice(start);
+            row += clip;
+        }
+        // The first part starts where the first frame was reached in double precision.
+        values[..self.columns].copy_from_slice(&self.values[..self.columns]);
+        let options = self.targets.tracking().cast();
+        job.sequence(&clips, &wanted, &mut values, &mut reports, &options)?;
+
+        let (mut row, mut torn) = (0, Vec::new());
+        for part in 0..parts {
+            let first = row + cut(part) - begin(part);
+            if part > 0 {
+                let own = &values[(first - 1) * self.columns..][..self.columns];
+                let before = &self.values[(cut(part) - 1) * self.columns..][..self.columns];
+                if apart(own, before) > TORN {
+                    torn.push(part);
+                }
+            }
+            row += clips[part];
+            let place = cut(part) * self.columns..cut(part + 1) * self.columns;
+            let part = &values[first * self.columns..row * self.columns];
+            self.values[place].copy_from_slice(part);
+        }
+        for part in torn {
+            // Until the parts have met.
+            self.follow_on(poses, cut(part)..frames, |difference| difference < 0.1 * TORN)?;
+        }
+        Ok(())
+    }
+
+    /// Follows the targets, frame after frame, from the frame before the first one. Ends early
+    /// where the difference from the values that were there is `near`.
+    fn follow_on(
+        &mut self,
+        poses: &[DualQuat<f32>],
+        frames: Range<usize>,
+        near: impl Fn(f32) -> bool,
+    ) -> Result<(), RetargetError> {
         let (options, goals) = (self.targets.tracking().cast(), self.targets.goals.len());
-        let mut now = self.values[..self.columns].to_vec();
-        for (targets, values) in
-            poses.chunks_exact(goals).zip(self.values.chunks_exact_mut(self.columns))
-        {
-            self.reach.track(targets, &mut now, &options)?;
+        let mut now = self.values[(frames.start - 1) * self.columns..][..self.columns].to_vec();
+        for frame in frames {
+            self.reach.track(&poses[frame * goals..(frame + 1) * goals], &mut now, &options)?;
+            let values = &mut self.values[frame * self.columns..][..self.columns];
+            if near(apart(&now, values)) {
+                break;
+            }
             values.copy_from_slice(&now);
         }
         Ok(())
@@ -226,13 +308,18 @@ impl Passes<'_> {
 
 /// Returns the greatest speed of each value.
 fn speeds(robot: &Robot, settings: &Settings) -> Vec<f64> {
-    let speed = |(column, drive): (usize, &Drive)| match settings.speed {
-        _ if column < BASE => f64::INFINITY,
-        Some(speed) => speed,
+    let speed = |(column, drive): (usize, &Drive)| match settings.speeds {
+        Speeds::AtMost(speed) if column >= BASE => speed,
         // A file that writes a speed of zero has not been filled in.
-        None => Some(drive.velocity).filter(|speed| *speed > 0.0).unwrap_or(f64::INFINITY),
+        Speeds::File if column >= BASE && drive.velocity > 0.0 => drive.velocity,
+        _ => f64::INFINITY,
     };
     robot.value_drives().iter().enumerate().map(speed).collect()
+}
+
+/// Returns the largest difference of a joint.
+fn apart(a: &[f32], b: &[f32]) -> f32 {
+    a[BASE..].iter().zip(&b[BASE..]).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }
 
 fn cast(numbers: &[f64]) -> Vec<f32> {

@@ -19,11 +19,22 @@ pub struct Settings {
     /// The frequency in Hz that passes over the whole motion halve, 4 by default. With `None`,
     /// nothing is smoothed.
     pub smooth: Option<f64>,
-    /// The greatest speed of all joints in rad/s, which may be infinite. By default, `None`, it is
-    /// that of each joint in the robot's file.
-    pub speed: Option<f64>,
+    /// The greatest speeds of joints, [`Speeds::Free`] by default.
+    pub speeds: Speeds,
     /// `true`, the default, if the collision shapes of the robot are pushed apart where they meet.
     pub collide: bool,
+}
+
+/// The greatest speeds that joints may have.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Speeds {
+    /// Joints may have any speed.
+    #[default]
+    Free,
+    /// Each joint has the speed that the robot's file gives to it, if that is more than zero.
+    File,
+    /// All joints have this speed, in rad/s or metres per second.
+    AtMost(f64),
 }
 
 impl Default for Settings {
@@ -34,7 +45,7 @@ impl Default for Settings {
             ankle: None,
             feet: true,
             smooth: Some(4.0),
-            speed: None,
+            speeds: Speeds::Free,
             collide: true,
         }
     }
@@ -42,20 +53,23 @@ impl Default for Settings {
 
 impl Settings {
     /// Settings with which each frame follows the person as it is: feet are not held, and nothing
-    /// is smoothed, slowed down or pushed.
+    /// is smoothed or pushed.
     #[must_use]
     pub fn plain() -> Self {
-        let speed = Some(f64::INFINITY);
-        Self { feet: false, smooth: None, speed, collide: false, ..Self::default() }
+        Self { feet: false, smooth: None, collide: false, ..Self::default() }
     }
 
     pub(crate) fn check(&self) -> Result<(), RetargetError> {
+        let speed = match self.speeds {
+            Speeds::AtMost(speed) => Some(speed),
+            Speeds::Free | Speeds::File => None,
+        };
         let positive = |value: f64| value > 0.0 && value.is_finite();
         for (name, value, fits) in [
             ("fps", Some(self.fps), positive(self.fps)),
             ("ankle", self.ankle, self.ankle.is_none_or(f64::is_finite)),
             ("smooth", self.smooth, self.smooth.is_none_or(positive)),
-            ("speed", self.speed, self.speed.is_none_or(|speed| speed > 0.0)),
+            ("speeds", speed, speed.is_none_or(positive)),
         ] {
             if let (Some(value), false) = (value, fits) {
                 return Err(RetargetError::Setting { name, value });

@@ -43,6 +43,8 @@ pub struct Targets {
     pub step: f64,
     /// Sentences about what was found in the files, and about what had to be assumed.
     pub told: Vec<String>,
+    /// The rotation from the pelvis to the base.
+    pub(crate) base: Quat<f64>,
     pub(crate) feet: Vec<Foot>,
 }
 
@@ -101,20 +103,20 @@ impl Targets {
             let held = settings.feet && place.role.is_foot();
             Goal::pose(place.link).at(point).weighing(rotation, if held { 4.0 } else { position })
         });
+        let base = Quat::from_array(core::array::from_fn(|i| stance.values[i]));
         let mut targets = Self {
             goals: goals.collect(),
             places,
             poses,
             skeleton,
+            base: stance.turns[0].conjugate() * base,
             start: stance.values.clone(),
             step,
             told: told.into_iter().collect(),
             feet: Vec::new(),
         };
         targets.stand(person, humanoid, settings)?;
-        let turn = targets.base_turn(&stance);
-        targets.start[..4].copy_from_slice(&turn.to_array());
-        targets.start[4..7].copy_from_slice(&targets.poses[0].translation());
+        targets.start = targets.start_at(0);
         Ok(targets)
     }
 
@@ -122,12 +124,6 @@ impl Targets {
     #[must_use]
     pub fn frames(&self) -> usize {
         self.poses.len() / self.goals.len()
-    }
-
-    /// Returns the rotation of the base with which the pelvis is turned as in the first frame.
-    fn base_turn(&self, stance: &Stance) -> Quat<f64> {
-        let base = Quat::from_array(core::array::from_fn(|i| stance.values[i]));
-        (self.poses[0].rotation() * stance.turns[0].conjugate() * base).normalize()
     }
 
     /// Finds the feet and when they stand, moves the ground to height zero, and holds the feet.

@@ -3,19 +3,8 @@
 mod common;
 
 use common::{HUMANOID, humanoid, person, with_shape, with_soles};
-use dq8_retarget::{Clip, Humanoid, RetargetError, Settings, retarget};
+use dq8_retarget::{Clip, Humanoid, RetargetError, Settings, Speeds, Targets, retarget};
 use mocap::biped;
-
-/// All that is asked for by default, but for the speeds of the robot's file, which are low.
-const FAST: Settings = Settings {
-    fps: 30.0,
-    rest: None,
-    ankle: None,
-    feet: true,
-    smooth: Some(4.0),
-    speed: Some(f64::INFINITY),
-    collide: true,
-};
 
 #[test]
 fn the_walk_of_the_biped_is_followed_within_limits() {
@@ -49,9 +38,9 @@ fn shaken() -> Clip {
 fn passes_halve_the_jerk_and_keep_the_feet() {
     let person = person(&shaken());
     let report = |smooth: Option<f64>| {
-        retarget(&person, &humanoid(), &Settings { smooth, ..FAST }).unwrap().report
+        retarget(&person, &humanoid(), &Settings { smooth, ..Settings::default() }).unwrap().report
     };
-    let (rough, smooth) = (report(None), report(FAST.smooth));
+    let (rough, smooth) = (report(None), report(Settings::default().smooth));
     assert!(smooth.jerk < 0.75 * rough.jerk, "{rough}{smooth}");
     assert!(smooth.feet < 1.5 && smooth.residual < rough.residual + 1.0, "{rough}{smooth}");
 }
@@ -59,9 +48,9 @@ fn passes_halve_the_jerk_and_keep_the_feet() {
 #[test]
 fn speeds_are_bounded_exactly() {
     let person = person(&biped::clip());
-    let free = retarget(&person, &humanoid(), &FAST).unwrap().report;
+    let free = retarget(&person, &humanoid(), &Settings::default()).unwrap().report;
     let bound = 0.6 * free.speed_most;
-    let settings = Settings { speed: Some(bound), ..FAST };
+    let settings = Settings { speeds: Speeds::AtMost(bound), ..Settings::default() };
     let slow = retarget(&person, &humanoid(), &settings).unwrap().report;
     assert!(slow.speed_most <= bound, "{free}{slow}");
     assert!(slow.beyond <= 1e-6 && slow.residual < free.residual + 20.0, "{free}{slow}");
@@ -103,7 +92,7 @@ fn thick() -> Humanoid {
 fn shapes_that_meet_are_pushed_apart() {
     let (person, thick) = (person(&crossing()), thick());
     let report = |collide: bool| {
-        let settings = Settings { collide, ..FAST };
+        let settings = Settings { collide, ..Settings::default() };
         retarget(&person, &thick, &settings).unwrap().report
     };
     let (through, apart) = (report(false), report(true));
@@ -163,13 +152,27 @@ fn a_lying_person_lies_on_the_ground() {
 }
 
 #[test]
+fn parts_of_a_clip_meet_without_a_seam() {
+    // Parts fill the lanes of a clip of 128 frames, and not those of a clip of 20 frames.
+    let (humanoid, settings) = (humanoid(), Settings::plain());
+    let whole = Targets::new(&person(&biped::clip()), &humanoid, &settings).unwrap();
+    let values = whole.solve(&humanoid, &settings).unwrap();
+    let report = dq8_retarget::Report::of(&whole, &humanoid, &values).unwrap();
+    assert!(report.residual < 15.0 && report.speed_most < 6.0, "{report}");
+    let short = Targets::new(&person(&first(&biped::clip(), 40)), &humanoid, &settings).unwrap();
+    let few = short.solve(&humanoid, &settings).unwrap();
+    let apart = few.iter().zip(&values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(apart < 0.02, "{apart}");
+}
+
+#[test]
 fn settings_out_of_range_are_named() {
     let own = Settings::default();
     for (settings, name) in [
         (Settings { fps: 0.0, ..own }, "fps"),
         (Settings { fps: f64::NAN, ..own }, "fps"),
         (Settings { smooth: Some(-1.0), ..own }, "smooth"),
-        (Settings { speed: Some(0.0), ..own }, "speed"),
+        (Settings { speeds: Speeds::AtMost(0.0), ..own }, "speeds"),
         (Settings { ankle: Some(f64::INFINITY), ..own }, "ankle"),
     ] {
         let error = retarget(&person(&biped::clip()), &humanoid(), &settings).unwrap_err();
