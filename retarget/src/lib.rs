@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
+mod body_model;
 mod collide;
 mod collision;
 mod error;
@@ -9,6 +10,7 @@ mod humanoid;
 mod motion;
 mod names;
 mod person;
+mod positions;
 mod report;
 mod rest;
 mod role;
@@ -18,6 +20,7 @@ mod smooth;
 mod table;
 mod targets;
 
+pub use body_model::BodyModel;
 pub use dq8_bvh::{Clip, Warning};
 pub use error::RetargetError;
 pub use humanoid::{Humanoid, Part, Source};

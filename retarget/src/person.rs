@@ -53,6 +53,19 @@ impl Person {
         .checked()
     }
 
+    /// Makes a person without a neutral pose: the axes of such a pose may be others than those of
+    /// the motion, or there is none.
+    pub(crate) fn from_locals(
+        title: String,
+        names: Vec<String>,
+        parents: Vec<Option<usize>>,
+        locals: Vec<DualQuat<f64>>,
+        frame_time: f64,
+    ) -> Result<Self, RetargetError> {
+        let roles = [None; Role::COUNT];
+        Self { title, names, parents, frame_time, locals, neutral: None, roles }.checked()
+    }
+
     /// Returns this person with roles found by names, after a check of the poses.
     fn checked(mut self) -> Result<Self, RetargetError> {
         let joints = self.names.len();
