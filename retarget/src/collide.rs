@@ -4,7 +4,7 @@ use crate::collision::Ball;
 use crate::smooth::{lambda, smooth};
 use crate::{Humanoid, RetargetError, Targets};
 use dq8::DualQuat;
-use dq8::scalar::vector::{norm, scale, sub};
+use dq8::scalar::vector::{add, norm, scale, sub};
 use dq8_robot::OwnedMechanism;
 
 type Vector = [f64; 3];
@@ -21,13 +21,28 @@ const FREQUENCY: f64 = 5.0;
 /// The balls of a robot, and the pairs of them that should not overlap.
 #[derive(Clone, Debug)]
 pub(crate) struct Balls {
+    /// The centres of balls, and then of one hull around the balls of each link.
     points: Vec<(usize, [f32; 3])>,
-    /// Two balls, and the sum of their radii.
-    pairs: Vec<(usize, usize, f32)>,
+    /// Pairs of links: their hulls, and the pairs of their balls.
+    near: Vec<(Pair, Vec<Pair>)>,
     /// The goals that move each ball.
     movers: Vec<Vec<usize>>,
-    /// The largest distance of centres at which a pair of any size overlaps.
-    widest: f32,
+}
+
+/// Two points, and the distance below which the balls around them overlap.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    a: usize,
+    b: usize,
+    reach: f32,
+}
+
+impl Pair {
+    /// Returns the way from b to a, and the square of its length.
+    fn way(self, places: &[[f32; 3]]) -> ([f32; 3], f32) {
+        let [x, y, z]: [f32; 3] = core::array::from_fn(|i| places[self.a][i] - places[self.b][i]);
+        ([x, y, z], x * x + y * y + z * z)
+    }
 }
 
 impl Balls {
@@ -40,7 +55,9 @@ impl Balls {
         let stands = stands.iter().map(|values| humanoid.poses(values));
         let stands = stands.collect::<Result<Vec<_>, _>>()?;
         let paths: Vec<Vec<usize>> = balls.iter().map(|ball| path(humanoid, ball.link)).collect();
-        let mut pairs = Vec::new();
+        let hulls = hulls(&balls);
+        let hull = |link: usize| hulls.iter().position(|hull| hull.link == link).unwrap_or(0);
+        let mut near: Vec<(Pair, Vec<Pair>)> = Vec::new();
         for (a, ball) in balls.iter().enumerate() {
             for (b, other) in balls.iter().enumerate().skip(a + 1) {
                 let same = paths[a].iter().zip(&paths[b]).take_while(|(a, b)| a == b).count();
@@ -50,20 +67,30 @@ impl Balls {
                     let at = |ball: &Ball| poses[ball.link].transform_point(ball.centre);
                     norm(sub(at(ball), at(other))) < reach
                 };
-                if joints > 3 && !stands.iter().any(overlaps) {
-                    pairs.push((a, b, reach as f32));
+                if joints <= 3 || stands.iter().any(overlaps) {
+                    continue;
+                }
+                let pair = Pair { a, b, reach: reach as f32 };
+                let [i, j] = [hull(ball.link), hull(other.link)];
+                let (first, second) = (balls.len() + i, balls.len() + j);
+                match near.iter_mut().find(|(hulls, _)| hulls.a == first && hulls.b == second) {
+                    Some((_, pairs)) => pairs.push(pair),
+                    None => {
+                        let reach = (hulls[i].radius + hulls[j].radius) as f32;
+                        near.push((Pair { a: first, b: second, reach }, vec![pair]));
+                    }
                 }
             }
         }
         let movers = balls.iter().map(|ball| movers(humanoid, targets, ball.link)).collect();
-        let points = balls.iter().map(|ball| (ball.link, ball.centre.map(|x| x as f32))).collect();
-        let widest = pairs.iter().map(|pair| pair.2).fold(0.0, f32::max);
-        Ok(Self { points, pairs, movers, widest })
+        let point = |ball: &Ball| (ball.link, ball.centre.map(|x| x as f32));
+        let points = balls.iter().chain(&hulls).map(point).collect();
+        Ok(Self { points, near, movers })
     }
 
     /// Returns `true` if there is no pair to look at.
     pub(crate) fn is_empty(&self) -> bool {
-        self.pairs.is_empty()
+        self.near.is_empty()
     }
 
     /// Calls `found` with the frame, the pair, its depth, and the unit vector from its second ball
@@ -79,14 +106,18 @@ impl Balls {
         let mut places = vec![[0.0_f32; 3]; values.len() / count * self.points.len()];
         mechanism.job().points(&self.points, values, &mut places)?;
         for (frame, places) in places.chunks_exact(self.points.len()).enumerate() {
-            for &(a, b, reach) in &self.pairs {
-                let [x, y, z]: [f32; 3] = core::array::from_fn(|i| places[a][i] - places[b][i]);
-                let square = x * x + y * y + z * z;
-                if square < self.widest * self.widest && square < (reach - least) * (reach - least)
-                {
-                    let distance = square.sqrt();
-                    let way = [x, y, z].map(|part| f64::from(part / distance.max(1e-6)));
-                    found(frame, (a, b), reach - distance, way);
+            for (hulls, pairs) in &self.near {
+                if hulls.way(places).1 > hulls.reach * hulls.reach {
+                    continue;
+                }
+                for pair in pairs {
+                    let (way, square) = pair.way(places);
+                    let reach = pair.reach - least;
+                    if reach > 0.0 && square < reach * reach {
+                        let distance = square.sqrt();
+                        let way = way.map(|part| f64::from(part / distance.max(1e-6)));
+                        found(frame, (pair.a, pair.b), pair.reach - distance, way);
+                    }
                 }
             }
         }
@@ -135,6 +166,21 @@ impl Balls {
         }
         Ok(meets)
     }
+}
+
+/// Returns a ball around the balls of each link.
+fn hulls(balls: &[Ball]) -> Vec<Ball> {
+    let mut links: Vec<_> = balls.iter().map(|ball| ball.link).collect();
+    links.sort_unstable();
+    links.dedup();
+    let hull = |link: usize| {
+        let own = || balls.iter().filter(move |ball| ball.link == link);
+        let sum = own().fold([0.0; 3], |sum, ball| add(sum, ball.centre));
+        let centre = scale(sum, 1.0 / own().count() as f64);
+        let reach = |ball: &Ball| norm(sub(ball.centre, centre)) + ball.radius;
+        Ball { link, centre, radius: own().map(reach).fold(0.0, f64::max) }
+    };
+    links.into_iter().map(hull).collect()
 }
 
 /// Returns the links that move relative to their parents, from the root to this link.

@@ -122,8 +122,9 @@ impl Shape {
                 (half.map(|half| half - radius), radius)
             }
         };
-        // Neighbours are a radius apart, so the row is at most a seventh thinner between them.
-        let steps = half.map(|half| ((2.0 * half / radius).ceil().min(8.0)).max(0.0) as u32);
+        // Neighbours are at most three halves of a radius apart, but where a plate is so thin that
+        // it would be of too many balls.
+        let steps = half.map(|half| (4.0 * half / (3.0 * radius)).ceil().clamp(0.0, 4.0) as u32);
         let along = |axis: usize, index: u32| match steps[axis] {
             0 => 0.0,
             steps => half[axis] * (2.0 * f64::from(index) / f64::from(steps) - 1.0),

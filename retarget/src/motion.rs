@@ -208,7 +208,7 @@ impl Passes<'_> {
         job.sequence(&clips, &wanted, &mut values, &mut reports, &options)?;
 
         let (mut row, mut torn) = (0, Vec::new());
-        for part in 0..parts {
+        for (part, clip) in clips.iter().enumerate() {
             let first = row + cut(part) - begin(part);
             if part > 0 {
                 let own = &values[(first - 1) * self.columns..][..self.columns];
@@ -217,7 +217,7 @@ impl Passes<'_> {
                     torn.push(part);
                 }
             }
-            row += clips[part];
+            row += clip;
             let place = cut(part) * self.columns..cut(part + 1) * self.columns;
             let part = &values[first * self.columns..row * self.columns];
             self.values[place].copy_from_slice(part);

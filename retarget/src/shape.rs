@@ -212,8 +212,8 @@ impl<'r> Shape<'r> {
             let place = self.at(links[index]);
             (norm(sub(place, first)) - norm(sub(last, place))).abs()
         };
-        // A hinge about the limb itself turns it and does not bend it, and hinges near the first are
-        // those of a hip or shoulder.
+        // A hinge about the limb itself turns it and does not bend it, and hinges near the first
+        // are those of a hip or shoulder.
         let bends = |&index: &usize| {
             let axis = self.axis(links[index]);
             let is_far = norm(sub(self.at(links[index]), first)) > 0.3 * norm(way);
@@ -282,10 +282,10 @@ impl<'r> Shape<'r> {
         if wrong {
             legs.limbs.reverse();
         }
-        if let Some(arms) = arms {
-            if dot(across(arms), across(legs)) < 0.0 {
-                arms.limbs.reverse();
-            }
+        if let Some(arms) = arms
+            && dot(across(arms), across(legs)) < 0.0
+        {
+            arms.limbs.reverse();
         }
         known
     }

@@ -1,8 +1,9 @@
 //! Two-sided smoothing: a filter over time, which does not lag, and speeds that are not exceeded.
 
-/// Replaces each column of `[frame][column]` by the x with the least |x − y|² + λ |x‴|², where x‴
-/// are third differences. That is a filter of sixth order without a lag, which halves a motion of
-/// the frequency 1 / (2π λ^(1/6)) frames. The result is that of one symmetric banded system.
+/// Replaces each column of `[frame][column]` by the x with the least |x − y|² + λ |x‴|²,
+/// where x‴ are third differences. That is a filter of sixth order without a lag, which halves a
+/// motion of the frequency 1 / (2π λ^(1/6)) frames. The result is that of one symmetric banded
+/// system.
 pub(crate) fn smooth(values: &mut [f32], columns: usize, lambda: f64) {
     let frames = values.len() / columns.max(1);
     if frames < 4 {
@@ -25,8 +26,8 @@ pub(crate) fn smooth(values: &mut [f32], columns: usize, lambda: f64) {
     }
 }
 
-/// Returns the factors L D Lᵀ of 1 + λ D₃ᵀ D₃: for each row one over its pivot, and the three
-/// entries of L below it.
+/// Returns the factors L D Lᵀ of 1 + λ D₃ᵀ D₃: for each row one over its pivot, and the
+/// three entries of L below it.
 fn factors(frames: usize, lambda: f64) -> Vec<[f32; 4]> {
     const THIRD: [f64; 4] = [-1.0, 3.0, -3.0, 1.0];
     let mut band = vec![[1.0, 0.0, 0.0, 0.0]; frames];
@@ -98,8 +99,8 @@ mod tests {
         let wave = |i: usize| (core::f32::consts::TAU * 4.0 * i as f32 / 120.0).sin();
         let mut values: Vec<f32> = (0..600).map(wave).collect();
         smooth(&mut values, 1, lambda(4.0, 1.0 / 120.0));
-        for i in 120..480 {
-            assert!((values[i] - 0.5 * wave(i)).abs() < 5e-3);
+        for (i, value) in values.iter().enumerate().take(480).skip(120) {
+            assert!((value - 0.5 * wave(i)).abs() < 5e-3);
         }
     }
 

@@ -6,8 +6,11 @@ use common::{humanoid, person};
 use dq8_retarget::{BodyModel, Person, RetargetError, Role, Settings, Targets, retarget};
 use mocap::biped;
 
+/// The names and the parents of joints.
+type Joints = Vec<(String, Option<usize>)>;
+
 /// The walk of the biped as the positions of its joints.
-fn positions() -> (Vec<(String, Option<usize>)>, Vec<[f64; 3]>) {
+fn positions() -> (Joints, Vec<[f64; 3]>) {
     let clip = biped::clip();
     let joints = clip.joints.iter().map(|joint| (joint.name.clone(), joint.parent)).collect();
     (joints, clip.models().unwrap().iter().map(|pose| pose.translation()).collect())
