@@ -26,7 +26,7 @@ const PARTS: usize = 16;
 const EARLY: f64 = 0.3;
 
 /// A part whose joints are farther than this from the part before it is followed again. Radians.
-const TORN: f32 = 0.05;
+const TORN: f32 = 0.1;
 
 /// The number of values of the base: a rotation and a place.
 const BASE: usize = 7;
@@ -209,18 +209,25 @@ impl Passes<'_> {
 
         let (mut row, mut torn) = (0, Vec::new());
         for (part, clip) in clips.iter().enumerate() {
-            let first = row + cut(part) - begin(part);
+            let part_values = &values[row * self.columns..(row + clip) * self.columns];
+            row += clip;
+            // Where the part before it ends, both parts count, and this one more and more.
+            let common = cut(part) - begin(part);
             if part > 0 {
-                let own = &values[(first - 1) * self.columns..][..self.columns];
+                let own = &part_values[(common - 1) * self.columns..][..self.columns];
                 let before = &self.values[(cut(part) - 1) * self.columns..][..self.columns];
                 if apart(own, before) > TORN {
                     torn.push(part);
                 }
             }
-            row += clip;
-            let place = cut(part) * self.columns..cut(part + 1) * self.columns;
-            let part = &values[first * self.columns..row * self.columns];
-            self.values[place].copy_from_slice(part);
+            let own = self.values[begin(part) * self.columns..].chunks_exact_mut(self.columns);
+            for (index, (own, new)) in own.zip(part_values.chunks_exact(self.columns)).enumerate() {
+                if index >= common {
+                    own.copy_from_slice(new);
+                } else if torn.last() != Some(&part) {
+                    blend(own, new, (index + 1) as f32 / (common + 1) as f32);
+                }
+            }
         }
         for part in torn {
             // Until the parts have met.
@@ -317,9 +324,22 @@ fn speeds(robot: &Robot, settings: &Settings) -> Vec<f64> {
     robot.value_drives().iter().enumerate().map(speed).collect()
 }
 
+/// Moves values by a share of the way to others that are near.
+fn blend(values: &mut [f32], others: &[f32], share: f32) {
+    // A rotation has two quaternions.
+    let dot: f32 = values[..4].iter().zip(others).map(|(a, b)| a * b).sum();
+    for (index, (value, &other)) in values.iter_mut().zip(others).enumerate() {
+        let other = if index < 4 && dot < 0.0 { -other } else { other };
+        *value += share * (other - *value);
+    }
+    let size = values[..4].iter().map(|part| part * part).sum::<f32>().sqrt();
+    values[..4].iter_mut().for_each(|part| *part /= size);
+}
+
 /// Returns the largest difference of a joint.
 fn apart(a: &[f32], b: &[f32]) -> f32 {
-    a[BASE..].iter().zip(&b[BASE..]).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+    let (a, b) = (&a[BASE..], &b[BASE..]);
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }
 
 fn cast(numbers: &[f64]) -> Vec<f32> {

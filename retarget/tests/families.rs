@@ -563,7 +563,8 @@ impl Family {
             self.hinge(&mut text, &above, link, [0.0, 0.0, up], axis, DOWN, [-1.0, 1.0]);
             above = link.to_owned();
         }
-        for (side, left) in [1.0, -1.0].into_iter().enumerate() {
+        // The right side comes first, so that the order tells nothing about left and right.
+        for (side, left) in [(1, -1.0), (0, 1.0)] {
             let mut above = self.root.to_owned();
             for (place, &(axis, _)) in self.leg.iter().enumerate() {
                 let at = match place {
