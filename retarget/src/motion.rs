@@ -26,7 +26,7 @@ const PARTS: usize = 16;
 const EARLY: f64 = 0.3;
 
 /// A part whose joints are farther than this from the part before it is followed again. Radians.
-const TORN: f32 = 0.1;
+const TORN: f32 = 0.3;
 
 /// The number of values of the base: a rotation and a place.
 const BASE: usize = 7;
