@@ -3,7 +3,7 @@
 mod common;
 
 use common::{HUMANOID, humanoid, person, with_shape, with_soles};
-use dq8_retarget::{Clip, Humanoid, RetargetError, Settings, Speeds, Targets, retarget};
+use dq8_retarget::{Clip, Humanoid, Report, RetargetError, Settings, Speeds, Targets, retarget};
 use mocap::biped;
 
 #[test]
@@ -157,12 +157,16 @@ fn parts_of_a_clip_meet_without_a_seam() {
     let (humanoid, settings) = (humanoid(), Settings::plain());
     let whole = Targets::new(&person(&biped::clip()), &humanoid, &settings).unwrap();
     let values = whole.solve(&humanoid, &settings).unwrap();
-    let report = dq8_retarget::Report::of(&whole, &humanoid, &values).unwrap();
+    let report = Report::of(&whole, &humanoid, &values).unwrap();
     assert!(report.residual < 15.0 && report.speed_most < 6.0, "{report}");
     let short = Targets::new(&person(&first(&biped::clip(), 40)), &humanoid, &settings).unwrap();
     let few = short.solve(&humanoid, &settings).unwrap();
-    let apart = few.iter().zip(&values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    assert!(apart < 0.02, "{apart}");
+    // Where the first two parts meet, links are as near to their targets as without parts, and
+    // joints as quick. Joints that targets hardly determine may be elsewhere.
+    let [alone, met] = [&few[..], &values[..few.len()]]
+        .map(|values| Report::of(&short, &humanoid, values).unwrap());
+    assert!((alone.residual - met.residual).abs() < 0.3, "{alone}{met}");
+    assert!(met.speed_most < alone.speed_most + 0.5 && met.jerk < 1.5 * alone.jerk, "{alone}{met}");
 }
 
 #[test]
