@@ -4,7 +4,7 @@ mod common;
 
 use common::{HUMANOID, humanoid, person, with_soles};
 use dq8::Quat;
-use dq8::scalar::vector::norm;
+use dq8::scalar::vector::{norm, sub};
 use dq8_retarget::{
     Clip, Humanoid, Person, Report, RetargetError, Role, Settings, Targets, retarget,
 };
@@ -224,5 +224,23 @@ fn a_table_names_joints_and_says_what_is_wrong_in_it() {
         let error = own.clone().with_table(bad).unwrap_err();
         assert!(matches!(error, RetargetError::Table { .. }), "{bad}: {error}");
         assert!(error.to_string().contains(word), "{bad}: {error}");
+    }
+}
+
+#[test]
+fn times_between_frames_keep_the_lengths_of_bones() {
+    let clip = biped::clip();
+    let settings = Settings { fps: 3.0 / clip.frame_time, ..Settings::plain() };
+    let skeleton = Targets::new(&person(&clip), &humanoid(), &settings).unwrap().skeleton;
+    let joints = clip.joints.len();
+    assert_eq!(skeleton.len(), (3 * (clip.frames() - 1) + 1) * joints);
+    let lengths = |frame: usize| -> Vec<f64> {
+        let at = &skeleton[frame * joints..][..joints];
+        let bones =
+            clip.joints.iter().enumerate().filter_map(|(j, joint)| Some((j, joint.parent?)));
+        bones.map(|(joint, parent)| norm(sub(at[joint], at[parent]))).collect()
+    };
+    for (between, own) in lengths(16).iter().zip(lengths(15)) {
+        assert!((between - own).abs() < 1e-12);
     }
 }

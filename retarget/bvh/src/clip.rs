@@ -162,42 +162,6 @@ impl Clip {
         Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
         Ok(models)
     }
-
-    /// Returns every joint's motion in the world at `first`, `first + step` and so on seconds after
-    /// the first frame, up to the last frame, `[time][joint]`. Between two frames, the joints'
-    /// motions relative to their parents are interpolated, so bones keep their lengths.
-    ///
-    /// # Errors
-    /// If the joints do not form a tree, or there are too many times.
-    pub fn models_every(&self, first: f64, step: f64) -> Result<Vec<DualQuat<f64>>, ClipError> {
-        let locals = self.locals();
-        let frames: Vec<_> = locals.chunks_exact(self.joints.len()).collect();
-        let last = frames.len().saturating_sub(1);
-        // A time within a billionth of the last frame is that frame.
-        let times = ((self.time(last) - first) / step + 1e-9).floor().max(0.0) as usize;
-        let times = times.saturating_add(1);
-        let length = times.checked_mul(self.joints.len()).filter(|&length| length < 1 << 26);
-        let joints = self.joints.len();
-        let length = length.ok_or(ClipError::TooMany { frames: times, joints })?;
-        let mut models = Vec::with_capacity(length);
-        for index in 0..times {
-            let at = ((first + index as f64 * step) / self.frame_time).min(last as f64);
-            let nearest = at.round();
-            // A rate that the clip's own divides by takes its frames as they are.
-            let at = if (at - nearest).abs() < 1e-6 { nearest } else { at };
-            let (frame, t) = (at.floor() as usize, at.fract());
-            let next = frames[(frame + 1).min(last)];
-            models.extend(
-                frames[frame].iter().zip(next).map(
-                    |(&a, &b)| {
-                        if t > 0.0 { a.nlerp(b, t) } else { a }
-                    },
-                ),
-            );
-        }
-        Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
-        Ok(models)
-    }
 }
 
 impl Joint {
