@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-crates=(dq8-simd dq8 dq8-robot dq8-trajectory dq8-capi)
+crates=(dq8-simd dq8 dq8-robot dq8-bvh dq8-retarget dq8-trajectory dq8-capi)
 cargo package --quiet --allow-dirty --no-verify "${crates[@]/#/--package=}"
 
 target=${CARGO_TARGET_DIR:-target}

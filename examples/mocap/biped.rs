@@ -4,9 +4,9 @@
 
 mod walk;
 
-use crate::clip::{Axis, Channel, Clip, Joint};
 use Axis::{X, Y, Z};
 use Channel::{Position, Rotation};
+use dq8_bvh::{Axis, Channel, Clip, Joint};
 use walk::Walk;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,7 +153,7 @@ fn joints() -> Vec<Joint> {
 #[cfg(test)]
 mod tests {
     use super::{HEEL, LINKS, clip};
-    use crate::clip::{Axis, Channel, Clip};
+    use dq8_bvh::{Axis, Channel, Clip};
 
     fn joint(clip: &Clip, name: &str) -> usize {
         clip.joints.iter().position(|joint| joint.name == name).unwrap()

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::clip::Clip;
 use crate::positions::Positions;
+use dq8_bvh::Clip;
 
 pub(crate) fn table(clip: &Clip, positions: &Positions) -> Result<String, std::fmt::Error> {
     let mut text = String::from("time");
@@ -35,8 +35,8 @@ fn quoted(field: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::table;
-    use crate::clip::{Axis, Channel, Clip, Joint};
     use crate::positions::Positions;
+    use dq8_bvh::{Axis, Channel, Clip, Joint};
 
     #[test]
     fn a_row_a_frame_in_file_order_with_the_digits_of_f32() {

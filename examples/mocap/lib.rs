@@ -1,7 +1,7 @@
 //! The example `mocap`: forward kinematics of a motion-capture clip, all frames at once, eight at a
 //! time.
 //!
-//! A clip ([`clip`]) comes from the biped ([`biped`]) or a file (`bvh`); `positions` concatenates
+//! A clip ([`clip`]) comes from the biped ([`biped`]) or from a file; `positions` concatenates
 //! it by lanes; `packed` packs it; `table`, `csv` and `svg` show the result. [`command`],
 //! [`output`] and [`svg::rows`] serve other examples as well, and the biped serves tests.
 
@@ -9,8 +9,6 @@
 
 mod args;
 pub mod biped;
-mod bvh;
-pub mod clip;
 pub mod command;
 mod csv;
 pub mod output;
@@ -18,6 +16,10 @@ mod packed;
 mod positions;
 pub mod svg;
 mod table;
+#[cfg(test)]
+mod written;
+
+pub use dq8_bvh as clip;
 
 use std::error::Error;
 use std::fs;
@@ -25,8 +27,8 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use args::Args;
-use clip::Clip;
 use command::print;
+use dq8_bvh::Clip;
 use positions::Positions;
 
 /// The whole program.
@@ -64,7 +66,8 @@ pub fn load(path: &Path) -> Result<Clip, Box<dyn Error>> {
     let bytes = fs::read(path).map_err(|error| format!("cannot read {shown}: {error}"))?;
     let title =
         path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    let (clip, warning) = bvh::parse(title, &bytes).map_err(|error| format!("{shown}, {error}"))?;
+    let (clip, warning) =
+        dq8_bvh::parse(title, &bytes).map_err(|error| format!("{shown}, {error}"))?;
     if let Some(warning) = warning {
         eprintln!("mocap: {shown}, {warning}");
     }

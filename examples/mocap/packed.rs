@@ -1,8 +1,8 @@
 //! The clip packed: a quarter of the memory, and what became of it.
 
-use crate::clip::Clip;
 use dq8::hierarchy::{Clip as Frames, PackedClip, PackedError, Sampled, Tolerance};
 use dq8::{DualQuat, Hierarchy, law::NlerpLerp};
+use dq8_bvh::Clip;
 use std::error::Error;
 
 /// The bytes, and what there is to say of them; `size` is that of the skeleton.

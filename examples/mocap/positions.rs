@@ -4,7 +4,7 @@ use std::error::Error;
 
 use dq8::{Crowd, DualQuat, Hierarchy};
 
-use crate::clip::Clip;
+use dq8_bvh::Clip;
 
 /// Frames that are worked on at once.
 const LANES: usize = 8;
@@ -117,7 +117,7 @@ pub(crate) fn size(clip: &Clip, positions: &[[f64; 3]]) -> f64 {
 mod tests {
     use super::{Positions, largest};
     use crate::biped;
-    use crate::clip::{Axis, Channel, Clip, Joint};
+    use dq8_bvh::{Axis, Channel, Clip, Joint};
 
     #[test]
     fn not_a_number_is_never_forgotten() {

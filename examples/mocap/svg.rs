@@ -11,8 +11,8 @@ mod view;
 use std::fmt::{self, Write};
 use std::ops::Range;
 
-use crate::clip::Clip;
 use crate::positions::size;
+use dq8_bvh::Clip;
 use plan::Plan;
 use scene::Scene;
 use side::Side;
@@ -182,8 +182,8 @@ fn title(text: &str) -> String {
 mod tests {
     use super::picture;
     use crate::biped;
-    use crate::clip::{Axis, Channel, Clip, Joint};
     use crate::positions::Positions;
+    use dq8_bvh::{Axis, Channel, Clip, Joint};
     use dq8_fixtures::legible::illegible;
 
     /// Every number of the picture's shapes.

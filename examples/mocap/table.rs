@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write};
 
-use crate::clip::Clip;
 use crate::positions::{Positions, distance};
+use dq8_bvh::Clip;
 
 pub(crate) fn text(clip: &Clip, positions: &Positions) -> Result<String, fmt::Error> {
     let mut text = String::new();

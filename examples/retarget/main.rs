@@ -3,30 +3,19 @@
 //!
 //! ```text
 //! cargo run --release --example retarget -- \
-//!   ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] \
-//!   [--csv OUT] [--svg OUT]
+//!   ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ] \
+//!   [--speed RAD/S] [--csv OUT] [--svg OUT]
 //! ```
 //!
-//! The pose of the clip that stands for the robot's own is found (`rest`). The robot stands with
-//! its soles at height zero (`ground`). Limbs keep the directions that they have in the clip and
-//! the lengths that they have on the robot, whose base floats. Links and joints are found by common
-//! names, or named in FILE, a line for each: `ROLE LINK[@CENTRE] JOINT`, where CENTRE is the link
-//! whose origin is the joint, if it is another than LINK's own.
+//! The crate `dq8-retarget` does the work. The program prints the roles of links and joints, the
+//! measures of the motion, and how long searches take.
 
-mod ground;
-mod map;
-mod measure;
 mod picture;
-mod rest;
-mod scene;
 mod track;
 
-use dq8_robot::JointKind;
-use dq8_robot::urdf::{ChangeError, Robot};
-use measure::Quality;
+use dq8_retarget::{Humanoid, Person, Role, Settings, Speeds, Targets, retarget};
 use mocap::command::{self, Request, files, print, read};
 use mocap::output;
-use scene::{Scene, Wishes};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -35,15 +24,23 @@ use std::process::ExitCode;
 use std::str::FromStr;
 
 const USAGE: &str = "\
-usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--csv OUT] [--svg OUT]
+usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ]
+                [--speed RAD/S] [--csv OUT] [--svg OUT]
 
-  --map FILE      which links follow which joints, a line for each: ROLE LINK[@CENTRE] JOINT
+  --map FILE      a table of TOML that gives roles to links and joints, where names and the shape do not:
+                    [links]
+                    left_hip = { link = \"thigh\", centre = \"hip_roll\" }
+                    [joints]
+                    left_hip = \"LeftUpLeg\"
   --fps HZ        frames per second that are solved, 30 by default; frames between those of the clip
                   are interpolated
   --rest FRAME    a frame in which the person stands, counted from 0; by default the pose with all
                   channels zero, or the first frame in which the person stands
   --ankle METRES  the height of the robot's ankles above its soles; by default that of the collision
                   shapes of the feet
+  --smooth HZ     the frequency that passes over the whole motion halve, 4 by default; with 0 nothing
+                  is smoothed
+  --speed RAD/S   the greatest speed of all joints; with `file` that of each joint in the robot's file
   --csv OUT       write the joint values, one row per frame
   --svg OUT       draw the clip and the robot at several moments
 ";
@@ -53,22 +50,31 @@ struct Args {
     robot: PathBuf,
     clip: PathBuf,
     map: Option<PathBuf>,
-    fps: f64,
-    rest: Option<usize>,
-    ankle: Option<f64>,
+    settings: Settings,
     csv: Option<PathBuf>,
     svg: Option<PathBuf>,
 }
 
 fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
-    let options = ["--map", "--fps", "--rest", "--ankle", "--csv", "--svg"];
-    read(words, options, |[map, fps, rest, ankle, csv, svg], others| {
+    let options = ["--map", "--fps", "--rest", "--ankle", "--smooth", "--speed", "--csv", "--svg"];
+    read(words, options, |[map, fps, rest, ankle, smooth, speed, csv, svg], others| {
         let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
             .map_err(|files| format!("two files are needed, and {} given", files.len()))?;
-        let fps = number("--fps", fps, |fps: &f64| *fps > 0.0 && fps.is_finite())?.unwrap_or(30.0);
-        let rest = number("--rest", rest, |_| true)?;
-        let ankle = number("--ankle", ankle, |height: &f64| height.is_finite())?;
-        Ok(Args { robot, clip, map, fps, rest, ankle, csv, svg })
+        let positive = |number: &f64| *number > 0.0 && number.is_finite();
+        let own = Settings::default();
+        let smooth = number("--smooth", smooth, |hz| *hz == 0.0 || positive(hz))?;
+        let settings = Settings {
+            fps: number("--fps", fps, positive)?.unwrap_or(own.fps),
+            rest: number("--rest", rest, |_| true)?,
+            ankle: number("--ankle", ankle, |height: &f64| height.is_finite())?,
+            smooth: smooth.map_or(own.smooth, |hz| Some(hz).filter(positive)),
+            speeds: match speed {
+                Some(word) if word.as_os_str() == "file" => Speeds::File,
+                speed => number("--speed", speed, positive)?.map_or(own.speeds, Speeds::AtMost),
+            },
+            ..own
+        };
+        Ok(Args { robot, clip, map, settings, csv, svg })
     })
 }
 
@@ -91,58 +97,56 @@ fn main() -> ExitCode {
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
-    let urdf = std::fs::read(&args.robot)
-        .map_err(|error| format!("cannot read {}: {error}", args.robot.display()))?;
-    let robot = with_floating_base(Robot::from_bytes(&urdf)?)?;
-    let clip = mocap::load(&args.clip)?;
-    let text = args.map.as_ref().map(|path| {
-        std::fs::read_to_string(path)
-            .map_err(|error| format!("cannot read {}: {error}", path.display()))
+    let file = |path: &Path| {
+        std::fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))
+    };
+    let table = args.map.as_ref().map(|path| {
+        String::from_utf8(file(path)?)
+            .map_err(|error| format!("{} is not text: {error}", path.display()))
     });
-    let places = match text.transpose()? {
-        Some(text) => map::read(&text, &robot, &clip)?,
-        None => map::found(&robot, &clip)?,
-    };
-    // Shapes of collisions are read from UTF-8 text alone.
-    let wishes = Wishes {
-        fps: args.fps,
-        rest: args.rest,
-        ankle: args.ankle,
-        urdf: std::str::from_utf8(&urdf).unwrap_or_default(),
-    };
-    let scene = Scene::new(robot, clip, places, wishes)?;
-    print(&scene.text())?;
-    let motion = track::all(&scene)?;
-    for warning in Quality::of(&scene, &motion)?.warnings() {
+    let table = table.transpose()?;
+    let humanoid = Humanoid::from_bytes(&file(&args.robot)?, table.as_deref())?;
+    let mut person = Person::from_clip(&mocap::load(&args.clip)?)?;
+    if let Some(table) = &table {
+        person = person.with_table(table)?;
+    }
+    let motion = retarget(&person, &humanoid, &args.settings)?;
+    print(&heading(&person, &humanoid, &motion.told))?;
+    print(&motion.report.to_string())?;
+    print(&track::table(&person, &humanoid, &args.settings)?)?;
+    for warning in motion.report.warnings() {
         eprintln!("retarget: warning: {warning}");
     }
 
     let mut texts: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &args.csv {
-        texts.push((path, table(&scene, &motion)?.into()));
+        texts.push((path, csv(&humanoid, &motion.values, motion.step)?.into()));
     }
     if let Some(path) = &args.svg {
-        texts.push((path, picture::draw(&scene, &motion)?.into()));
+        let targets = Targets::new(&person, &humanoid, &args.settings)?;
+        texts.push((path, picture::draw(&person, &humanoid, &targets, &motion.values)?.into()));
     }
     output::write(&texts, Some(&args.clip))
 }
 
-/// Returns the robot with a base that moves freely: as it is, if a floating joint of the file
-/// carries all other links that move, and otherwise with one that carries the root.
-fn with_floating_base(robot: Robot) -> Result<Robot, ChangeError> {
-    let moves = robot.joints().iter().find(|joint| joint.kind != JointKind::Fixed);
-    if moves.is_some_and(|joint| joint.kind == JointKind::Floating) {
-        return Ok(robot);
+/// Which links follow which joints.
+fn heading(person: &Person, humanoid: &Humanoid, told: &[String]) -> String {
+    let mut text = format!("{} on {humanoid}", person.title());
+    for sentence in told {
+        text += &format!("  {sentence}\n");
     }
-    robot.floating()
+    for role in Role::ALL.into_iter().filter(|&role| person.joint(role).is_none()) {
+        text += &format!("  {:<15} not found on the person\n", role.name());
+    }
+    text
 }
 
 /// A row for each frame.
-fn table(scene: &Scene, motion: &[f64]) -> Result<String, std::fmt::Error> {
-    let names = scene.robot.value_names();
+fn csv(humanoid: &Humanoid, values: &[f64], step: f64) -> Result<String, std::fmt::Error> {
+    let names = humanoid.robot().value_names();
     let mut text = format!("time,{}\n", names.join(","));
-    for (frame, values) in motion.chunks_exact(names.len()).enumerate() {
-        write!(text, "{:.6}", frame as f64 * scene.step)?;
+    for (frame, values) in values.chunks_exact(names.len()).enumerate() {
+        write!(text, "{:.6}", frame as f64 * step)?;
         for value in values {
             write!(text, ",{value:.6}")?;
         }

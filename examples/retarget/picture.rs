@@ -1,23 +1,33 @@
 //! The clip and the robot at the same moments.
 
-use crate::scene::Scene;
 use dq8::DualQuat;
+use dq8_retarget::{Humanoid, Person, Targets};
 use mocap::clip::{Clip, Joint};
 use mocap::svg;
 use std::error::Error;
 
-pub(crate) fn draw(scene: &Scene, motion: &[f64]) -> Result<String, Box<dyn Error>> {
-    let mechanism = scene.robot.mechanism();
-    let mut poses = vec![DualQuat::IDENTITY; scene.frames() * mechanism.links()];
-    mechanism.job().poses(motion, &mut poses)?;
-    // Clips have y up.
+pub(crate) fn draw(
+    person: &Person,
+    humanoid: &Humanoid,
+    targets: &Targets,
+    values: &[f64],
+) -> Result<String, Box<dyn Error>> {
+    let robot = humanoid.robot();
+    let mut poses = vec![DualQuat::IDENTITY; targets.frames() * robot.mechanism().links()];
+    robot.mechanism().job().poses(values, &mut poses)?;
+    // Pictures have y up.
     let up = |[x, y, z]: [f64; 3]| [x, z, -y];
-    let robot: Vec<_> = poses.iter().map(|pose| up(pose.translation())).collect();
-    let skeleton: Vec<_> = scene.skeleton.iter().map(|&place| up(place)).collect();
+    let links: Vec<_> = poses.iter().map(|pose| up(pose.translation())).collect();
+    let skeleton: Vec<_> = targets.skeleton.iter().map(|&place| up(place)).collect();
 
-    let links = scene.robot.link_names().iter().zip(scene.robot.joints());
-    let links = links.map(|(name, joint)| Joint::new(name, joint.parent, [0.0; 3], Vec::new()));
-    let clip = Clip { frame_time: scene.step, ..scene.clip.clone() };
-    let links = Clip { joints: links.collect(), ..clip.clone() };
-    Ok(svg::rows(&[("The clip", &clip, &skeleton), ("The robot", &links, &robot)])?)
+    let tree = |names: &[String], parents: &[Option<usize>]| {
+        let joints = names.iter().zip(parents);
+        let joints = joints.map(|(name, &parent)| Joint::new(name, parent, [0.0; 3], Vec::new()));
+        let title = person.title().to_owned();
+        Clip { title, joints: joints.collect(), frame_time: targets.step, values: Vec::new() }
+    };
+    let parents: Vec<_> = robot.joints().iter().map(|joint| joint.parent).collect();
+    let person = tree(person.joint_names(), person.parents());
+    let robot = tree(robot.link_names(), &parents);
+    Ok(svg::rows(&[("The clip", &person, &skeleton), ("The robot", &robot, &links)])?)
 }

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use dq8::{DualQuat, Quat};
 
 use super::{HEEL, HIP, Part, SHIN, Side, THIGH, TOE};
-use crate::clip::{Axis, Channel};
+use dq8_bvh::{Axis, Channel};
 
 /// Metres from one step of a foot to its next.
 const STRIDE: f64 = 1.2;

@@ -1,7 +1,7 @@
 //! The clip as the drawing needs it: world positions and the sides of the body.
 
 use super::side::{Side, sides};
-use crate::clip::Clip;
+use dq8_bvh::Clip;
 
 pub(crate) struct Scene<'a> {
     pub(crate) clip: &'a Clip,

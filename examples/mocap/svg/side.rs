@@ -1,6 +1,6 @@
 //! Which side of the body a joint belongs to, as far as its name tells.
 
-use crate::clip::Clip;
+use dq8_bvh::Clip;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {

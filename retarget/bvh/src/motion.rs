@@ -1,7 +1,7 @@
-//! The part after `MOTION`: how many frames, how long each lasts, and their values.
+//! The part of a file after `MOTION`: the number of frames, the time of a frame, and the values.
 
-use super::error::{BvhError, Short};
-use super::source::{Source, Word};
+use crate::error::{BvhError, Short};
+use crate::source::{Source, Word};
 use std::fmt;
 
 #[derive(Debug)]
@@ -13,11 +13,11 @@ pub(crate) struct Motion {
     pub(crate) warning: Option<Warning>,
 }
 
-/// The file has one frame more than it announces. Those of well-known collections do, which count
-/// from zero.
-#[derive(Debug, PartialEq)]
-pub(crate) struct Warning {
-    /// The line on which that frame begins, counted from one.
+/// The warning about a file that has one frame more than it announces. Files of well-known
+/// collections count their frames from zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// The line on which the frame too many begins, counted from one.
     line: usize,
     announced: usize,
 }

@@ -1,13 +1,18 @@
-//! A clip: a tree of joints and, for each frame, one number a channel. The embedded biped and a BVH
-//! file both become this, so everything after it is one path.
+//! [`Clip`], a tree of joints and, for each frame, one number a channel.
 
-use dq8::{DualQuat, Hierarchy, Quat};
+use dq8::hierarchy::HierarchyError;
+use dq8::{DualQuat, Hierarchy, Quat, ShapeError};
 use std::error::Error;
+use std::fmt;
 
+/// An axis of a joint's frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
+    /// The first axis.
     X,
+    /// The second axis.
     Y,
+    /// The third axis.
     Z,
 }
 
@@ -20,53 +25,111 @@ pub enum Channel {
     Rotation(Axis),
 }
 
+/// A joint of a clip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
+    /// The name, which no other joint of the clip has.
     pub name: String,
-    /// Index of the parent, which stands earlier in the list; `None` for a root.
+    /// The index of the parent, which stands earlier in the list; `None` for a root.
     pub parent: Option<usize>,
-    /// From the parent's origin, in the parent's axes.
+    /// The way from the parent's origin, in the parent's axes.
     pub offset: [f64; 3],
+    /// The channels, in the order in which the file lists them.
     pub channels: Vec<Channel>,
-    /// The tip of a chain: a place without a motion of its own.
+    /// `true` for the tip of a chain, which is a place without a motion of its own.
     pub end_site: bool,
 }
 
+/// A motion-capture clip: joints, and a number for each channel in each frame.
 #[derive(Clone, Debug)]
 pub struct Clip {
+    /// The title.
     pub title: String,
+    /// The joints; a parent stands before its children.
     pub joints: Vec<Joint>,
-    /// Seconds from one frame to the next.
+    /// The seconds from one frame to the next.
     pub frame_time: f64,
-    /// `[frame][channel]`, channels in the order of the joints and, within a joint, as it lists
-    /// them.
+    /// The values, `[frame][channel]`. Channels are in the order of the joints and, within a
+    /// joint, as the joint lists them.
     pub values: Vec<f64>,
 }
 
+/// The error of a clip whose joints have no poses.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ClipError {
+    /// The parents of the joints do not form a tree.
+    Tree(HierarchyError),
+    /// The number of values is not a whole number of frames.
+    Values(ShapeError),
+    /// There are more poses than memory is meant for.
+    TooMany {
+        /// The number of frames.
+        frames: usize,
+        /// The number of joints.
+        joints: usize,
+    },
+}
+
+impl fmt::Display for ClipError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Tree(error) => write!(f, "{error}"),
+            Self::Values(error) => write!(f, "{error}"),
+            Self::TooMany { frames, joints } => {
+                write!(f, "{frames} frames of {joints} joints are too many")
+            }
+        }
+    }
+}
+
+impl Error for ClipError {}
+
+impl From<HierarchyError> for ClipError {
+    fn from(error: HierarchyError) -> Self {
+        Self::Tree(error)
+    }
+}
+
+impl From<ShapeError> for ClipError {
+    fn from(error: ShapeError) -> Self {
+        Self::Values(error)
+    }
+}
+
 impl Clip {
+    /// Returns the number of channels of all joints together.
+    #[must_use]
     pub fn channels(&self) -> usize {
         self.joints.iter().map(|joint| joint.channels.len()).sum()
     }
 
+    /// Returns the number of frames; a clip without channels has none.
+    #[must_use]
     pub fn frames(&self) -> usize {
-        self.values.len() / self.channels()
+        self.values.len().checked_div(self.channels()).unwrap_or(0)
     }
 
+    /// Returns the number of joints that are tips.
+    #[must_use]
     pub fn end_sites(&self) -> usize {
         self.joints.iter().filter(|joint| joint.end_site).count()
     }
 
+    /// Returns the seconds from the first frame to this one.
+    #[must_use]
     pub fn time(&self, frame: usize) -> f64 {
         frame as f64 * self.frame_time
     }
 
-    /// The parents as [`Hierarchy`] takes them.
+    /// Returns the parents as [`Hierarchy`] takes them.
+    #[must_use]
     pub fn parents(&self) -> Vec<u32> {
         let index = |parent: usize| u32::try_from(parent).unwrap_or(Hierarchy::ROOT);
         self.joints.iter().map(|joint| joint.parent.map_or(Hierarchy::ROOT, index)).collect()
     }
 
-    /// For each joint the root it hangs on.
+    /// Returns the root that each joint hangs on.
+    #[must_use]
     pub fn roots(&self) -> Vec<usize> {
         let mut roots = Vec::with_capacity(self.joints.len());
         for (index, joint) in self.joints.iter().enumerate() {
@@ -75,7 +138,8 @@ impl Clip {
         roots
     }
 
-    /// Every joint's motion relative to its parent, `[frame][joint]`.
+    /// Returns every joint's motion relative to its parent, `[frame][joint]`.
+    #[must_use]
     pub fn locals(&self) -> Vec<DualQuat<f64>> {
         let mut locals = Vec::with_capacity(self.frames() * self.joints.len());
         for frame in self.values.chunks_exact(self.channels()) {
@@ -89,54 +153,20 @@ impl Clip {
         locals
     }
 
-    /// Every joint's motion in the world, `[frame][joint]`.
-    pub fn models(&self) -> Result<Vec<DualQuat<f64>>, Box<dyn Error>> {
+    /// Returns every joint's motion in the world, `[frame][joint]`.
+    ///
+    /// # Errors
+    /// If the joints do not form a tree.
+    pub fn models(&self) -> Result<Vec<DualQuat<f64>>, ClipError> {
         let mut models = self.locals();
-        Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
-        Ok(models)
-    }
-
-    /// Every joint's motion in the world at `first`, `first + step`, … seconds after the first
-    /// frame, up to the last frame, `[time][joint]`. Between two frames, the joints' motions
-    /// relative to their parents are interpolated, so bones keep their lengths.
-    pub fn models_every(
-        &self,
-        first: f64,
-        step: f64,
-    ) -> Result<Vec<DualQuat<f64>>, Box<dyn Error>> {
-        let locals = self.locals();
-        let frames: Vec<_> = locals.chunks_exact(self.joints.len()).collect();
-        let last = frames.len().saturating_sub(1);
-        // A time within a billionth of the last frame is that frame.
-        let times = ((self.time(last) - first) / step + 1e-9).floor().max(0.0) as usize;
-        let times = times.saturating_add(1);
-        let length = times.checked_mul(self.joints.len()).filter(|&length| length < 1 << 26);
-        let length = length.ok_or_else(|| {
-            format!("{times} frames of {} joints are too many", self.joints.len())
-        })?;
-        let mut models = Vec::with_capacity(length);
-        for index in 0..times {
-            let at = ((first + index as f64 * step) / self.frame_time).min(last as f64);
-            let nearest = at.round();
-            // A rate that the clip's own divides by takes its frames as they are.
-            let at = if (at - nearest).abs() < 1e-6 { nearest } else { at };
-            let (frame, t) = (at.floor() as usize, at.fract());
-            let next = frames[(frame + 1).min(last)];
-            models.extend(
-                frames[frame].iter().zip(next).map(
-                    |(&a, &b)| {
-                        if t > 0.0 { a.nlerp(b, t) } else { a }
-                    },
-                ),
-            );
-        }
         Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
         Ok(models)
     }
 }
 
 impl Joint {
-    /// One that is no tip.
+    /// Makes a joint that is no tip.
+    #[must_use]
     pub fn new(
         name: impl Into<String>,
         parent: Option<usize>,
@@ -146,8 +176,11 @@ impl Joint {
         Self { name: name.into(), parent, offset, channels, end_site: false }
     }
 
+    /// Returns the motion relative to the parent for these values of the joint's channels.
+    ///
     /// Rotations compose from left to right as listed: `Zrotation Xrotation` is Rz · Rx on column
     /// vectors, so the last one listed acts first.
+    #[must_use]
     pub fn local(&self, values: &[f64]) -> DualQuat<f64> {
         let mut rotation = Quat::<f64>::IDENTITY;
         let mut translation = self.offset;

@@ -2,9 +2,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::error::{BvhError, Short};
-use super::source::{Source, Word};
 use crate::clip::{Axis, Channel, Joint};
+use crate::error::{BvhError, Short};
+use crate::source::{Source, Word};
 
 /// Reads the tree and the word `MOTION` behind it. Joints come in file order, so parents before
 /// their children.
@@ -261,8 +261,8 @@ fn name_end_sites(joints: &mut [Joint]) {
 #[cfg(test)]
 mod tests {
     use super::read;
-    use crate::bvh::source::Source;
     use crate::clip::{Axis, Channel};
+    use crate::source::Source;
 
     #[test]
     fn several_roots_and_any_channel_order() {

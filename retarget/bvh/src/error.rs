@@ -1,14 +1,16 @@
-//! Why a file is not a BVH clip, and where.
+//! [`BvhError`], the reason why a file is not a clip, with the line.
 
-use super::source::Word;
+use crate::source::Word;
 use std::error::Error;
 use std::fmt;
 
-#[derive(Debug, PartialEq)]
-pub(crate) struct BvhError {
-    /// Counted from one.
-    pub(crate) line: usize,
-    pub(crate) reason: String,
+/// The error of a file that is not a BVH clip.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BvhError {
+    /// The line of the fault, counted from one.
+    pub line: usize,
+    /// The sentence that says which fault the line has.
+    pub reason: String,
 }
 
 impl BvhError {
@@ -16,12 +18,12 @@ impl BvhError {
         Self { line, reason: reason.into() }
     }
 
-    /// Another word stands where this one must.
+    /// Makes the error of a word that stands where another must.
     pub(crate) fn expected(what: &str, found: Word<'_>) -> Self {
         Self::new(found.line, format!("expected {what}, found `{}`", Short(found.text)))
     }
 
-    /// The file ends where this must follow.
+    /// Makes the error of a file that ends too early.
     pub(crate) fn ends(line: usize, before: &str) -> Self {
         Self::new(line, format!("the file ends where {before} must follow"))
     }
@@ -35,8 +37,8 @@ impl fmt::Display for BvhError {
 
 impl Error for BvhError {}
 
-/// Text of the file inside a message: a wrong file may hold a word of a megabyte, or control
-/// characters.
+/// A text of the file inside a message. It is cut and escaped, because a wrong file may hold a word
+/// of a megabyte, or control characters.
 pub(crate) struct Short<'a>(pub(crate) &'a str);
 
 impl fmt::Display for Short<'_> {

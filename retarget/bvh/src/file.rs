@@ -1,31 +1,17 @@
-//! Reads a motion-capture clip in the BVH format of Biovision.
-//!
-//! The format has no standard. What is accepted here:
-//! - keywords in any case, line ends of LF, CR or both, any white space, braces with or without
-//!   space around them, several `ROOT`s;
-//! - joint names with spaces; two joints of one name are an error, because the columns of a table
-//!   need names;
-//! - end sites become joints without channels named `<Parent>_End` (a second one `<Parent>_End2`,
-//!   and so on);
-//! - any number of channels in any order, rotations also repeated (`Z X Z`), and none at all
-//!   (`CHANNELS 0`);
-//! - a frame starts on a new line. Its values may go on over the next lines, as some programs wrap
-//!   long lines;
-//! - one frame more than announced, with a warning;
-//! - the character that ends files under DOS.
-
-mod error;
-mod hierarchy;
-mod motion;
-mod source;
+//! [`parse`], which reads a file.
 
 use crate::clip::Clip;
-use error::BvhError;
-use motion::{Motion, Warning};
-use source::{Source, lines};
+use crate::error::BvhError;
+use crate::hierarchy;
+use crate::motion::{self, Motion, Warning};
+use crate::source::{Source, lines};
 
-/// `title` is what the clip is to be called. The warning is of what is unusual in the file.
-pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning>), BvhError> {
+/// Reads a clip from the bytes of a file and gives it a title. Returns a warning as well if the
+/// file has one frame more than it announces.
+///
+/// # Errors
+/// If the bytes are not a BVH file; the error names the line.
+pub fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning>), BvhError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         // With what is no text: an end of a line before it counts.
         let before = String::from_utf8_lossy(&bytes[..=error.valid_up_to()]);
@@ -40,11 +26,9 @@ pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning
 
 #[cfg(test)]
 mod tests {
-    use super::error::BvhError;
     use super::parse;
-    use crate::biped;
-    use crate::clip::{Channel, Clip};
-    use std::fmt::Write;
+    use crate::clip::Clip;
+    use crate::error::BvhError;
 
     const TWO_JOINTS: &str = "\
 HIERARCHY
@@ -71,65 +55,6 @@ Frame Time: .0083333
 
     fn read(text: &str) -> Result<Clip, BvhError> {
         parse("test".into(), text.as_bytes()).map(|(clip, _)| clip)
-    }
-
-    /// The text of a clip with one root: metres with four decimals, degrees with three.
-    fn written(clip: &Clip) -> String {
-        let mut text = String::from("HIERARCHY\n");
-        write_joint(&mut text, clip, 0, 0);
-        let (frames, time) = (clip.frames(), clip.frame_time);
-        write!(text, "MOTION\nFrames: {frames}\nFrame Time: {time:.7}\n").unwrap();
-        let channels: Vec<_> = clip.joints.iter().flat_map(|joint| &joint.channels).collect();
-        for frame in clip.values.chunks_exact(channels.len()) {
-            let words = frame.iter().zip(&channels).map(|(value, channel)| match channel {
-                Channel::Position(_) => format!("{value:.4}"),
-                Channel::Rotation(_) => format!("{value:.3}"),
-            });
-            writeln!(text, "{}", words.collect::<Vec<_>>().join(" ")).unwrap();
-        }
-        text
-    }
-
-    fn write_joint(text: &mut String, clip: &Clip, index: usize, depth: usize) {
-        let joint = &clip.joints[index];
-        let (indent, [x, y, z]) = ("  ".repeat(depth), joint.offset);
-        let heading = match (joint.end_site, joint.parent) {
-            (true, _) => "End Site".into(),
-            (false, None) => format!("ROOT {}", joint.name),
-            (false, Some(_)) => format!("JOINT {}", joint.name),
-        };
-        write!(text, "{indent}{heading}\n{indent}{{\n{indent}  OFFSET {x} {y} {z}\n").unwrap();
-        if !joint.end_site {
-            let names = joint.channels.iter().map(|channel| match channel {
-                Channel::Position(axis) => format!(" {axis:?}position"),
-                Channel::Rotation(axis) => format!(" {axis:?}rotation"),
-            });
-            let (count, names) = (joint.channels.len(), names.collect::<String>());
-            writeln!(text, "{indent}  CHANNELS {count}{names}").unwrap();
-        }
-        for child in index + 1..clip.joints.len() {
-            if clip.joints[child].parent == Some(index) {
-                write_joint(text, clip, child, depth + 1);
-            }
-        }
-        writeln!(text, "{indent}}}").unwrap();
-    }
-
-    #[test]
-    fn the_walk_in_this_folder_is_one_cycle_of_the_biped() {
-        let biped = biped::clip();
-        let values = biped.values[..64 * biped.channels()].to_vec();
-        let cycle = Clip { values, ..biped };
-        let text = written(&cycle);
-        let path = std::env::temp_dir().join("walk.bvh");
-        if text != include_str!("walk.bvh") {
-            std::fs::write(&path, &text).unwrap();
-            panic!("walk.bvh is another clip; the one that is expected is in {}", path.display());
-        }
-        let clip = read(&text).unwrap();
-        assert_eq!(clip.joints, cycle.joints);
-        let off = clip.values.iter().zip(&cycle.values).map(|(a, b)| (a - b).abs());
-        assert!(off.fold(0.0, f64::max) < 0.0006);
     }
 
     /// World positions of one frame, by hand: independent of `Hierarchy`.

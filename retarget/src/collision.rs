@@ -1,0 +1,216 @@
+//! The boxes, spheres and cylinders that a robot's file gives for collisions. `dq8-robot` does not
+//! read them, because they do not say where links are.
+
+use dq8::scalar::vector::{add, scale};
+use dq8::{DualQuat, Quat};
+use dq8_robot::urdf::Robot;
+use roxmltree::{Document, Node};
+
+type Vector = [f64; 3];
+
+/// A shape on a link.
+#[derive(Clone, Debug)]
+pub(crate) struct Shape {
+    pub(crate) link: usize,
+    /// The pose of the shape on the link.
+    pose: DualQuat<f64>,
+    form: Form,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    Box {
+        half: Vector,
+    },
+    Sphere {
+        radius: f64,
+    },
+    /// Along z.
+    Cylinder {
+        half: f64,
+        radius: f64,
+    },
+}
+
+/// A ball on a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ball {
+    pub(crate) link: usize,
+    pub(crate) centre: Vector,
+    pub(crate) radius: f64,
+}
+
+/// Reads the shapes of a file. Meshes are not read, and an element that is not understood is left
+/// out, because a robot can be moved without shapes.
+pub(crate) fn shapes(urdf: &str, robot: &Robot) -> Vec<Shape> {
+    let Ok(document) = Document::parse(urdf) else { return Vec::new() };
+    let links = document.root_element().children().filter(|child| child.has_tag_name("link"));
+    let mut shapes = Vec::new();
+    for node in links {
+        let Some(link) = node.attribute("name").and_then(|name| robot.link(name)) else { continue };
+        let collisions = node.children().filter(|child| child.has_tag_name("collision"));
+        shapes.extend(collisions.filter_map(|collision| Shape::read(link, collision)));
+    }
+    shapes
+}
+
+impl Shape {
+    fn read(link: usize, collision: Node<'_, '_>) -> Option<Self> {
+        let three = |text: Option<&str>| -> Option<Vector> {
+            let words: Option<Vec<f64>> =
+                text?.split_whitespace().map(|word| word.parse().ok()).collect();
+            words?.try_into().ok()
+        };
+        let origin = collision.children().find(|child| child.has_tag_name("origin"));
+        let part = |name: &str| three(origin.and_then(|origin| origin.attribute(name)));
+        let [roll, pitch, yaw] = part("rpy").unwrap_or_default();
+        let turn = Quat::from_rpy(roll, pitch, yaw);
+        let pose = DualQuat::from_rotation_translation(turn, part("xyz").unwrap_or_default());
+        let geometry = collision.children().find(|child| child.has_tag_name("geometry"))?;
+        let shape = geometry.children().find(Node::is_element)?;
+        let number = |name: &str| shape.attribute(name)?.trim().parse::<f64>().ok();
+        let form = match shape.tag_name().name() {
+            "box" => Form::Box { half: scale(three(shape.attribute("size"))?, 0.5) },
+            "sphere" => Form::Sphere { radius: number("radius")? },
+            "cylinder" => {
+                Form::Cylinder { half: 0.5 * number("length")?, radius: number("radius")? }
+            }
+            _ => return None,
+        };
+        let sizes = match form {
+            Form::Box { half } => half,
+            Form::Sphere { radius } => [radius; 3],
+            Form::Cylinder { half, radius } => [half, radius, radius],
+        };
+        let is_size = |size: f64| size > 0.0 && size.is_finite();
+        let finite = pose.to_array().iter().all(|number| number.is_finite());
+        (finite && sizes.into_iter().all(is_size)).then_some(Self { link, pose, form })
+    }
+
+    /// Returns points of the link, and a radius around each, whose hull is the shape. They tell
+    /// where the shape touches the ground.
+    pub(crate) fn corners(&self) -> (Vec<Vector>, f64) {
+        let at = |point: Vector| self.pose.transform_point(point);
+        match self.form {
+            Form::Sphere { radius } => (vec![at([0.0; 3])], radius),
+            Form::Box { half: [a, b, c] } => {
+                let signs = |index: u8, bit: u8| if index & (1 << bit) == 0 { -1.0 } else { 1.0 };
+                let corner = |i: u8| at([a * signs(i, 0), b * signs(i, 1), c * signs(i, 2)]);
+                ((0..8).map(corner).collect(), 0.0)
+            }
+            Form::Cylinder { half, radius } => {
+                let rim = |i: u32| {
+                    let (sin, cos) = (f64::from(i / 2) * core::f64::consts::FRAC_PI_4).sin_cos();
+                    at([radius * cos, radius * sin, if i.is_multiple_of(2) { half } else { -half }])
+                };
+                ((0..16).map(rim).collect(), 0.0)
+            }
+        }
+    }
+
+    /// Returns balls inside of the shape that fill it: a row along its longest side, or a plate of
+    /// them where two sides are long. Corners are outside of them.
+    pub(crate) fn balls(&self) -> Vec<Ball> {
+        let (half, radius) = match self.form {
+            Form::Sphere { radius } => ([0.0; 3], radius),
+            Form::Cylinder { half, radius } => {
+                let radius = radius.min(half);
+                ([0.0, 0.0, half - radius], radius)
+            }
+            Form::Box { half } => {
+                let radius = half.into_iter().fold(f64::INFINITY, f64::min);
+                (half.map(|half| half - radius), radius)
+            }
+        };
+        // Neighbours are at most three halves of a radius apart, but where a plate is so thin that
+        // it would be of too many balls.
+        let steps = half.map(|half| (4.0 * half / (3.0 * radius)).ceil().clamp(0.0, 4.0) as u32);
+        let along = |axis: usize, index: u32| match steps[axis] {
+            0 => 0.0,
+            steps => half[axis] * (2.0 * f64::from(index) / f64::from(steps) - 1.0),
+        };
+        let mut balls = Vec::new();
+        for x in 0..=steps[0] {
+            for y in 0..=steps[1] {
+                for z in 0..=steps[2] {
+                    let centre = self.pose.transform_point([along(0, x), along(1, y), along(2, z)]);
+                    balls.push(Ball { link: self.link, centre, radius });
+                }
+            }
+        }
+        balls
+    }
+}
+
+/// The sole of a foot: points in the frame of the foot's link, and a radius around all of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Sole {
+    pub(crate) points: Vec<Vector>,
+    radius: f64,
+}
+
+impl Sole {
+    /// Takes the sole of `foot` from the lowest points of the shapes that it carries rigidly, or
+    /// from the origin of a link that is called sole. `poses` are those of the robot with all
+    /// joints at zero, where it stands on its soles. `None` if there are neither.
+    pub(crate) fn of(
+        robot: &Robot,
+        shapes: &[Shape],
+        poses: &[DualQuat<f64>],
+        foot: usize,
+    ) -> Option<Self> {
+        let onto = |link: usize| poses[foot].conjugate() * poses[link];
+        let own = |link: usize| carried_rigidly(robot, foot, link);
+        let names = robot.link_names().iter().enumerate();
+        let mut named = names.filter(|(link, name)| own(*link) && name.contains("sole"));
+        let shaped = shapes.iter().filter(|shape| own(shape.link)).flat_map(|shape| {
+            let (points, radius) = shape.corners();
+            let moved =
+                points.into_iter().map(move |p| (onto(shape.link).transform_point(p), radius));
+            moved.collect::<Vec<_>>()
+        });
+        let mut all: Vec<(Vector, f64)> = shaped.collect();
+        all.extend(named.next().map(|(link, _)| (onto(link).translation(), 0.0)));
+        let bottom = |(at, radius): &(Vector, f64)| height(poses[foot], *at) - radius;
+        let lowest = all.iter().map(bottom).reduce(f64::min)?;
+        // Points within a centimetre of the lowest touch the ground.
+        all.retain(|point| bottom(point) < lowest + 0.01);
+        let radius = all.iter().map(|(_, radius)| *radius).fold(0.0, f64::max);
+        Some(Self { points: all.into_iter().map(|(at, _)| at).collect(), radius })
+    }
+
+    /// Makes a sole of one point so far below the foot's origin as the foot hangs with all joints
+    /// at zero.
+    pub(crate) fn below(pose: DualQuat<f64>, origin: Vector, depth: f64) -> Self {
+        let down = pose.rotation().conjugate().rotate([0.0, 0.0, -depth]);
+        Self { points: vec![add(origin, down)], radius: 0.0 }
+    }
+
+    /// Returns the height of the lowest point if the foot has this pose.
+    pub(crate) fn lowest(&self, foot: DualQuat<f64>) -> f64 {
+        let heights = self.points.iter().map(|&point| height(foot, point));
+        heights.fold(f64::INFINITY, f64::min) - self.radius
+    }
+
+    /// Returns the place of the middle of the sole if the foot has this pose.
+    pub(crate) fn middle(&self, foot: DualQuat<f64>) -> Vector {
+        let sum = self.points.iter().fold([0.0; 3], |sum, &point| add(sum, point));
+        foot.transform_point(scale(sum, 1.0 / self.points.len() as f64))
+    }
+}
+
+fn height(pose: DualQuat<f64>, point: Vector) -> f64 {
+    pose.transform_point(point)[2]
+}
+
+/// Returns `true` if `link` is `foot`, or hangs on it by fixed joints alone.
+fn carried_rigidly(robot: &Robot, foot: usize, mut link: usize) -> bool {
+    while link != foot {
+        let joint = &robot.joints()[link];
+        match joint.parent {
+            Some(parent) if joint.kind.values() == 0 => link = parent,
+            _ => return false,
+        }
+    }
+    true
+}

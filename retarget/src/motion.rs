@@ -1,0 +1,347 @@
+//! [`retarget`], which brings the motion of a person on a robot, and [`Motion`], its result.
+
+use crate::collide::Balls;
+use crate::smooth::{lambda, slow_down, smooth};
+use crate::{Humanoid, Person, Report, RetargetError, Settings, Speeds, Targets};
+use dq8::DualQuat;
+use dq8_robot::OwnedMechanism;
+use dq8_robot::ik::{self, Goal, Options, OwnedReach, Tracking};
+use dq8_robot::urdf::{Drive, Robot};
+use std::ops::Range;
+
+/// The time that the robot lags behind in the first search, seconds. The targets are then farther
+/// away by less than a fiftieth.
+const LAG: f64 = 1.0 / 480.0;
+
+/// The number of passes that smooth.
+const PASSES: usize = 3;
+
+/// The number of passes at most, if the robot meets itself.
+const MOST_PASSES: usize = 8;
+
+/// The largest number of parts of a clip: so many lanes are filled.
+const PARTS: usize = 16;
+
+/// The time by which parts of a clip begin early. Seconds.
+const EARLY: f64 = 0.3;
+
+/// A part whose joints are farther than this from the part before it is followed again. Radians.
+const TORN: f32 = 0.3;
+
+/// The number of values of the base: a rotation and a place.
+const BASE: usize = 7;
+
+/// The motion of a robot.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// The values of the robot, `[frame][value]`, in the order of its value names.
+    pub values: Vec<f64>,
+    /// `true` where the left and the right foot stand, for each frame.
+    pub contacts: Vec<[bool; 2]>,
+    /// The seconds from frame to frame.
+    pub step: f64,
+    /// The measures.
+    pub report: Report,
+    /// Sentences about what was found in the files, and about what had to be assumed.
+    pub told: Vec<String>,
+}
+
+/// Brings the motion of a person on a robot.
+///
+/// ```no_run
+/// use dq8_retarget::{Humanoid, Person, Settings, retarget};
+/// let humanoid = Humanoid::from_bytes(&std::fs::read("robot.urdf")?, None)?;
+/// let (person, _) = Person::from_bvh("walk", &std::fs::read("walk.bvh")?)?;
+/// let motion = retarget(&person, &humanoid, &Settings::default())?;
+/// print!("{humanoid}{}", motion.report);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If a setting is out of its range, too little is known of the bodies, the person stands in no
+/// frame, or a pose is not finite.
+pub fn retarget(
+    person: &Person,
+    humanoid: &Humanoid,
+    settings: &Settings,
+) -> Result<Motion, RetargetError> {
+    let targets = Targets::new(person, humanoid, settings)?;
+    let values = targets.solve(humanoid, settings)?;
+    let report = Report::of(&targets, humanoid, &values)?;
+    let stands = |side: usize, frame: usize| {
+        targets.feet.get(side).is_some_and(|foot| foot.stands_in(frame))
+    };
+    let contacts = (0..targets.frames()).map(|f| [stands(0, f), stands(1, f)]).collect();
+    Ok(Motion { values, contacts, step: targets.step, report, told: targets.told })
+}
+
+impl Targets {
+    /// Returns the options with which frames follow one another: near the targets, near the frame
+    /// before, and where both leave freedom, near the stance.
+    #[must_use]
+    pub fn tracking(&self) -> Tracking<f64> {
+        // The lag is the square of the weight times the way in a frame.
+        let start_weight = (LAG / self.step).sqrt();
+        Tracking { start_weight, posture_weight: 0.02, ..Tracking::default() }
+    }
+
+    /// Returns the options of a search until a step gains nothing, without a start to stay near.
+    #[must_use]
+    pub fn converging(&self) -> Tracking<f64> {
+        let options = Options { max_iterations: 100, least_gain: 1e-5, ..Options::track() };
+        Tracking { options, start_weight: 0.0, ..self.tracking() }
+    }
+
+    /// Returns the stance, moved to where the pelvis should be in a frame.
+    pub(crate) fn start_at(&self, frame: usize) -> Vec<f64> {
+        let pelvis = self.poses[frame * self.goals.len()];
+        let mut start = self.start.clone();
+        start[..4].copy_from_slice(&(pelvis.rotation() * self.base).normalize().to_array());
+        start[4..BASE].copy_from_slice(&pelvis.translation());
+        start
+    }
+
+    /// Returns the values with which the robot reaches the first frame.
+    ///
+    /// # Errors
+    /// If there can be no search for the goals.
+    pub fn first(&self, humanoid: &Humanoid) -> Result<Vec<f64>, RetargetError> {
+        let mechanism = OwnedMechanism::new(humanoid.robot().joints())?;
+        let reach = OwnedReach::new(mechanism, self.goals.clone())?;
+        let (mut reach, mut values) = (reach.with_posture(self.start.clone())?, self.start.clone());
+        reach.track(&self.poses[..self.goals.len()], &mut values, &self.converging())?;
+        Ok(values)
+    }
+
+    /// Finds the values of all frames, `[frame][value]`: frame after frame at first, and then in
+    /// passes over all frames at once, which smooth, keep speeds, and push shapes apart.
+    ///
+    /// # Errors
+    /// If there can be no search for the goals.
+    pub fn solve(
+        &self,
+        humanoid: &Humanoid,
+        settings: &Settings,
+    ) -> Result<Vec<f64>, RetargetError> {
+        settings.check()?;
+        let robot = humanoid.robot();
+        let goals: Vec<_> = self.goals.iter().map(Goal::cast).collect();
+        let reach = OwnedReach::<f32>::new(robot.cast()?, goals)?;
+        let reach = reach.with_posture(cast(&self.start))?;
+        let mut poses: Vec<DualQuat<f32>> = self
+            .poses
+            .iter()
+            .map(|pose| DualQuat::from_array(pose.to_array().map(|x| x as f32)))
+            .collect();
+        let start = cast(&self.first(humanoid)?);
+        let mut search = Passes {
+            columns: start.len(),
+            limits: robot.value_limits(),
+            speeds: speeds(robot, settings),
+            values: start.repeat(self.frames()),
+            reach,
+            targets: self,
+        };
+        search.follow(&poses)?;
+        let mechanism = robot.cast()?;
+        let balls = settings.collide.then(|| Balls::new(humanoid, self)).transpose()?;
+        let balls = balls.filter(|balls| !balls.is_empty());
+        let passes = if settings.smooth.is_some() { PASSES } else { 0 };
+        for pass in 0..MOST_PASSES {
+            let meets = match &balls {
+                Some(balls) => balls.push(&mechanism, &search.values, self, &mut poses)?,
+                None => false,
+            };
+            if pass >= passes && !meets {
+                break;
+            }
+            search.pass(&poses, settings.smooth)?;
+        }
+        search.slow_down();
+        Ok(search.values.into_iter().map(f64::from).collect())
+    }
+}
+
+/// Searches over all frames of a clip.
+struct Passes<'t> {
+    targets: &'t Targets,
+    reach: OwnedReach<f32>,
+    limits: Vec<Option<[f64; 2]>>,
+    speeds: Vec<f64>,
+    columns: usize,
+    /// `[frame][value]`
+    values: Vec<f32>,
+}
+
+impl Passes<'_> {
+    /// Follows the targets. The clip is cut into parts that fill all lanes; each begins some frames
+    /// early, so that it is where the part before it is when its own frames begin.
+    fn follow(&mut self, poses: &[DualQuat<f32>]) -> Result<(), RetargetError> {
+        let (goals, frames) = (self.targets.goals.len(), self.targets.frames());
+        let early = (EARLY / self.targets.step).ceil() as usize;
+        let parts = (frames / (2 * early)).min(PARTS);
+        if parts < 4 {
+            return self.follow_on(poses, 1..frames, |_| false);
+        }
+        let cut = |part: usize| part * frames / parts;
+        let begin = |part: usize| if part == 0 { 0 } else { cut(part) - early };
+        let clips: Vec<_> = (0..parts).map(|part| cut(part + 1) - begin(part)).collect();
+        let (mut wanted, mut firsts, mut starts) = (Vec::new(), Vec::new(), Vec::new());
+        for part in 0..parts {
+            wanted.extend(&poses[begin(part) * goals..cut(part + 1) * goals]);
+            firsts.extend(&poses[begin(part) * goals..(begin(part) + 1) * goals]);
+            starts.extend(cast(&self.targets.start_at(begin(part))));
+        }
+        let mut reports = vec![ik::Report::default(); clips.iter().sum()];
+        let options = self.targets.converging().cast();
+        let job = self.reach.job();
+        job.sequence(&vec![1; parts], &firsts, &mut starts, &mut reports[..parts], &options)?;
+        let mut values = vec![0.0; reports.len() * self.columns];
+        let mut row = 0;
+        for (clip, start) in clips.iter().zip(starts.chunks_exact(self.columns)) {
+            values[row * self.columns..][..self.columns].copy_from_slice(start);
+            row += clip;
+        }
+        // The first part starts where the first frame was reached in double precision.
+        values[..self.columns].copy_from_slice(&self.values[..self.columns]);
+        let options = self.targets.tracking().cast();
+        job.sequence(&clips, &wanted, &mut values, &mut reports, &options)?;
+
+        let (mut row, mut torn) = (0, Vec::new());
+        for (part, clip) in clips.iter().enumerate() {
+            let part_values = &values[row * self.columns..(row + clip) * self.columns];
+            row += clip;
+            // Where the part before it ends, both parts count, and this one more and more.
+            let common = cut(part) - begin(part);
+            if part > 0 {
+                let own = &part_values[(common - 1) * self.columns..][..self.columns];
+                let before = &self.values[(cut(part) - 1) * self.columns..][..self.columns];
+                if apart(own, before) > TORN {
+                    torn.push(part);
+                }
+            }
+            let own = self.values[begin(part) * self.columns..].chunks_exact_mut(self.columns);
+            for (index, (own, new)) in own.zip(part_values.chunks_exact(self.columns)).enumerate() {
+                if index >= common {
+                    own.copy_from_slice(new);
+                } else if torn.last() != Some(&part) {
+                    blend(own, new, (index + 1) as f32 / (common + 1) as f32);
+                }
+            }
+        }
+        for part in torn {
+            // Until the parts have met.
+            self.follow_on(poses, cut(part)..frames, |difference| difference < 0.1 * TORN)?;
+        }
+        Ok(())
+    }
+
+    /// Follows the targets, frame after frame, from the frame before the first one. Ends early
+    /// where the difference from the values that were there is `near`.
+    fn follow_on(
+        &mut self,
+        poses: &[DualQuat<f32>],
+        frames: Range<usize>,
+        near: impl Fn(f32) -> bool,
+    ) -> Result<(), RetargetError> {
+        let (options, goals) = (self.targets.tracking().cast(), self.targets.goals.len());
+        let mut now = self.values[(frames.start - 1) * self.columns..][..self.columns].to_vec();
+        for frame in frames {
+            self.reach.track(&poses[frame * goals..(frame + 1) * goals], &mut now, &options)?;
+            let values = &mut self.values[frame * self.columns..][..self.columns];
+            if near(apart(&now, values)) {
+                break;
+            }
+            values.copy_from_slice(&now);
+        }
+        Ok(())
+    }
+
+    /// Smooths all frames, and brings each of them back to its targets by a step from there. Each
+    /// frame is a clip of its own, so that one clip fills all lanes.
+    fn pass(
+        &mut self,
+        poses: &[DualQuat<f32>],
+        frequency: Option<f64>,
+    ) -> Result<(), RetargetError> {
+        if let Some(frequency) = frequency {
+            self.smooth(frequency);
+        }
+        self.slow_down();
+        let options = Options { max_iterations: 1, ..Options::track() };
+        let options = Tracking { options, start_weight: 1.0, ..self.targets.tracking() };
+        let frames = self.targets.frames();
+        let mut reports = vec![ik::Report::default(); frames];
+        let clips = vec![1; frames];
+        let job = self.reach.job();
+        job.sequence(&clips, poses, &mut self.values, &mut reports, &options.cast())?;
+        Ok(())
+    }
+
+    fn smooth(&mut self, frequency: f64) {
+        let Self { columns, values, .. } = self;
+        let turn = 0..4;
+        // Of the two quaternions of a rotation, the one that is near the last frame's.
+        for frame in 1..values.len() / *columns {
+            let (before, now) = values[(frame - 1) * *columns..].split_at_mut(*columns);
+            let dot: f32 = turn.clone().map(|i| before[i] * now[i]).sum();
+            if dot < 0.0 {
+                now[turn.clone()].iter_mut().for_each(|part| *part = -*part);
+            }
+        }
+        smooth(values, *columns, lambda(frequency, self.targets.step));
+        for now in values.chunks_exact_mut(*columns) {
+            let size = now[turn.clone()].iter().map(|part| part * part).sum::<f32>().sqrt();
+            now[turn.clone()].iter_mut().for_each(|part| *part /= size);
+            for (value, limits) in now.iter_mut().zip(&self.limits) {
+                if let Some([low, high]) = *limits {
+                    *value = value.clamp(low as f32, high as f32);
+                }
+            }
+        }
+    }
+
+    /// Keeps the speeds of joints within those that they may have.
+    fn slow_down(&mut self) {
+        for (column, &speed) in self.speeds.iter().enumerate() {
+            if speed.is_finite() {
+                // Less by what the mean of two single floats may round up.
+                let most = (speed * self.targets.step * (1.0 - 1e-5)) as f32;
+                slow_down(&mut self.values, self.columns, column, most);
+            }
+        }
+    }
+}
+
+/// Returns the greatest speed of each value.
+fn speeds(robot: &Robot, settings: &Settings) -> Vec<f64> {
+    let speed = |(column, drive): (usize, &Drive)| match settings.speeds {
+        Speeds::AtMost(speed) if column >= BASE => speed,
+        // A file that writes a speed of zero has not been filled in.
+        Speeds::File if column >= BASE && drive.velocity > 0.0 => drive.velocity,
+        _ => f64::INFINITY,
+    };
+    robot.value_drives().iter().enumerate().map(speed).collect()
+}
+
+/// Moves values by a share of the way to others that are near.
+fn blend(values: &mut [f32], others: &[f32], share: f32) {
+    // A rotation has two quaternions.
+    let dot: f32 = values[..4].iter().zip(others).map(|(a, b)| a * b).sum();
+    for (index, (value, &other)) in values.iter_mut().zip(others).enumerate() {
+        let other = if index < 4 && dot < 0.0 { -other } else { other };
+        *value += share * (other - *value);
+    }
+    let size = values[..4].iter().map(|part| part * part).sum::<f32>().sqrt();
+    values[..4].iter_mut().for_each(|part| *part /= size);
+}
+
+/// Returns the largest difference of a joint.
+fn apart(a: &[f32], b: &[f32]) -> f32 {
+    let (a, b) = (&a[BASE..], &b[BASE..]);
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+}
+
+fn cast(numbers: &[f64]) -> Vec<f32> {
+    numbers.iter().map(|&number| number as f32).collect()
+}
