@@ -1,9 +1,9 @@
 //! Numbers of files. The parser of the standard library holds a table of ten kilobytes, which would
-//! be a tenth of what a web page waits for; this one computes powers of ten, which takes longer only
-//! for numbers of more than fifteen digits.
+//! be a tenth of what a web page waits for; this one computes powers of ten, which takes longer
+//! only for numbers of more than fifteen digits.
 
-/// The digits of exact products: a number of so many digits times a power of ten up to 10²² rounds
-/// once.
+/// The digits of exact products: a number of so many digits times a power of ten up to 10²²
+/// rounds once.
 const EXACT_DIGITS: usize = 15;
 const EXACT_POWER: usize = 22;
 /// Beyond these no digits make a finite number other than zero.
@@ -11,8 +11,8 @@ const MOST: i64 = 400;
 /// Middles of two floats have fewer digits: whether any digit after these is not zero is enough.
 const DIGITS: usize = 800;
 
-/// Returns the `f64` nearest to a decimal number, with ties to even, as `str::parse` does; `None` if
-/// the text is no finite number.
+/// Returns the `f64` nearest to a decimal number, with ties to even, as `str::parse` does; `None`
+/// if the text is no finite number.
 pub(super) fn finite(text: &str) -> Option<f64> {
     let (negative, text) = match text.as_bytes() {
         [b'-', rest @ ..] => (true, rest),
@@ -88,8 +88,8 @@ fn quotient(mut numerator: Vec<u32>, mut denominator: Vec<u32>) -> f64 {
     // Shifts that bring the quotient to at least ½ and less than 2.
     let shift = bits(&numerator) as i32 - bits(&denominator) as i32;
     double(if shift < 0 { &mut numerator } else { &mut denominator }, shift.unsigned_abs());
-    // The last bit of the smallest floats is 2⁻¹⁰⁷⁴; the bit below it says how to round, and the
-    // last one whether anything is left.
+    // The last bit of the smallest floats is 2⁻¹⁰⁷⁴; the bit below it says how to round,
+    // and the last one whether anything is left.
     let wanted = (1074 + 1 + shift).clamp(0, 62);
     let mut all: u64 = 0;
     for _ in 0..=wanted {
