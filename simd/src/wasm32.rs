@@ -15,7 +15,7 @@ pub(crate) unsafe fn store_triples(components: [f32x4; 3], to: *mut f32) {
     // SAFETY: an `f32x4` is one register, and the caller guarantees that the twelve `f32` are
     // writable.
     unsafe {
-        let [x, y, z]: [v128; 3] = transmute(components);
+        let [x, y, z] = transmute::<[f32x4; 3], [v128; 3]>(components);
         let xy = i32x4_shuffle::<0, 2, 4, 6>(x, y); // x₀ x₂ y₀ y₂
         let yz = i32x4_shuffle::<1, 3, 5, 7>(y, z); // y₁ y₃ z₁ z₃
         let zx = i32x4_shuffle::<0, 2, 5, 7>(z, x); // z₀ z₂ x₁ x₃
@@ -38,7 +38,7 @@ pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f32x4; C], to:
     // SAFETY: an `f32x4` is one register, and the caller guarantees that eight `f32` are writable
     // for the two components.
     unsafe {
-        let (x, y): (v128, v128) = (transmute(x), transmute(y));
+        let [x, y] = transmute::<[f32x4; 2], [v128; 2]>([x, y]);
         let to = to.cast::<v128>();
         v128_store(to, i32x4_shuffle::<0, 4, 1, 5>(x, y));
         v128_store(to.add(1), i32x4_shuffle::<2, 6, 3, 7>(x, y));

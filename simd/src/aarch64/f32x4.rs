@@ -43,11 +43,11 @@ pub(crate) fn sum_quads(vectors: [f32x4; 4]) -> f32x4 {
     // SAFETY: this module is compiled only for targets with NEON, and all registers have 128 bits,
     // so the transmutes keep the size.
     unsafe {
-        let [a, b, c, d]: [float64x2_t; 4] = transmute(vectors);
+        let [a, b, c, d] = transmute::<[f32x4; 4], [float64x2_t; 4]>(vectors);
         // a₀+a₂ a₁+a₃ b₀+b₂ b₁+b₃
         let sums = |a, b| {
-            let (first, last): (float32x4_t, float32x4_t) =
-                (transmute(vzip1q_f64(a, b)), transmute(vzip2q_f64(a, b)));
+            let halves = [vzip1q_f64(a, b), vzip2q_f64(a, b)];
+            let [first, last] = transmute::<[float64x2_t; 2], [float32x4_t; 2]>(halves);
             vaddq_f32(first, last)
         };
         let (ab, cd) = (sums(a, b), sums(c, d));
@@ -57,7 +57,7 @@ pub(crate) fn sum_quads(vectors: [f32x4; 4]) -> f32x4 {
         let sum: float32x4_t;
         asm!("faddp {0:v}.4s, {1:v}.4s, {2:v}.4s", out(vreg) sum, in(vreg) ab, in(vreg) cd,
             options(pure, nomem, nostack, preserves_flags));
-        transmute(sum)
+        transmute::<float32x4_t, f32x4>(sum)
     }
 }
 

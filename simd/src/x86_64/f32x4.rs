@@ -30,7 +30,7 @@ pub(crate) unsafe fn store_adjoining<const C: usize>(components: [f32x4; C], to:
     // SAFETY: every x86-64 CPU has SSE2, an `f32x4` is one of its registers, and the caller
     // guarantees that eight `f32` are writable for the two components.
     unsafe {
-        let (x, y): (__m128, __m128) = (transmute(x), transmute(y));
+        let [x, y] = transmute::<[f32x4; 2], [__m128; 2]>([x, y]);
         _mm_storeu_ps(to, _mm_unpacklo_ps(x, y));
         _mm_storeu_ps(to.add(4), _mm_unpackhi_ps(x, y));
     }
