@@ -14,7 +14,8 @@ def generated() -> str:
     for name, (parameters, result) in table["SIGNATURES"].items():
         kinds = {parameter: "_Rotations" if parameter == "rotations" else "ArrayLike" for parameter in parameters}
         arguments = ", ".join(f"{parameter}: {kind}" for parameter, kind in kinds.items())
-        returned = "_Floats" if result else "_Floats | np.float32 | np.float64"
+        # A number or an array, by the shapes of what is given, which types do not have: as NumPy's own functions.
+        returned = "_Floats" if result else "Any"
         check = "check: bool = True, " if name in table["CHECKED"] else ""
         lines.append(f"def {name}({arguments}, *, {check}out: _Floats | None = None) -> {returned}: ...\n")
     return BEGIN + "".join(lines) + END

@@ -94,6 +94,11 @@ pub struct Quality<R> {
     /// turn that they resist most, over the stiffness against the turn that they resist least. It
     /// is infinite where many rotations fit equally well.
     pub condition: R,
+    /// Whether the points are mirrored: a map with a reflection, which is no motion, would leave
+    /// less than a hundredth of the squares that the fit leaves. One of the two sets then has
+    /// left-handed coordinates. Points that lie nearly in a plane (1000|σ₃| < σ₂) are never
+    /// called mirrored, because noise mirrors half of such sets.
+    pub mirrored: bool,
 }
 
 impl<R: Real> Fit<R> {
@@ -108,7 +113,7 @@ impl<R: Real> Fit<R> {
 
 impl<R: Real> Quality<R> {
     /// The quality of pairs that no map can be fitted to: NaN, with the rank 0.
-    pub const NONE: Self = Self { rms: R::NAN, rank: 0, condition: R::NAN };
+    pub const NONE: Self = Self { rms: R::NAN, rank: 0, condition: R::NAN, mirrored: false };
 }
 
 impl<'a, R: Real> PointPairs<'a, R> {
@@ -284,7 +289,13 @@ impl<'a, R: Real> PointPairs<'a, R> {
         let gap = second + third;
         let condition =
             if gap > self.sums.rounding { (first + second) / gap } else { R::ONE / R::ZERO };
-        Quality { rms: (sum / total).sqrt(), rank: self.rank(values), condition }
+        // The best reflection leaves less by 4|σ₃|, and with a scale of its own by
+        // 4(σ₁ + σ₂)|σ₃|/Σ w|x|².
+        let scale = if fit.scale == R::ONE { R::ONE } else { (first + second) / self.sums.squares };
+        let gained = R::from(-4.0) * scale * third;
+        let in_space = -third > self.sums.rounding && R::from(-1e3) * third > second;
+        let mirrored = in_space && gained > R::from(0.99) * sum;
+        Quality { rms: (sum / total).sqrt(), rank: self.rank(values), condition, mirrored }
     }
 
     /// Returns `None` if the products are zero or not finite.

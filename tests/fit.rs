@@ -157,6 +157,29 @@ fn mirrored_points_have_a_rotation_all_the_same() {
     let quality = pairs.quality(&fit);
     assert_eq!(quality.rank, 3);
     assert!((quality.rms - 2e-3).abs() < ROUNDING);
+    assert!(!quality.mirrored);
+}
+
+#[test]
+fn points_in_space_are_called_mirrored_and_others_are_not() {
+    let mut random = Random(9);
+    for _ in 0..500 {
+        let problem = Problem::new(&mut random, 0.5, 1.0, 1e-3);
+        let straight = problem.moved.clone();
+        let mirrored = problem.mirrored();
+        for (moved, expected) in [(&straight, false), (&mirrored.moved, true)] {
+            for scaled in [1.0, 3.0] {
+                let moved: Points<f64> = moved.iter().map(|p| p.map(|c| scaled * c)).collect();
+                let pairs =
+                    PointPairs::weighted(&mirrored.points, &moved, &mirrored.weights).unwrap();
+                let fit = if scaled == 1.0 { pairs.rigid() } else { pairs.similarity() }.unwrap();
+                let quality = pairs.quality(&fit);
+                let counted = mirrored.weights.iter().filter(|w| **w > 0.0).count();
+                // Four points and noise may be nearly in a plane.
+                assert!(counted < 6 || quality.mirrored == expected, "{quality:?}");
+            }
+        }
+    }
 }
 
 #[test]

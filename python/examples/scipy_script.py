@@ -20,7 +20,7 @@ assert np.allclose((same**0.5).as_matrix(), c.as_matrix())
 # Arrays take SciPy's rotations, and give them back.
 motions = dq8.from_rotation_translation(turns, a.translation)
 assert dq8.allclose(motions, a.motions)
-assert np.allclose(dq8.to_euler("xyz", motions), turns.as_euler("xyz"))
+assert np.allclose(dq8.to_euler(motions, "xyz"), turns.as_euler("xyz"))
 assert np.allclose(dq8.to_scipy(motions).as_matrix(), dq8.to_matrix(motions))
 
 # Points measured before and after: the motion between them, and where a camera sits on a hand.

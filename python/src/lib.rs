@@ -36,8 +36,9 @@ fn set_reproducible(reproducible: bool) {
     Backend::set_reproducible(reproducible);
 }
 
-/// dq8 on NumPy arrays.
-#[pymodule]
+/// dq8 on NumPy arrays. A Python without the global interpreter lock switches it on for this
+/// module, and says so: no such interpreter has run the tests.
+#[pymodule(gil_used = true)]
 mod _core {
     #[pymodule_export]
     use super::{backend, set_reproducible};
@@ -75,6 +76,8 @@ mod _core {
     #[pymodule_export]
     use dq8_python_arrays::functions::windows::dib_windows;
     #[pymodule_export]
+    use dq8_python_arrays::interrupt::tell_progress;
+    #[pymodule_export]
     use dq8_python_arrays::plain::real_array;
     #[pymodule_export]
     use dq8_python_arrays::threads::{forget_threads, get_num_threads, set_num_threads};
@@ -96,6 +99,8 @@ mod _core {
     use dq8_python_trajectories::compare::compare;
     #[pymodule_export]
     use dq8_python_trajectories::fit::fit_pairs;
+    #[pymodule_export]
+    use dq8_python_trajectories::hand_eye::hand_eye_pairs;
     #[pymodule_export]
     use dq8_python_trajectories::resample::resample;
     #[pymodule_export]

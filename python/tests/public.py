@@ -75,17 +75,19 @@ CALLS: dict[str, tuple[str, str]] = {
     ),
     "Trajectory": (MANY, "dq8.Trajectory(np.arange(1_000_000.0), many)"),
     "Trajectory.sample": (PATH, "path.sample(at)"),
-    "Spline": ("some = np.tile(turned, (100_000, 1))", "dq8.Spline(some)"),
+    "Spline": (MANY, "dq8.Spline(many)"),
     "compare": ("path = dq8.Trajectory(np.arange(300_000.0), np.tile(turned, (300_000, 1)))", "dq8.compare(path, path)"),
     "fit": ("points = np.random.default_rng(1).normal(size=(200_000, 10, 3))", "dq8.fit(points, points)"),
-    "hand_eye": ("motions = dq8.random((2_000, 5), rng=1)", "dq8.hand_eye(motions, motions)"),
+    "hand_eye": ("motions = dq8.random((50_000, 5), rng=1)", "dq8.hand_eye(motions, motions)"),
+    "hand_eye, robust": ("motions = dq8.random((5_000, 5), rng=1)", "dq8.hand_eye(motions, motions, robust='tukey')"),
+    "fit, robust": ("points = np.random.default_rng(1).normal(size=(20_000, 10, 3))", "dq8.fit(points, points + 0.01 * points[:, ::-1], robust='tukey')"),
     "from_matrix": ("matrices = np.tile(np.eye(4), (3_000_000, 1, 1))", "dq8.from_matrix(matrices)"),
     "angle_to": ("a = np.tile(turned, (12_000, 1)).astype(np.float32)", "dq8.angle_to(a[:, None], a)"),
     "allclose": (MANY, "dq8.allclose(many, many)"),
     "is_unit": (MANY, "dq8.is_unit(many)"),
     "random": ("", "dq8.random(500_000)"),
     "from_euler": ("angles = np.zeros((1_000_000, 3))", "dq8.from_euler('xyz', angles)"),
-    "to_euler": (MANY, "dq8.to_euler('xyz', many)"),
+    "to_euler": (MANY, "dq8.to_euler(many, 'xyz')"),
     "from_axis_angle": (OTHERS, "dq8.from_axis_angle(points, 0.3)"),
     "to_axis_angle": (MANY, "dq8.to_axis_angle(many)"),
     "from_rotation": (MANY, "dq8.from_rotation(many[:, :4], check=False)"),
@@ -102,8 +104,8 @@ CALLS: dict[str, tuple[str, str]] = {
 }
 
 # Settings of the process, what others return, and what lends memory.
-WITHOUT = ["to_arrow", "from_arrow", "Comparison", "Fit", "Hierarchy", "Mechanism", "Outcome", "ReachReport", "Solutions", "Statistics", "backend",
-           "get_num_threads", "set_num_threads", "set_reproducible"]  # fmt: skip
+WITHOUT = ["to_arrow", "from_arrow", "Comparison", "Fit", "HandEye", "Hierarchy", "Mechanism", "Outcome", "ReachReport", "Solutions", "Statistics", "backend",
+           "get_num_threads", "progress", "set_num_threads", "set_reproducible"]  # fmt: skip
 
 
 def of_table(name: str, parameters: dict[str, tuple[int, ...]]) -> tuple[str, str]:

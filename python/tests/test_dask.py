@@ -5,9 +5,13 @@ import signal
 
 import dask
 import dask.array as da
+import dask.dataframe as dd
 import numpy as np
+import pandas as pd
 import pytest
-from calls import ARM, CALLS, COUNT, LOCALS, MESH_JOINTS, PALETTE, VALUES, arguments_of
+from calls import ARM, CALLS, COUNT, INFLUENCES, MESH_JOINTS, MOTIONS, PALETTE, ROTATIONS, VALUES, arguments_of
+from robots import ROBOTS
+from test_rows import SIX
 
 import dq8
 import dq8.dask
@@ -69,6 +73,106 @@ def test_robots_and_meshes_are_lazy_too(rng):
     points, weights, palettes = rng.normal(size=(COUNT, 3)), rng.dirichlet(np.ones(5), COUNT), np.stack([PALETTE(rng)] * 4)
     made = dq8.dask.skin(points, MESH_JOINTS, weights, da.from_array(palettes, chunks=(1, 5, 8)))
     np.testing.assert_array_equal(made.compute(), dq8.skin(points, MESH_JOINTS, weights, palettes))
+
+
+def test_what_is_written_in_python_is_lazy_too(rng):
+    motions, angles, rotations = MOTIONS(rng), rng.normal(size=(COUNT, 3)), ROTATIONS(rng)
+    lazy, plain = dq8.dask, chunked(motions)
+    for made, expected in [
+        (lazy.from_matrix(chunked(dq8.to_matrix(motions))), dq8.from_matrix(dq8.to_matrix(motions))),
+        (lazy.from_matrix(chunked(dq8.to_matrix(motions)[:, :3])), dq8.from_matrix(dq8.to_matrix(motions))),
+        (lazy.from_euler("ZYX", chunked(angles)), dq8.from_euler("ZYX", angles)),
+        (lazy.to_euler(plain, "xyz"), dq8.to_euler(motions, "xyz")),
+        (lazy.from_rotation(chunked(rotations)), dq8.from_rotation(rotations)),
+        (lazy.from_rotation_vector(chunked(angles)), dq8.from_rotation_vector(angles)),
+        (lazy.to_rotation_vector(plain), dq8.to_rotation_vector(motions)),
+        (lazy.rotation(plain), dq8.rotation(motions)),
+        (lazy.from_wxyz(plain), dq8.from_wxyz(motions)),
+        (lazy.to_wxyz(plain), dq8.to_wxyz(motions)),
+        (lazy.is_unit(plain, tolerance=0.1), dq8.is_unit(motions, tolerance=0.1)),
+    ]:
+        assert (made.dtype, made.shape, made.numblocks[0]) == (expected.dtype, expected.shape, 3)
+        np.testing.assert_array_equal(made.compute(), expected)
+    single = lazy.from_euler("xyz", chunked(angles.astype(np.float32)))
+    assert single.dtype == single.compute().dtype == np.float32
+    with pytest.raises(ValueError, match="Expected `order` to be three of"):
+        lazy.from_euler("abc", chunked(angles))
+
+
+def test_blends_go_along_a_dimension_that_is_in_one_chunk(rng):
+    clip, weights = INFLUENCES(rng), rng.random((COUNT, 5))
+    lazy = da.from_array(clip, chunks=(8, 5, 8))
+    for function, own in ((dq8.dlb, dq8.dask.dlb), (dq8.mean, dq8.dask.mean)):
+        np.testing.assert_array_equal(own(lazy), function(clip))
+        np.testing.assert_array_equal(own(lazy, weights[0]), function(clip, weights[0]))
+        np.testing.assert_array_equal(own(lazy, da.from_array(weights, chunks=(8, 5))), function(clip, weights))
+        joints = da.from_array(clip, chunks=(-1, 2, 8))
+        np.testing.assert_array_equal(own(joints, axis=0), function(clip, axis=0))
+        np.testing.assert_array_equal(own(joints, weights, axis=0), function(clip, weights, axis=0))
+        with pytest.raises(ValueError, match=r"expected dimension 0 to be in one chunk, got 3: pass `motions.rechunk\(\{0: -1\}\)`"):
+            own(lazy, axis=0)
+        with pytest.raises(ValueError, match="expected `axis` to be one of the 2 dimensions"):
+            own(lazy, axis=2)
+    np.testing.assert_array_equal(dq8.dask.mean(lazy, max_iterations=1), dq8.mean(clip, max_iterations=1))
+
+
+def test_fits_are_lazy_too(rng):
+    points, motions = rng.normal(size=(COUNT, 6, 3)), MOTIONS(rng)
+    moved = dq8.transform_points(motions[:, np.newaxis], points)
+    weights = rng.random((COUNT, 6))
+    lazy = dq8.dask.fit(chunked(points), chunked(moved), chunked(weights), robust="huber")
+    assert lazy.shape == (COUNT, 8) and lazy.numblocks == (3, 1)
+    np.testing.assert_array_equal(lazy, dq8.fit(points, moved, weights, robust="huber"))
+    with pytest.raises(ValueError, match="Expected `robust`"):
+        dq8.dask.fit(chunked(points), chunked(moved), robust="cauchy")
+    with pytest.raises(ValueError, match="expected no `full`"):
+        dq8.dask.fit(chunked(points), chunked(moved), full=True)
+
+
+def test_all_solutions_and_velocities_are_lazy_too(rng):
+    values = rng.uniform(-1, 1, size=(COUNT, 6))
+    targets = SIX.poses(values, 5)
+    made, expected = dq8.dask.solutions(SIX, chunked(targets), chunked(values), 5), SIX.solutions(targets, values, 5)
+    for own, one in zip(made, expected):
+        assert (own.dtype, own.shape, own.numblocks[0]) == (one.dtype, one.shape, 3)
+        np.testing.assert_array_equal(own.compute(), one)
+    values, rates = VALUES(rng), VALUES(rng)
+    np.testing.assert_array_equal(
+        dq8.dask.velocity(ARM, chunked(values), chunked(rates), 3, "body"), ARM.velocity(values, rates, 3, "body")
+    )
+
+
+def test_names_are_tried_when_the_graph_is_made(rng):
+    values, targets = chunked(VALUES(rng)), chunked(MOTIONS(rng))
+    arm = dq8.Mechanism.from_urdf(ROBOTS / "arm6.urdf")
+    six = chunked(arm.sample(COUNT, rng=rng))
+    for call in (
+        lambda: dq8.dask.poses(arm, six, "tol0"),
+        lambda: dq8.dask.poses(arm, six, ["tol0"]),
+        lambda: dq8.dask.jacobian(arm, six, "tol0"),
+        lambda: dq8.dask.velocity(arm, six, six, "tol0"),
+        lambda: dq8.dask.reach(arm, targets, six, "tol0"),
+        lambda: dq8.dask.solutions(arm, targets, six, "tol0"),
+    ):
+        with pytest.raises((KeyError, ValueError), match="tol0"):
+            call()
+    with pytest.raises(ValueError, match="frame"):
+        dq8.dask.jacobian(ARM, values, 3, "spatial")
+    with pytest.raises(TypeError):
+        dq8.dask.reach(ARM, targets, values, 3, tolerances=1.0)
+    with pytest.raises(ValueError, match="six"):
+        dq8.dask.solutions(ARM, targets, values, 3)
+
+
+def test_ids_of_frames_are_kept(rng):
+    arm = dq8.Mechanism.from_urdf(ROBOTS / "arm6.urdf")
+    values = arm.sample(COUNT, rng=rng)
+    ids = pd.Index(rng.permutation(COUNT), name="id")
+    frame = dd.from_pandas(pd.DataFrame(values, ids, arm.values)[arm.values[::-1]], npartitions=3, sort=False)
+    names = ["px", "py", "pz", "pw", "qx", "qy", "qz", "qw"]
+    made = dd.from_dask_array(dq8.dask.poses(arm, frame, arm.links[-1]), columns=names, index=frame.index).compute()
+    assert made.index.equals(ids)
+    np.testing.assert_array_equal(made.to_numpy(), arm.poses(values, arm.links[-1]))
 
 
 def test_tasks_have_names_that_people_understand():

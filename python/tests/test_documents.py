@@ -48,7 +48,7 @@ def test_every_script_is_run():
 
 
 # What has no result to show: settings of the process, and what others return.
-WITHOUT_EXAMPLE = ["Comparison", "Fit", "ReachReport", "Solutions", "Statistics", "backend", "get_num_threads", "set_num_threads", "set_reproducible"]
+WITHOUT_EXAMPLE = ["Comparison", "Fit", "HandEye", "ReachReport", "Solutions", "Statistics", "backend", "get_num_threads", "set_num_threads", "set_reproducible"]
 
 
 def test_the_tutorial_runs_and_plots(tmp_path):

@@ -1,5 +1,6 @@
 """Ctrl-C ends every call soon, and other threads of Python run meanwhile."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -58,9 +59,14 @@ for line in sys.stdin:
     del names
 """
 
-# Seconds. On a quiet machine both are less than a fifth of one, but others may keep it waiting; each call that does not look for
-# signals, or keeps the interpreter, takes longer as a whole.
-SOON = 0.8
+# Seconds, the promise of the README; each call that does not look for signals, or keeps the interpreter, takes longer as a whole.
+# A machine with more to do than its cores can keeps everybody waiting, so there it is four times as long.
+QUIET, LOADED = 0.2, 0.8
+
+
+def soon() -> float:
+    loaded = hasattr(os, "getloadavg") and os.getloadavg()[0] > 1.5 * (os.cpu_count() or 1)
+    return LOADED if loaded else QUIET
 
 
 class Child:
@@ -108,8 +114,8 @@ def children():
 def check(child: Child, name: str) -> None:
     waits = child.waits(*ALL[name])
     # Other processes may keep it waiting, but not always.
-    assert min(wait for wait, _ in waits) < SOON, waits
-    assert min(stood for _, stood in waits) < SOON, waits
+    assert min(wait for wait, _ in waits) < soon(), waits
+    assert min(stood for _, stood in waits) < soon(), waits
 
 
 @pytest.mark.parametrize("name", ALL)
@@ -123,7 +129,7 @@ def test_an_interrupt_ends_a_call_of_two_threads(name, children):
 
 
 def test_everything_public_is_called():
-    called = {name.split(" ")[0].split(".")[0] for name in ALL} | set(WITHOUT)
+    called = {name.replace(",", " ").split(" ")[0].split(".")[0] for name in ALL} | set(WITHOUT)
     assert set(dq8.__all__) <= called
 
 

@@ -27,7 +27,7 @@ ALL = {
     "from_rotation_vector": (dq8.from_rotation_vector, [VECTORS]),
     "from_axis_angle": (dq8.from_axis_angle, [VECTORS, lambda rng: rng.random(COUNT)]),
     "from_euler": (lambda angles: dq8.from_euler("xyz", angles), [ANGLES]),
-    "to_euler": (lambda motions: dq8.to_euler("ZYX", motions), [MOTIONS]),
+    "to_euler": (lambda motions: dq8.to_euler(motions, "ZYX"), [MOTIONS]),
     "to_axis_angle": (lambda motions: dq8.to_axis_angle(motions)[1], [MOTIONS]),
     "to_rotation_vector": (dq8.to_rotation_vector, [MOTIONS]),
     "to_rotation_translation": (lambda motions: np.concatenate(dq8.to_rotation_translation(motions), axis=-1), [MOTIONS]),

@@ -18,6 +18,23 @@ pub(crate) struct Interrupt {
     asked: AtomicU64,
     came: AtomicBool,
     raised: Mutex<Option<PyErr>>,
+    /// The bits of the part of the call that is done, from 0 to 1.
+    part: AtomicU64,
+}
+
+/// The function of Python that is told how much of a call is done.
+static LISTENER: Mutex<Option<Py<PyAny>>> = Mutex::new(None);
+
+/// The listener. Nothing is held while it runs, so it may call what is here.
+fn listener(py: Python<'_>) -> Option<Py<PyAny>> {
+    let listener = LISTENER.lock().unwrap_or_else(PoisonError::into_inner);
+    listener.as_ref().map(|listener| listener.clone_ref(py))
+}
+
+/// Tell `callback` how much of each long call is done, a number from 0 to 1; None ends it.
+#[pyfunction]
+pub fn tell_progress(callback: Option<Py<PyAny>>) {
+    *LISTENER.lock().unwrap_or_else(PoisonError::into_inner) = callback;
 }
 
 impl Interrupt {
@@ -27,12 +44,18 @@ impl Interrupt {
             asked: AtomicU64::new(0),
             came: AtomicBool::new(false),
             raised: Mutex::new(None),
+            part: AtomicU64::new(0),
         }
     }
 
     /// Whether one came, as far as is known.
     pub(crate) fn came(&self) -> bool {
         self.came.load(Ordering::Relaxed)
+    }
+
+    /// Notes which part of the call is done.
+    pub(crate) fn note(&self, part: f64) {
+        self.part.store(part.to_bits(), Ordering::Relaxed);
     }
 
     /// Asks Python, if it is time. In the thread of the call, detached.
@@ -46,7 +69,11 @@ impl Interrupt {
             let threading = py.import("threading")?;
             let main = threading.call_method0("main_thread")?.getattr("ident")?;
             if main.eq(threading.call_method0("get_ident")?)? {
-                return py.check_signals();
+                py.check_signals()?;
+                if let Some(listener) = listener(py) {
+                    listener.call1(py, (f64::from_bits(self.part.load(Ordering::Relaxed)),))?;
+                }
+                return Ok(());
             }
             // Python handles signals in its main thread; another one would wait for the interpreter
             // in vain.

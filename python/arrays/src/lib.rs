@@ -14,7 +14,7 @@ pub mod columns;
 mod cure;
 pub mod error;
 pub mod functions;
-mod interrupt;
+pub mod interrupt;
 pub mod law;
 pub mod links;
 pub mod number;

@@ -4,7 +4,7 @@ use crate::interrupt::{Interrupt, PERIOD};
 use pyo3::exceptions::{PyOverflowError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use rayon_core::{ThreadPool, ThreadPoolBuilder};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::Builder;
@@ -27,6 +27,8 @@ type Each<'f, T> = dyn Fn(T) -> bool + Sync + 'f;
 pub struct Threads {
     pool: Option<Arc<ThreadPool>>,
     interrupt: Interrupt,
+    /// Whether pieces are counted: those of the outermost loop are.
+    counted: AtomicBool,
 }
 
 impl Threads {
@@ -34,12 +36,12 @@ impl Threads {
     pub fn for_elements(count: usize) -> Self {
         let large = count >= 2 * GRAIN;
         let pool = || POOL.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        Self { pool: large.then(pool).flatten(), interrupt: Interrupt::new() }
+        Self { pool: large.then(pool).flatten(), ..Self::alone() }
     }
 
     /// Returns only the calling thread, for a call that cannot be split.
     pub fn alone() -> Self {
-        Self { pool: None, interrupt: Interrupt::new() }
+        Self { pool: None, interrupt: Interrupt::new(), counted: AtomicBool::new(false) }
     }
 
     /// Whether there is more than this one.
@@ -89,8 +91,23 @@ impl Threads {
     /// Hands `pieces` to `each`, until it cannot do one or the call is interrupted; whether it
     /// could.
     pub fn each<T: Send>(&self, mut pieces: impl Iterator<Item = T>, each: &Each<'_, T>) -> bool {
+        let outermost = !self.counted.swap(true, Ordering::Relaxed);
+        let done = AtomicUsize::new(0);
+        let note = |all: usize| {
+            let done = 1 + done.fetch_add(1, Ordering::Relaxed);
+            if outermost {
+                self.interrupt.note(done as f64 / all.max(done) as f64);
+            }
+        };
         if !self.many() {
-            return pieces.all(|piece| self.interrupted() || each(piece));
+            let all = pieces.size_hint().0;
+            let could = pieces.all(|piece| {
+                let could = self.interrupted() || each(piece);
+                note(all);
+                could
+            });
+            self.counted.fetch_and(!outermost, Ordering::Relaxed);
+            return could;
         }
         let pieces: Vec<_> = pieces.collect();
         let (count, could) = (pieces.len(), AtomicBool::new(true));
@@ -102,8 +119,10 @@ impl Threads {
                 && let Some(piece) = next()
             {
                 could.fetch_and(each(piece), Ordering::Relaxed);
+                note(count);
             }
         });
+        self.counted.fetch_and(!outermost, Ordering::Relaxed);
         could.into_inner()
     }
 

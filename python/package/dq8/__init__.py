@@ -11,8 +11,8 @@ other are read as they are; others are copied first. Refused are masked arrays, 
 or take NumPy's functions over. ``out=`` writes into an array of the result's shape and dtype; where it does not fit, or an
 argument is wrong, nothing is written.
 
-Ctrl-C ends a call within some tenths of a second. What `out` holds then is partly the result, partly what it held
-before.
+Ctrl-C ends a call within 0.2 seconds. What `out` holds then is partly the result, partly what it held before. `progress`
+tells how much of a call is done.
 
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
 (`Mechanism.reach`; `Mechanism.solutions` for all ways of an arm of six hinges). `skin` lets a mesh follow joints.
@@ -88,9 +88,11 @@ from ._core import (
     translation,
 )
 from ._core import forget_threads as _forget_threads
-from ._fits import Fit, fit, hand_eye
+from ._fits import Fit, HandEye, fit, hand_eye
 from . import _mechanisms as _methods
+from . import _notebooks as _shown
 from ._outcome import Outcome
+from ._progress import progress
 from ._rigid_transform import RigidTransform, identity
 from ._rotations import (
     from_axis_angle,
@@ -115,6 +117,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Comparison",
     "Fit",
+    "HandEye",
     "Hierarchy",
     "Mechanism",
     "Outcome",
@@ -169,6 +172,7 @@ __all__ = [
     "normalize",
     "point_error",
     "pow",
+    "progress",
     "random",
     "resample",
     "rotation",
@@ -203,7 +207,8 @@ if hasattr(_os, "register_at_fork"):
 def _threads_of_environment() -> None:
     name = "DQ8_NUM_THREADS"
     value = _os.environ.get(name)
-    if value is None:
+    # Empty is how shells and settings of containers leave it out.
+    if not value:
         return
     if not value.isdecimal() or not 1 <= int(value) <= 256:
         raise ValueError(f"Expected the environment variable {name} to be a whole number from 1 to 256, got {value!r}.")

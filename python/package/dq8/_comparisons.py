@@ -30,7 +30,7 @@ def random(
 
     Returns
     -------
-    ndarray, shape (*shape, 8)
+    ndarray, shape ``(*shape, 8)``
 
     Examples
     --------

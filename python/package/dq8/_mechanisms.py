@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from . import _core
+from ._extras import needed
 from ._solutions import solutions
 
 if TYPE_CHECKING:
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def sample(self: _core.Mechanism, shape: int | tuple[int, ...] = (), *, rng: Any = None) -> NDArray[np.float64]:
-    """Random configurations, shape (*shape, values), float64: each value alike within its limits.
+    """Random configurations, shape ``(*shape, values)``, float64: each value alike within its limits.
 
     Without limits angles are drawn from half a turn either way, lengths from −1 to 1, rotations of floating joints from
     all. `rng` is a generator of NumPy, or a seed for one.
@@ -157,6 +159,24 @@ def manipulability(
     return _core.manipulability(self, values, link, out)
 
 
+def plot(self: _core.Mechanism, values: Any, axes: Any = None) -> Any:
+    """Draws the robot in one configuration (values,), a line from each link to its parent, and returns the axes of matplotlib.
+
+    Without `axes` a figure of pyplot is made, which a notebook shows. ``dq8.plot`` has more: frames, screws, other styles.
+
+    Examples
+    --------
+    >>> import dq8, matplotlib.figure
+    >>> arm = dq8.Mechanism([-1, 0], "revolute", [0, 0, 1], dq8.from_translation([1.0, 0, 0]))
+    >>> len(arm.plot([0.3, 0.5], matplotlib.figure.Figure().add_subplot(projection="3d")).lines)
+    2
+    """
+    if axes is None:
+        axes = needed("matplotlib.pyplot", "plot").figure().add_subplot(projection="3d")
+    pictures = importlib.import_module("dq8.plot")
+    return pictures.fitted(pictures.skeleton(axes, self, self.poses(values)))
+
+
 def __eq__(self: _core.Mechanism, other: object) -> bool:
     """Whether both are made of the same arrays, or of the same text."""
     return isinstance(other, _core.Mechanism) and self.__reduce__() == other.__reduce__()
@@ -166,5 +186,5 @@ def __hash__(self: _core.Mechanism) -> int:
     return hash(tuple(self.links))
 
 
-for _method in (sample, velocity, rates_for, manipulability, solutions, __eq__, __hash__):
+for _method in (sample, velocity, rates_for, manipulability, solutions, plot, __eq__, __hash__):
     setattr(_core.Mechanism, _method.__name__, _method)

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import ORTHOGONAL, check_out, floats, unrigid_made_rigid
+from ._extras import needed
 from ._rotations import FIRST, LAST
 
 if TYPE_CHECKING:
@@ -45,9 +46,7 @@ def identity(shape: int | tuple[int, ...] = (), dtype: DTypeLike = np.float64) -
 
 def _rotation_type() -> type[Rotation]:
     # Imported when it is needed: importing SciPy takes longer than importing this package.
-    from scipy.spatial.transform import Rotation
-
-    made: type[Rotation] = Rotation
+    made: type[Rotation] = needed("scipy.spatial.transform", "scipy").Rotation
     return made
 
 

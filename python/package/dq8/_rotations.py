@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import floats
+from ._extras import needed
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -128,6 +129,9 @@ def to_axis_angle(motions: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
 
 def _order(order: str) -> tuple[list[int], bool]:
     """The axes by number as an extrinsic order has them, and whether it was one."""
+    if not isinstance(order, str):
+        kind = type(order).__name__
+        raise TypeError(f"Expected `order` to be text, as in from_euler('xyz', angles) and to_euler(motions, 'xyz'), got {kind}.")
     axes = ["xyz".find(axis) for axis in order.lower()]
     if not (order.islower() or order.isupper()) or len(axes) != 3 or -1 in axes or axes[0] == axes[1] or axes[1] == axes[2]:
         raise ValueError(
@@ -160,7 +164,7 @@ def from_euler(order: str, angles: ArrayLike) -> NDArray[Any]:
     return _core.mul(third, _core.mul(second, first))
 
 
-def to_euler(order: str, motions: ArrayLike) -> NDArray[Any]:
+def to_euler(motions: ArrayLike, order: str) -> NDArray[Any]:
     """Euler angles, shape (..., 3), radians, of the rotations of motions: what `from_euler` makes ``p`` of.
 
     The middle one is in [0, π], or in [−π/2, π/2] where the order names three axes. Where it is at an end, and only a
@@ -173,7 +177,7 @@ def to_euler(order: str, motions: ArrayLike) -> NDArray[Any]:
     Examples
     --------
     >>> import dq8
-    >>> dq8.to_euler("ZYX", dq8.from_euler("ZYX", [0.3, -0.2, 0.1])).round(12)
+    >>> dq8.to_euler(dq8.from_euler("ZYX", [0.3, -0.2, 0.1]), "ZYX").round(12)
     array([ 0.3, -0.2,  0.1])
     """
     (i, j, k), fixed = _order(order)
@@ -257,6 +261,5 @@ def to_scipy(motions: ArrayLike) -> Any:
     >>> dq8.to_scipy(dq8.from_translation([1.0, 2.0, 3.0])).translation
     array([1., 2., 3.])
     """
-    from scipy.spatial.transform import RigidTransform
-
-    return RigidTransform.from_dual_quat(floats("motions", motions, (8,)))
+    transforms = needed("scipy.spatial.transform", "scipy")
+    return transforms.RigidTransform.from_dual_quat(floats("motions", motions, (8,)))

@@ -4,9 +4,14 @@ use crate::error::value_error;
 use crate::mechanism::Mechanism;
 use crate::threads::whole;
 use dq8_robot::OwnedMechanism;
-use dq8_robot::urdf::Robot;
+use dq8_robot::urdf::{Robot, UrdfError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+
+/// Text as UTF-8 with a mark that says so, whatever it declares.
+fn with_mark(text: &str) -> Vec<u8> {
+    format!("\u{feff}{text}").into_bytes()
+}
 
 /// The bytes of a file; or those that are given, or of the text that is given, if the first thing
 /// in it is `<`.
@@ -17,33 +22,65 @@ fn bytes_of(source: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
     if let Ok(text) = source.extract::<String>()
         && text.trim_start().starts_with('<')
     {
-        // It is UTF-8 here, whatever it declares.
-        return Ok(format!("\u{feff}{text}").into_bytes());
+        return Ok(with_mark(&text));
     }
     let path = source.py().import("pathlib")?.call_method1("Path", (source,))?;
     path.call_method0("read_bytes")?.extract()
 }
 
-/// The robot of a file, or of what is in it.
+/// The robot of a file, or of what is in it. Of the encodings that a file may declare Python knows
+/// all: tables of them in here would be a twentieth of the wheel.
 pub(crate) fn mechanism_of(source: &Bound<'_, PyAny>) -> PyResult<Mechanism> {
-    let bytes = bytes_of(source)?;
-    // Small files, those of all robots that there are, take less time than a thread does.
-    if bytes.len() < LARGE {
-        return read(bytes).map_err(value_error);
-    }
-    whole(source.py(), || read(bytes))?.map_err(value_error)
+    let py = source.py();
+    let (encoding, bytes) = match made(py, bytes_of(source)?)? {
+        Err(Failure::Encoding { encoding, bytes }) => (encoding, bytes),
+        made => return made.map_err(Failure::raised),
+    };
+    let text = PyBytes::new(py, &bytes).call_method1("decode", (&encoding, "replace"));
+    let text =
+        text.map_err(|error| value_error(format!("the file declares an {}", error.value(py))));
+    made(py, with_mark(&text?.extract::<String>()?))?.map_err(Failure::raised)
 }
 
 /// From so many bytes on, other threads of Python run meanwhile.
 const LARGE: usize = 1 << 18;
 
-fn read(bytes: Vec<u8>) -> Result<Mechanism, String> {
-    let robot = Robot::from_bytes(&bytes).map_err(|error| error.to_string())?;
+fn made(py: Python<'_>, bytes: Vec<u8>) -> PyResult<Result<Mechanism, Failure>> {
+    // Small files, those of all robots that there are, take less time than a thread does.
+    if bytes.len() < LARGE { Ok(read(bytes)) } else { whole(py, || read(bytes)) }
+}
+
+/// Why there is no robot.
+enum Failure {
+    /// The bytes must be decoded first.
+    Encoding {
+        encoding: String,
+        bytes: Vec<u8>,
+    },
+    Said(String),
+}
+
+impl Failure {
+    fn raised(self) -> PyErr {
+        match self {
+            Self::Encoding { encoding, .. } => value_error(format!("not text in {encoding}")),
+            Self::Said(text) => value_error(text),
+        }
+    }
+}
+
+fn read(bytes: Vec<u8>) -> Result<Mechanism, Failure> {
+    let robot = match Robot::from_bytes(&bytes) {
+        Ok(robot) => robot,
+        Err(UrdfError::Encoding { encoding }) => return Err(Failure::Encoding { encoding, bytes }),
+        Err(error) => return Err(Failure::Said(error.to_string())),
+    };
     let joints = robot.joints().to_vec();
+    let double = OwnedMechanism::new(&joints).map_err(|error| Failure::Said(error.to_string()))?;
     Ok(Mechanism {
         links: robot.link_names().to_vec(),
         joint_names: robot.joint_names().to_vec(),
-        double: OwnedMechanism::new(&joints).map_err(|error| error.to_string())?,
+        double,
         single: robot.cast(),
         drives: robot.drives().to_vec(),
         joints,

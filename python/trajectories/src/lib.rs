@@ -3,9 +3,11 @@
 
 pub mod compare;
 pub mod fit;
+pub mod hand_eye;
 mod options;
 mod pieces;
 pub mod resample;
+mod robust;
 pub mod spline;
 pub mod trajectory;
 

@@ -5,6 +5,7 @@ use crate::call::Answer;
 use crate::error::{misshapen, value_error};
 use crate::options::{Asked, Options};
 use crate::shape::{EIGHT, SIX};
+use crate::threads::whole;
 use dq8::DualQuat;
 use dq8_trajectory as trajectory;
 use dq8_trajectory::{Basis, TrajectoryError};
@@ -75,7 +76,8 @@ impl Spline {
         let control = control.in_full()?;
         let poses: Vec<_> =
             { control.records::<8>().iter() }.map(|pose| DualQuat::from_array(*pose)).collect();
-        let spline = trajectory::Spline::new(start, every, &poses, kind);
+        let make = move || trajectory::Spline::new(start, every, &poses, kind);
+        let spline = if control.leading()[0] < LARGE { make() } else { whole(control.py(), make)? };
         Ok(Self { spline: spline.map_err(|error| value_error(format!("{error}.")))?, basis, every })
     }
 
@@ -204,6 +206,10 @@ impl Spline {
         })
     }
 }
+
+/// From so many control poses on, other threads of Python run while a spline is made, and Ctrl-C
+/// ends the call: some milliseconds of work.
+const LARGE: usize = 1 << 14;
 
 impl Spline {
     /// One kernel for both: another one would take forty kilobytes of the wheel.

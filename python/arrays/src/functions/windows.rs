@@ -9,7 +9,6 @@ use crate::number::Number;
 use crate::output::Output;
 use crate::shape::{EIGHT, NUMBER};
 use crate::threads::Threads;
-use pyo3::exceptions::PyFutureWarning;
 use pyo3::prelude::*;
 
 /// Intrinsic means of whole windows of motions that follow each other: a trajectory, smoothed.
@@ -25,8 +24,7 @@ use pyo3::prelude::*;
 /// weights : array_like, shape (w,)
 ///     The weights of a window of w > 0 motions.
 /// axis : int, optional
-///     The dimension of time: the first, as in a clip ``(frames, joints, 8)``. (It was the last but
-///     one, so a call on more than two dimensions without it says so.)
+///     The dimension of time: the first, as in a clip ``(frames, joints, 8)``.
 /// tolerance : float, optional
 ///     The largest step that counts as none: radians, and lengths relative to the longest dual
 ///     part. By default 1e-14, of float32 1e-6.
@@ -53,12 +51,11 @@ use pyo3::prelude::*;
 /// >>> dq8.translation(dq8.dib_windows(path, [1, 1, 1]))[:, 0]
 /// array([2., 4.])
 #[pyfunction]
-#[pyo3(signature = (motions, weights, *, axis=None, tolerance=None, max_iterations=32, out=None))]
+#[pyo3(signature = (motions, weights, *, axis=0, tolerance=None, max_iterations=32, out=None))]
 pub fn dib_windows<'py>(
-    py: Python<'py>,
     motions: &Bound<'py, PyAny>,
     weights: &Bound<'py, PyAny>,
-    axis: Option<isize>,
+    axis: isize,
     tolerance: Option<f64>,
     max_iterations: u32,
     out: Option<&Bound<'py, PyAny>>,
@@ -66,13 +63,7 @@ pub fn dib_windows<'py>(
     let mean = Mean::Intrinsic { tolerance: tolerance.unwrap_or(f64::NAN), max_iterations };
     let motions = Argument::new("motions", EIGHT, motions)?;
     let weights = Argument::new("weights", NUMBER, weights)?;
-    if axis.is_none() && motions.shape().len() > 2 {
-        let kind = py.get_type::<PyFutureWarning>();
-        let message = c"`dib_windows` now goes along the first dimension, that of time in (frames, joints, 8), no longer \
-                        along the last but one: pass `axis=0` or `axis=-2`.";
-        PyErr::warn(py, &kind, message, 1)?;
-    }
-    let axis = Axis::of(&motions, axis.unwrap_or(0), "(n, ..., 8)")?;
+    let axis = Axis::of(&motions, axis, "(n, ..., 8)")?;
     let motions = motions.along(axis)?;
     if is_single([&motions, &weights]) {
         typed::<f32>(mean, &motions, &weights, axis, out)
