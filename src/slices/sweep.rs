@@ -3,7 +3,7 @@
 use crate::backend::{Backend, Kernel};
 use crate::storage::{Element, Layout, Register, Tile};
 use core::ops::Range;
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level};
 
 /// The records of a tile, with a register for each of their `D` components; `None` if an input ends
 /// before the tile.
