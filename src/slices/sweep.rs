@@ -3,7 +3,7 @@
 use crate::backend::{Backend, Kernel};
 use crate::storage::{Element, Layout, Register, Tile};
 use core::ops::Range;
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level};
 
 /// The records of a tile, with a register for each of their `D` components; `None` if an input ends
 /// before the tile.
@@ -82,8 +82,14 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
         let (records, registers) = (Q::Layout::records::<V>(), Q::Layout::registers::<V>());
         // The inputs are as long as the output, as the callers check, but the compiler sees no
         // check here. It sees that the parts have the length of the output, and therefore tests one
-        // length for each tile instead of one for each slice.
-        let Some(mut kernel) = kernel.part(0..output.len()) else { return };
+        // length for each tile instead of one for each slice. On a single lane the parts would take
+        // more code than the tests.
+        let mut kernel = if Register::<Q, V, D>::LANES > 1 {
+            let Some(kernel) = kernel.part(0..output.len()) else { return };
+            kernel
+        } else {
+            kernel
+        };
         if const { K::TILES > 1 } && Q::Layout::transposes::<V>() {
             let several = const { K::TILES } * records;
             // The output must be longer than these tiles, because a load of points may read the
