@@ -3,7 +3,7 @@
 use crate::backend::{Backend, Kernel};
 use crate::storage::{Element, Layout, Register, Tile};
 use core::ops::Range;
-use dq8_simd::{Lanes, Level};
+use dq8_simd::Level;
 
 /// The records of a tile, with a register for each of their `D` components; `None` if an input ends
 /// before the tile.
@@ -83,8 +83,9 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
         // The inputs are as long as the output, as the callers check, but the compiler sees no
         // check here. It sees that the parts have the length of the output, and therefore tests one
         // length for each tile instead of one for each slice. On a single lane the parts would take
-        // more code than the tests.
-        let mut kernel = if Register::<Q, V, D>::LANES > 1 {
+        // more code than the tests. In blocks the tests keep all loads before the stores: without
+        // them the compiler mixes both, and spills.
+        let mut kernel = if Q::Layout::transposes::<V>() {
             let Some(kernel) = kernel.part(0..output.len()) else { return };
             kernel
         } else {
@@ -104,17 +105,15 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
                 (output, kernel) = (output.split_at_mut(several).1, rest);
             }
         }
-        let mut element = 0;
         // Two plain loops, because the compiler unrolls the inner one over the registers of a
         // block. The iterator `storage::tiles` is a single loop, which is 5 % slower where a block
         // has two registers.
-        while element < output.len() {
+        for i in 0..output.len().div_ceil(records) {
             for register in 0..registers {
-                let tile = Tile::at(element, register);
+                let tile = Tile::at(i * records, register);
                 let Some(components) = kernel.compute(level, output, tile) else { return };
                 Q::store(components, output, tile);
             }
-            element += records;
         }
     }
 }
