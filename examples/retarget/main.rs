@@ -13,7 +13,7 @@
 mod picture;
 mod track;
 
-use dq8_retarget::{Humanoid, Person, Role, Settings, Speeds, Targets, retarget};
+use dq8_retarget::{Humanoid, Person, RetargetError, Role, Settings, Speeds, Targets, retarget};
 use mocap::command::{self, Request, files, print, read};
 use mocap::output;
 use std::error::Error;
@@ -110,12 +110,15 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     if let Some(table) = &table {
         person = person.with_table(table)?;
     }
-    let motion = retarget(&person, &humanoid, &args.settings)?;
+    let motion = retarget(&person, &humanoid, &args.settings).map_err(|error| match error {
+        RetargetError::NoRest => format!("{error} (--rest FRAME)").into(),
+        error => Box::<dyn Error>::from(error),
+    })?;
     print(&heading(&person, &humanoid, &motion.told))?;
     print(&motion.report.to_string())?;
     print(&track::table(&person, &humanoid, &args.settings)?)?;
     for warning in motion.report.warnings() {
-        eprintln!("retarget: warning: {warning}");
+        eprintln!("retarget: warning: {warning} (--map, --rest)");
     }
 
     let mut texts: Vec<(&Path, Vec<u8>)> = Vec::new();

@@ -62,10 +62,14 @@ impl Shape {
             words?.try_into().ok()
         };
         let origin = collision.children().find(|child| child.has_tag_name("origin"));
-        let part = |name: &str| three(origin.and_then(|origin| origin.attribute(name)));
-        let [roll, pitch, yaw] = part("rpy").unwrap_or_default();
+        // What is not there is zero; what cannot be read leaves the element out.
+        let part = |name: &str| match origin.and_then(|origin| origin.attribute(name)) {
+            Some(text) => three(Some(text)),
+            None => Some([0.0; 3]),
+        };
+        let [roll, pitch, yaw] = part("rpy")?;
         let turn = Quat::from_rpy(roll, pitch, yaw);
-        let pose = DualQuat::from_rotation_translation(turn, part("xyz").unwrap_or_default());
+        let pose = DualQuat::from_rotation_translation(turn, part("xyz")?);
         let geometry = collision.children().find(|child| child.has_tag_name("geometry"))?;
         let shape = geometry.children().find(Node::is_element)?;
         let number = |name: &str| shape.attribute(name)?.trim().parse::<f64>().ok();
@@ -142,11 +146,10 @@ impl Shape {
     }
 }
 
-/// The sole of a foot: points in the frame of the foot's link, and a radius around all of them.
+/// The sole of a foot: points in the frame of the foot's link, each with a radius around it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sole {
-    pub(crate) points: Vec<Vector>,
-    radius: f64,
+    points: Vec<(Vector, f64)>,
 }
 
 impl Sole {
@@ -175,26 +178,25 @@ impl Sole {
         let lowest = all.iter().map(bottom).reduce(f64::min)?;
         // Points within a centimetre of the lowest touch the ground.
         all.retain(|point| bottom(point) < lowest + 0.01);
-        let radius = all.iter().map(|(_, radius)| *radius).fold(0.0, f64::max);
-        Some(Self { points: all.into_iter().map(|(at, _)| at).collect(), radius })
+        Some(Self { points: all })
     }
 
     /// Makes a sole of one point so far below the foot's origin as the foot hangs with all joints
     /// at zero.
     pub(crate) fn below(pose: DualQuat<f64>, origin: Vector, depth: f64) -> Self {
         let down = pose.rotation().conjugate().rotate([0.0, 0.0, -depth]);
-        Self { points: vec![add(origin, down)], radius: 0.0 }
+        Self { points: vec![(add(origin, down), 0.0)] }
     }
 
     /// Returns the height of the lowest point if the foot has this pose.
     pub(crate) fn lowest(&self, foot: DualQuat<f64>) -> f64 {
-        let heights = self.points.iter().map(|&point| height(foot, point));
-        heights.fold(f64::INFINITY, f64::min) - self.radius
+        let bottoms = self.points.iter().map(|&(point, radius)| height(foot, point) - radius);
+        bottoms.fold(f64::INFINITY, f64::min)
     }
 
     /// Returns the place of the middle of the sole if the foot has this pose.
     pub(crate) fn middle(&self, foot: DualQuat<f64>) -> Vector {
-        let sum = self.points.iter().fold([0.0; 3], |sum, &point| add(sum, point));
+        let sum = self.points.iter().fold([0.0; 3], |sum, &(point, _)| add(sum, point));
         foot.transform_point(scale(sum, 1.0 / self.points.len() as f64))
     }
 }

@@ -79,6 +79,13 @@ pub enum RetargetError {
         /// The length that it should have, or of which it should be a multiple.
         expected: usize,
     },
+    /// The parent of a joint does not stand before it.
+    Parent {
+        /// The index of the joint.
+        joint: usize,
+        /// The parent that it names.
+        parent: usize,
+    },
     /// A setting is out of its range.
     Setting {
         /// The name of the setting.
@@ -127,13 +134,16 @@ impl fmt::Display for RetargetError {
             Self::NoRest => f.write_str(
                 "no rest pose was found: with all channels zero, and in each frame, the head is not above the hips, \
                  the hips are not above the feet, or left and right are exchanged. Name a frame in which the person \
-                 stands: --rest FRAME",
+                 stands as the rest pose",
             ),
             Self::NotFinite { frame, joint } => {
                 write!(f, "the pose of the joint {joint:?} in frame {frame} is not finite, or too large")
             }
             Self::Lengths { array, length, expected } => {
                 write!(f, "the array of {array} has {length} elements, which does not fit {expected}")
+            }
+            Self::Parent { joint, parent } => {
+                write!(f, "joint {joint} names joint {parent} as its parent, which does not stand before it")
             }
             Self::Setting { name, value } => write!(f, "the setting {name} cannot be {value}"),
         }

@@ -203,9 +203,10 @@ impl Humanoid {
         for role in Role::ALL {
             let Some(Part { link, centre, .. }) = self.part(role) else { continue };
             let line = if link == centre {
-                format!("{role} = {:?}\n", names[link])
+                format!("{role} = {}\n", quoted(&names[link]))
             } else {
-                format!("{role} = {{ link = {:?}, centre = {:?} }}\n", names[link], names[centre])
+                let (link, centre) = (quoted(&names[link]), quoted(&names[centre]));
+                format!("{role} = {{ link = {link}, centre = {centre} }}\n")
             };
             text += &line;
         }
@@ -309,14 +310,33 @@ fn last_of_the_ankle(robot: &Robot, mut link: usize) -> usize {
     }
 }
 
+/// Returns a string as TOML writes it.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            _ if letter.is_control() => quoted += &format!("\\u{:04X}", u32::from(letter)),
+            _ => quoted.push(letter),
+        }
+    }
+    quoted + "\""
+}
+
 /// Returns the robot with a base that moves freely: as it is, if a floating joint of the file
 /// carries all other links that move, and otherwise with one that carries the root.
 fn with_floating_base(robot: Robot) -> Result<Robot, ChangeError> {
-    let moves = robot.joints().iter().find(|joint| joint.kind != JointKind::Fixed);
-    if moves.is_some_and(|joint| joint.kind == JointKind::Floating) {
-        return Ok(robot);
+    let joints = robot.joints();
+    let moves = |&link: &usize| joints[link].kind != JointKind::Fixed;
+    let Some(base) = (0..joints.len()).find(moves) else { return robot.floating() };
+    // Parents stand before what they carry.
+    let mut carried = vec![false; joints.len()];
+    for (link, joint) in joints.iter().enumerate() {
+        carried[link] = link == base || joint.parent.is_some_and(|parent| carried[parent]);
     }
-    robot.floating()
+    let carries_all = (0..joints.len()).filter(moves).all(|link| carried[link]);
+    let floats = joints[base].kind == JointKind::Floating;
+    if floats && carries_all { Ok(robot) } else { robot.floating() }
 }
 
 impl fmt::Display for Humanoid {

@@ -1,8 +1,9 @@
 //! [`retarget`], which brings the motion of a person on a robot, and [`Motion`], its result.
 
 use crate::collide::Balls;
+use crate::feet::Foot;
 use crate::smooth::{lambda, slow_down, smooth};
-use crate::{Humanoid, Person, Report, RetargetError, Settings, Speeds, Targets};
+use crate::{Humanoid, Person, Report, RetargetError, Role, Settings, Speeds, Targets};
 use dq8::DualQuat;
 use dq8_robot::OwnedMechanism;
 use dq8_robot::ik::{self, Goal, Options, OwnedReach, Tracking};
@@ -29,7 +30,7 @@ const EARLY: f64 = 0.3;
 const TORN: f32 = 0.3;
 
 /// The number of values of the base: a rotation and a place.
-const BASE: usize = 7;
+pub(crate) const BASE: usize = 7;
 
 /// The motion of a robot.
 #[derive(Clone, Debug)]
@@ -68,10 +69,10 @@ pub fn retarget(
     let targets = Targets::new(person, humanoid, settings)?;
     let values = targets.solve(humanoid, settings)?;
     let report = Report::of(&targets, humanoid, &values)?;
-    let stands = |side: usize, frame: usize| {
-        targets.feet.get(side).is_some_and(|foot| foot.stands_in(frame))
-    };
-    let contacts = (0..targets.frames()).map(|f| [stands(0, f), stands(1, f)]).collect();
+    let [left, right] = [Role::LeftFoot, Role::RightFoot]
+        .map(|role| targets.feet.iter().find(|foot| targets.places[foot.goal].role == role));
+    let stands = |foot: Option<&Foot>, frame| foot.is_some_and(|foot| foot.stands_in(frame));
+    let contacts = (0..targets.frames()).map(|f| [stands(left, f), stands(right, f)]).collect();
     Ok(Motion { values, contacts, step: targets.step, report, told: targets.told })
 }
 
@@ -178,7 +179,7 @@ impl Passes<'_> {
     /// early, so that it is where the part before it is when its own frames begin.
     fn follow(&mut self, poses: &[DualQuat<f32>]) -> Result<(), RetargetError> {
         let (goals, frames) = (self.targets.goals.len(), self.targets.frames());
-        let early = (EARLY / self.targets.step).ceil() as usize;
+        let early = ((EARLY / self.targets.step).ceil() as usize).max(1);
         let parts = (frames / (2 * early)).min(PARTS);
         if parts < 4 {
             return self.follow_on(poses, 1..frames, |_| false);

@@ -41,9 +41,10 @@ impl Person {
         }
         let parents: Vec<_> = joints.iter().map(|(_, parent)| *parent).collect();
         // Otherwise the list of a joint's bones could not be made.
-        if let Some(joint) = (0..count).find(|&joint| parents[joint] >= Some(joint)) {
-            let (array, length) = ("parents", joint);
-            return Err(RetargetError::Lengths { array, length, expected: count });
+        for (joint, parent) in parents.iter().enumerate() {
+            if let Some(parent) = parent.filter(|&parent| parent >= joint) {
+                return Err(RetargetError::Parent { joint, parent });
+            }
         }
         if let Some(index) = positions.iter().position(|place| !place.iter().all(|x| x.is_finite()))
         {

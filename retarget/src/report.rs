@@ -1,6 +1,7 @@
 //! [`Report`]: how well a motion follows its targets, and whether a robot can learn from it.
 
 use crate::collide::Balls;
+use crate::motion::BASE;
 use crate::{Humanoid, RetargetError, Targets};
 use dq8::DualQuat;
 use dq8::scalar::vector::{norm, sub};
@@ -103,14 +104,13 @@ impl Report {
         if self.residual > 50.0 {
             warnings.push(format!(
                 "links are {:.0} mm from their targets in the mean: look at the list above for links and joints that do not \
-                 belong together, and at --map and --rest",
+                 belong together, and at the frame of the rest pose",
                 self.residual
             ));
         }
         if self.at_limits > 10.0 {
             warnings.push(format!(
-                "{:.0} % of the values are at a limit: the robot cannot do this motion, or its rest pose is not the clip's \
-                 (--rest)",
+                "{:.0} % of the values are at a limit: the robot cannot do this motion, or its rest pose is not the clip's",
                 self.at_limits
             ));
         }
@@ -135,6 +135,7 @@ impl fmt::Display for Report {
         )?;
         row("jerk, rad/s³", format!("{:.0}", self.jerk))?;
         row("at limits, %", format!("{:.1}", self.at_limits))?;
+        row("beyond limits, rad", format!("{:.1e}", self.beyond))?;
         let hits =
             self.self_hits.map_or("unknown, without shapes".into(), |hits| format!("{hits:.1}"));
         row("self-hits, % of frames", hits)
@@ -202,15 +203,16 @@ impl Joints {
         let (mut touched, mut beyond) = (Vec::new(), 0.0_f64);
         let (mut speeds, mut jerks) = (Vec::new(), Vec::new());
         let carries = carries(targets, humanoid);
-        for (value, limits) in limits.iter().enumerate() {
-            let Some([low, high]) = *limits else { continue };
+        for (value, limits) in limits.iter().enumerate().skip(BASE) {
             let course: Vec<f64> = motion.iter().skip(value).step_by(count).copied().collect();
-            for angle in &course {
-                // A value that single precision rounds to an end is at it as well.
-                let end = 1e-6 * (1.0 + angle.abs());
-                beyond = beyond.max(low - angle).max(angle - high);
-                if carries[value] {
-                    touched.push(*angle <= low + end || *angle >= high - end);
+            if let Some([low, high]) = *limits {
+                for angle in &course {
+                    // A value that single precision rounds to an end is at it as well.
+                    let end = 1e-6 * (1.0 + angle.abs());
+                    beyond = beyond.max(low - angle).max(angle - high);
+                    if carries[value] {
+                        touched.push(*angle <= low + end || *angle >= high - end);
+                    }
                 }
             }
             speeds.extend(course.windows(2).map(|w| (w[1] - w[0]).abs() / targets.step));

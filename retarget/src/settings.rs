@@ -1,12 +1,13 @@
 //! [`Settings`], the wishes about a motion.
 
 use crate::RetargetError;
+use crate::smooth::SLOWEST;
 
 /// The wishes about a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// The frames per second of the motion, 30 by default. Frames between those of the clip are
-    /// interpolated.
+    /// interpolated. It is from 0.001 to 100,000.
     pub fps: f64,
     /// The frame in which the person stands as the robot does at rest. By default, `None`, it is
     /// found.
@@ -16,8 +17,8 @@ pub struct Settings {
     pub ankle: Option<f64>,
     /// `true`, the default, if feet are held flat on the ground while the person's feet stand.
     pub feet: bool,
-    /// The frequency in Hz that passes over the whole motion halve, 4 by default. With `None`,
-    /// nothing is smoothed.
+    /// The frequency in Hz that passes over the whole motion halve, 4 by default; at least 0.003 of
+    /// `fps`. With `None`, nothing is smoothed.
     pub smooth: Option<f64>,
     /// The greatest speeds of joints, [`Speeds::Free`] by default.
     pub speeds: Speeds,
@@ -65,10 +66,11 @@ impl Settings {
             Speeds::Free | Speeds::File => None,
         };
         let positive = |value: f64| value > 0.0 && value.is_finite();
+        let is_smooth = |frequency: f64| positive(frequency) && frequency >= SLOWEST * self.fps;
         for (name, value, fits) in [
-            ("fps", Some(self.fps), positive(self.fps)),
+            ("fps", Some(self.fps), (1e-3..=1e5).contains(&self.fps)),
             ("ankle", self.ankle, self.ankle.is_none_or(f64::is_finite)),
-            ("smooth", self.smooth, self.smooth.is_none_or(positive)),
+            ("smooth", self.smooth, self.smooth.is_none_or(is_smooth)),
             ("speeds", speed, speed.is_none_or(positive)),
         ] {
             if let (Some(value), false) = (value, fits) {

@@ -3,32 +3,35 @@
 /// Replaces each column of `[frame][column]` by the x with the least |x − y|² + λ |x‴|²,
 /// where x‴ are third differences. That is a filter of sixth order without a lag, which halves a
 /// motion of the frequency 1 / (2π λ^(1/6)) frames. The result is that of one symmetric banded
-/// system.
+/// system. It is solved in double precision: λ may be so large that single floats would lose the 1
+/// beside it, and with it the values themselves.
 pub(crate) fn smooth(values: &mut [f32], columns: usize, lambda: f64) {
     let frames = values.len() / columns.max(1);
     if frames < 4 {
         return;
     }
     let factors = factors(frames, lambda);
+    let mut smooth: Vec<f64> = values.iter().copied().map(f64::from).collect();
     for row in 0..frames {
-        let (done, later) = values.split_at_mut((row + 1) * columns);
+        let (done, later) = smooth.split_at_mut((row + 1) * columns);
         let now = &done[row * columns..];
         for (next, factor) in later.chunks_exact_mut(columns).zip(&factors[row][1..]) {
             next.iter_mut().zip(now).for_each(|(next, now)| *next -= factor * now);
         }
     }
     for row in (0..frames).rev() {
-        let (now, later) = values[row * columns..].split_at_mut(columns);
+        let (now, later) = smooth[row * columns..].split_at_mut(columns);
         now.iter_mut().for_each(|now| *now *= factors[row][0]);
         for (next, factor) in later.chunks_exact(columns).zip(&factors[row][1..]) {
             now.iter_mut().zip(next).for_each(|(now, next)| *now -= factor * next);
         }
     }
+    values.iter_mut().zip(smooth).for_each(|(value, smooth)| *value = smooth as f32);
 }
 
 /// Returns the factors L D Lᵀ of 1 + λ D₃ᵀ D₃: for each row one over its pivot, and the
 /// three entries of L below it.
-fn factors(frames: usize, lambda: f64) -> Vec<[f32; 4]> {
+fn factors(frames: usize, lambda: f64) -> Vec<[f64; 4]> {
     const THIRD: [f64; 4] = [-1.0, 3.0, -3.0, 1.0];
     let mut band = vec![[1.0, 0.0, 0.0, 0.0]; frames];
     for row in 0..frames - 3 {
@@ -46,11 +49,13 @@ fn factors(frames: usize, lambda: f64) -> Vec<[f32; 4]> {
             }
         }
     }
-    let factor = |[pivot, a, b, c]: [f64; 4]| {
-        [1.0 / pivot, a / pivot, b / pivot, c / pivot].map(|number| number as f32)
-    };
+    let factor = |[pivot, a, b, c]: [f64; 4]| [1.0 / pivot, a / pivot, b / pivot, c / pivot];
     band.into_iter().map(factor).collect()
 }
+
+/// The slowest motion that [`smooth`] may halve, in rounds per frame. Beyond it λ has more digits
+/// than a double float.
+pub(crate) const SLOWEST: f64 = 0.003;
 
 /// Returns the λ of [`smooth`] that halves motions of this frequency in Hz.
 pub(crate) fn lambda(frequency: f64, step: f64) -> f64 {
@@ -64,7 +69,7 @@ pub(crate) fn slow_down(values: &mut [f32], columns: usize, column: usize, most:
     let mut forward: Vec<f32> = values.iter().skip(column).step_by(columns).copied().collect();
     let bound = |course: &mut [f32], order: &mut dyn Iterator<Item = (usize, usize)>| {
         for (from, to) in order {
-            course[to] = course[to].clamp(course[from] - most, course[from] + most);
+            course[to] = course[to].max(course[from] - most).min(course[from] + most);
         }
     };
     let frames = forward.len();
@@ -77,7 +82,7 @@ pub(crate) fn slow_down(values: &mut [f32], columns: usize, column: usize, most:
 
 #[cfg(test)]
 mod tests {
-    use super::{lambda, slow_down, smooth};
+    use super::{SLOWEST, lambda, slow_down, smooth};
 
     #[test]
     fn parabolas_stay_and_fast_shakes_go() {
@@ -92,6 +97,13 @@ mod tests {
             let bound = if (10..90).contains(&i) { 2e-3 } else { 0.08 };
             assert!((pair[1] - parabola(i)).abs() < bound, "{i}: {}", pair[1] - parabola(i));
         }
+    }
+
+    #[test]
+    fn a_robot_far_away_stays_where_it_is_however_slow_the_filter() {
+        let mut values = vec![5.0_f32; 2000];
+        smooth(&mut values, 1, lambda(SLOWEST, 1.0));
+        assert!(values.iter().all(|value| (value - 5.0).abs() < 1e-3), "{:?}", &values[..3]);
     }
 
     #[test]

@@ -41,6 +41,7 @@ pub(crate) fn entries(text: &str, section: &str) -> Result<Vec<(Role, Entry)>, R
             return Err(wrong(name.get_ref(), reason));
         }
     }
+    let is_links = section == "links";
     let Some(section) = table.get_ref().get(section) else { return Ok(Vec::new()) };
     let DeValue::Table(section) = section.get_ref() else {
         return Err(wrong("", "a section is a table of roles".to_owned()));
@@ -61,12 +62,20 @@ pub(crate) fn entries(text: &str, section: &str) -> Result<Vec<(Role, Entry)>, R
                 let part = |key: &str| text(parts.get(key)?.get_ref());
                 let (link, centre) = (part("link"), part("centre"));
                 let read = usize::from(link.is_some()) + usize::from(centre.is_some());
-                link.filter(|_| parts.len() == read).map(|name| Entry { role, name, centre })
+                link.filter(|_| parts.len() == read && is_links).map(|name| Entry {
+                    role,
+                    name,
+                    centre,
+                })
             }
             value => text(value).map(|name| Entry { role, name, centre: None }),
         };
         let entry = entry.ok_or_else(|| {
-            let reason = "the value is a name, or { link = \"NAME\", centre = \"NAME\" }";
+            let reason = if is_links {
+                "the value is a name, or { link = \"NAME\", centre = \"NAME\" }"
+            } else {
+                "the value is the name of a joint"
+            };
             wrong(name, reason.to_owned())
         })?;
         entries.push((role, entry));

@@ -54,7 +54,7 @@ fn wrong_arrays_of_positions_are_named() {
     let error = from_positions(&at).unwrap_err();
     assert!(matches!(error, RetargetError::NotFinite { frame: 30, .. }), "{error}");
     let error = Person::from_positions("x", &[("a", Some(0))], &[[0.0; 3]], 0.1).unwrap_err();
-    assert!(matches!(error, RetargetError::Lengths { array: "parents", .. }), "{error}");
+    assert!(matches!(error, RetargetError::Parent { joint: 0, parent: 0 }), "{error}");
 }
 
 /// A model of 22 vertices, one for each joint, whose one shape makes it taller.

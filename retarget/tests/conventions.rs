@@ -177,7 +177,7 @@ fn where_no_rest_pose_is_the_error_names_the_option_that_gives_one() {
     };
     let error = targets(&upside_down, None).unwrap_err();
     assert!(matches!(error, RetargetError::NoRest), "{error}");
-    assert!(error.to_string().contains("--rest FRAME"));
+    assert!(error.to_string().contains("rest pose"));
     let error = targets(&biped::clip(), Some(100_000)).unwrap_err();
     assert!(matches!(error, RetargetError::RestFrame { asked: 100_000, frames: 256 }), "{error}");
     assert!(!targets(&biped::clip(), Some(7)).unwrap().told.is_empty());

@@ -738,6 +738,11 @@ fn names_come_before_shapes_and_tables_before_both() {
     // What it prints as a table, it reads as a table.
     let again = Humanoid::from_bytes(shaped.urdf().as_bytes(), Some(&humanoid.table())).unwrap();
     assert_eq!(again.table(), humanoid.table());
+    // A joint has no centre of its own.
+    let person = person(&biped::clip());
+    let table = "[joints]\nleft_hand = { link = \"left_hand\", centre = \"left_hand\" }\n";
+    let error = person.with_table(table).unwrap_err();
+    assert!(matches!(error, RetargetError::Table { .. }), "{error}");
     // A wrong table does not pass.
     let table = "[links]\nleft_foot = \"zarm_l6_link\"\n";
     let error = Humanoid::from_bytes(shaped.urdf().as_bytes(), Some(table)).unwrap_err();

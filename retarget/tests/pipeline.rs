@@ -175,6 +175,9 @@ fn settings_out_of_range_are_named() {
     for (settings, name) in [
         (Settings { fps: 0.0, ..own }, "fps"),
         (Settings { fps: f64::NAN, ..own }, "fps"),
+        (Settings { fps: 1e-310, ..own }, "fps"),
+        (Settings { fps: 1e20, ..own }, "fps"),
+        (Settings { smooth: Some(0.01), ..own }, "smooth"),
         (Settings { smooth: Some(-1.0), ..own }, "smooth"),
         (Settings { speeds: Speeds::AtMost(0.0), ..own }, "speeds"),
         (Settings { ankle: Some(f64::INFINITY), ..own }, "ankle"),
@@ -182,6 +185,23 @@ fn settings_out_of_range_are_named() {
         let error = retarget(&person(&biped::clip()), &humanoid(), &settings).unwrap_err();
         assert!(matches!(error, RetargetError::Setting { name: n, .. } if n == name), "{error}");
     }
+}
+
+#[test]
+fn the_foot_that_alone_is_known_has_its_own_column_of_contacts() {
+    let clip = biped::clip();
+    let both = retarget(&person(&clip), &humanoid(), &Settings::default()).unwrap().contacts;
+    let mut nameless = clip.clone();
+    for joint in &mut nameless.joints {
+        if joint.name.starts_with("LeftFoot") {
+            joint.name = format!("x{}", joint.name.len());
+        }
+    }
+    let one = dq8_retarget::Person::from_clip(&nameless).unwrap();
+    assert_eq!(one.joint(dq8_retarget::Role::LeftFoot), None);
+    let right = retarget(&one, &humanoid(), &Settings::default()).unwrap().contacts;
+    assert!(both.iter().any(|stands| stands[1]) && both.iter().any(|stands| stands[0]));
+    assert!(right.iter().any(|stands| stands[1]) && right.iter().all(|stands| !stands[0]));
 }
 
 #[test]

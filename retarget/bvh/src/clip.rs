@@ -128,12 +128,14 @@ impl Clip {
         self.joints.iter().map(|joint| joint.parent.map_or(Hierarchy::ROOT, index)).collect()
     }
 
-    /// Returns the root that each joint hangs on.
+    /// Returns the root that each joint hangs on; a joint whose parent does not stand before it is
+    /// one.
     #[must_use]
     pub fn roots(&self) -> Vec<usize> {
         let mut roots = Vec::with_capacity(self.joints.len());
         for (index, joint) in self.joints.iter().enumerate() {
-            roots.push(joint.parent.map_or(index, |parent| roots[parent]));
+            let root = joint.parent.and_then(|parent| roots.get(parent).copied());
+            roots.push(root.unwrap_or(index));
         }
         roots
     }
@@ -142,7 +144,8 @@ impl Clip {
     #[must_use]
     pub fn locals(&self) -> Vec<DualQuat<f64>> {
         let mut locals = Vec::with_capacity(self.frames() * self.joints.len());
-        for frame in self.values.chunks_exact(self.channels()) {
+        // A clip without channels has no frames, and no length to cut its values by.
+        for frame in self.values.chunks_exact(self.channels().max(1)).take(self.frames()) {
             let mut rest = frame;
             for joint in &self.joints {
                 let (values, others) = rest.split_at(joint.channels.len());
@@ -156,8 +159,13 @@ impl Clip {
     /// Returns every joint's motion in the world, `[frame][joint]`.
     ///
     /// # Errors
-    /// If the joints do not form a tree.
+    /// If the joints do not form a tree, or the values are not a whole number of frames.
     pub fn models(&self) -> Result<Vec<DualQuat<f64>>, ClipError> {
+        let (what, length) = ("values", self.values.len());
+        let expected = self.frames() * self.channels();
+        if length != expected {
+            return Err(ShapeError::Length { what, length, expected }.into());
+        }
         let mut models = self.locals();
         Hierarchy::new(&self.parents())?.job().local_to_model_in_place(&mut models)?;
         Ok(models)
@@ -200,7 +208,7 @@ impl Joint {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Channel, Joint};
+    use super::{Axis, Channel, Clip, ClipError, Joint};
     use Channel::{Position, Rotation};
 
     fn joint(parent: Option<usize>, offset: [f64; 3], channels: &[Channel]) -> Joint {
@@ -209,6 +217,24 @@ mod tests {
 
     fn close(a: [f64; 3], b: [f64; 3]) -> bool {
         a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12)
+    }
+
+    #[test]
+    fn clips_made_by_hand_are_refused_and_never_panic() {
+        let clip = |parent, channels: &[Channel], values: &[f64]| Clip {
+            title: String::new(),
+            joints: vec![joint(parent, [0.0; 3], channels)],
+            frame_time: 0.1,
+            values: values.to_vec(),
+        };
+        let still = clip(None, &[], &[]);
+        assert_eq!((still.frames(), still.models()), (0, Ok(Vec::new())));
+        assert!(matches!(clip(None, &[], &[1.0]).models(), Err(ClipError::Values(_))));
+        let odd = clip(None, &[Rotation(Axis::X), Rotation(Axis::Y)], &[1.0, 2.0, 3.0]);
+        assert!(matches!(odd.models(), Err(ClipError::Values(_))));
+        let own = clip(Some(0), &[Rotation(Axis::X)], &[1.0]);
+        assert_eq!(own.roots(), [0]);
+        assert!(matches!(own.models(), Err(ClipError::Tree(_))));
     }
 
     #[test]

@@ -165,7 +165,10 @@ Frames: 2 | Frames: 3 | 20 | ends after 2
         let one = TWO_JOINTS.replace("Frames: 2", "Frames: 1");
         let more = (one.clone() + "1 2 3 4 5 6 7 8\n", 21, "more than one more follows".into());
         let short = (one.replace("90 4", "90"), 20, "frame 2 has 7, its channels need 8".into());
-        for (text, line, words) in WRONG.lines().map(row).chain([more, short]) {
+        let root = TWO_JOINTS.lines().nth(1).unwrap();
+        let long = format!("ROOT {}", "a".repeat(1025));
+        let long = (TWO_JOINTS.replace(root, &long), 2, "more than 1024 bytes".into());
+        for (text, line, words) in WRONG.lines().map(row).chain([more, short, long]) {
             let Err(error) = read(&text) else {
                 panic!("accepted, though {words} is wrong: {text}")
             };

@@ -6,6 +6,9 @@ use crate::clip::{Axis, Channel, Joint};
 use crate::error::{BvhError, Short};
 use crate::source::{Source, Word};
 
+/// The longest name of a joint in bytes.
+const LONGEST_NAME: usize = 1024;
+
 /// Reads the tree and the word `MOTION` behind it. Joints come in file order, so parents before
 /// their children.
 pub(crate) fn read(source: &mut Source<'_>) -> Result<Vec<Joint>, BvhError> {
@@ -125,6 +128,11 @@ impl Tree {
         let name = source.next_name();
         if name.is_empty() {
             return Err(BvhError::new(line, format!("{what} without a name")));
+        }
+        // Each end site has the name of its parent once more.
+        if name.len() > LONGEST_NAME {
+            let reason = format!("the name `{}` has more than {LONGEST_NAME} bytes", Short(&name));
+            return Err(BvhError::new(line, reason));
         }
         if let Some(first) = self.lines.insert(name.clone(), line) {
             let name = Short(&name);

@@ -189,7 +189,8 @@ impl<'f> Element<'f> {
         attribute: &'static str,
     ) -> Result<Option<[f64; N]>, UrdfError> {
         let Some(text) = self.node.attribute(attribute) else { return Ok(None) };
-        let numbers: Option<Vec<f64>> = text.split_whitespace().map(number::finite).collect();
+        let numbers: Option<Vec<f64>> =
+            text.split_whitespace().take(N + 1).map(number::finite).collect();
         let numbers = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
         let error = || UrdfError::Numbers {
             line: self.line(),
