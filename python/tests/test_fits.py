@@ -156,3 +156,21 @@ def test_rules_that_are_none_are_refused(rng):
     _, points, moved = moved_points(rng)
     with pytest.raises(ValueError, match="Expected `robust` to be 'huber', 'tukey' or None, got 'cauchy'"):
         dq8.fit(points, moved, robust="cauchy")
+
+
+def test_motions_that_do_not_turn_are_refused(rng):
+    x = dq8.random(rng=rng)
+    slides = dq8.from_translation(rng.normal(size=(5, 3)))
+    for hands in (slides, dq8.identity(5)):
+        eyes = dq8.mul(dq8.mul(dq8.inverse(x), hands), x)
+        with pytest.raises(ValueError, match="axes that are not parallel"):
+            dq8.hand_eye(hands, eyes)
+        assert dq8.hand_eye(hands, eyes, full=True).ranks < 6
+
+
+def test_pairs_of_weight_zero_do_not_say_whether_hand_and_eye_move_together(rng):
+    eyes, x = dq8.random(10, rng=rng), dq8.random(rng=rng)
+    hands = dq8.mul(dq8.mul(x, eyes), dq8.inverse(x))
+    hands[4:] = dq8.random(6, rng=rng)
+    weights = np.where(np.arange(10) < 4, 1.0, 0.0)
+    assert dq8.allclose(dq8.hand_eye(hands, eyes, weights), x, atol=1e-9)

@@ -218,7 +218,7 @@ fn a_table_names_joints_and_says_what_is_wrong_in_it() {
         ("[joints]\nleft_hand = \"Hand\"", "Pelvis, "),
         ("[joints]\nhand = \"LeftHand\"", "left_hand"),
         ("[joint]\nleft_hand = \"LeftHand\"", "[joints]"),
-        ("[joints]\nleft_hand = 3", "NAME"),
+        ("[joints]\nleft_hand = 3", "the name of a joint"),
         ("[joints", "line 1"),
     ] {
         let error = own.clone().with_table(bad).unwrap_err();

@@ -50,6 +50,9 @@ export function arrows(canvas, back) {
   });
 }
 
+/** Text from a file as HTML that shows it and nothing else. */
+export const escaped = (text) => text.replace(/[&<>]/g, (letter) => `&#${letter.charCodeAt()};`);
+
 export class Scene {
   #asked = false;
   #before = 0;
@@ -109,7 +112,7 @@ export class Scene {
       if (goesOn) this.ask();
     });
   }
-  /** The line of numbers; `aloud` for screen readers too, if somebody has asked for it. */
+  /** The line of numbers, as HTML; `aloud` for screen readers too, if somebody has asked for it. */
   tell(html, aloud = false) {
     if (this.#numbers.innerHTML === html) return;
     this.#numbers.innerHTML = html;

@@ -1,6 +1,6 @@
 import { Rods } from "./gl.js";
 import { place } from "./motion.js";
-import { Scene, rgb } from "./scene.js";
+import { Scene, escaped, rgb } from "./scene.js";
 
 /** How many poses have to fit into the picture. */
 const POSES = 16;
@@ -94,7 +94,7 @@ export function yours(dq8, section) {
       ends = bounds(dq8, made);
     scene.centre = ends.map(([low, high]) => (low + high) / 2);
     scene.size = 1.3 * Math.max(1e-3, ...ends.map(([low, high]) => high - low));
-    scene.tell(file.what);
+    scene.tell(escaped(file.what));
     Object.assign(state, { name, joints: parents.length, frames });
     section.scrollIntoView();
     scene.ask();

@@ -25,16 +25,24 @@ pub(crate) struct Interrupt {
 /// The function of Python that is told how much of a call is done.
 static LISTENER: Mutex<Option<Py<PyAny>>> = Mutex::new(None);
 
+/// `true` while the listener runs. Only the main thread runs it.
+static TELLING: AtomicBool = AtomicBool::new(false);
+
 /// The listener. Nothing is held while it runs, so it may call what is here.
 fn listener(py: Python<'_>) -> Option<Py<PyAny>> {
+    // A call that the listener makes does not tell it: it would never end.
+    if TELLING.load(Ordering::Relaxed) {
+        return None;
+    }
     let listener = LISTENER.lock().unwrap_or_else(PoisonError::into_inner);
     listener.as_ref().map(|listener| listener.clone_ref(py))
 }
 
-/// Tell `callback` how much of each long call is done, a number from 0 to 1; None ends it.
+/// Tell `callback` how much of each long call is done, a number from 0 to 1; None ends it. Returns
+/// the callback that was told before.
 #[pyfunction]
-pub fn tell_progress(callback: Option<Py<PyAny>>) {
-    *LISTENER.lock().unwrap_or_else(PoisonError::into_inner) = callback;
+pub fn tell_progress(callback: Option<Py<PyAny>>) -> Option<Py<PyAny>> {
+    std::mem::replace(&mut *LISTENER.lock().unwrap_or_else(PoisonError::into_inner), callback)
 }
 
 impl Interrupt {
@@ -60,6 +68,10 @@ impl Interrupt {
 
     /// Asks Python, if it is time. In the thread of the call, detached.
     pub(crate) fn ask(&self) {
+        // What has been raised first ends the call.
+        if self.came() {
+            return;
+        }
         let period = self.began.elapsed().as_millis() as u64 / PERIOD.as_millis() as u64;
         if period <= self.asked.load(Ordering::Relaxed) {
             return;
@@ -71,7 +83,11 @@ impl Interrupt {
             if main.eq(threading.call_method0("get_ident")?)? {
                 py.check_signals()?;
                 if let Some(listener) = listener(py) {
-                    listener.call1(py, (f64::from_bits(self.part.load(Ordering::Relaxed)),))?;
+                    TELLING.store(true, Ordering::Relaxed);
+                    let part = f64::from_bits(self.part.load(Ordering::Relaxed));
+                    let told = listener.call1(py, (part,));
+                    TELLING.store(false, Ordering::Relaxed);
+                    told?;
                 }
                 return Ok(());
             }

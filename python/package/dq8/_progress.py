@@ -12,7 +12,8 @@ from . import _core
 def progress(callback: Callable[[float], object]) -> Iterator[None]:
     """Tell `callback` how much of each call in the main thread is done: a pure number from 0 to 1, about twenty times a second.
 
-    Calls of less than a twentieth of a second do not tell. What the callback raises ends the call. Each call begins at 0 again;
+    Calls of less than a twentieth of a second do not tell. What the callback raises ends the call. Each call, and each loop of a
+    call that takes several, begins at 0 again. A block within another tells its own callback alone;
     where no exception ends the block, the callback is told 1 at last.
 
     Examples
@@ -27,9 +28,9 @@ def progress(callback: Callable[[float], object]) -> Iterator[None]:
         with tqdm.tqdm(total=100) as bar, dq8.progress(lambda part: bar.update(round(100 * part) - bar.n)):
             arm.reach(targets, values, "tool")
     """
-    _core.tell_progress(callback)
+    before = _core.tell_progress(callback)
     try:
         yield
     finally:
-        _core.tell_progress(None)
+        _core.tell_progress(before)
     callback(1.0)

@@ -213,7 +213,8 @@ def mean(motions: Any, weights: Any = None, *, axis: int = -2, **options: Any) -
 def fit(points: Any, moved: Any, weights: Any = None, **options: Any) -> Any:
     """Lazy `dq8.fit`: motions, shape (..., 8), of problems (..., n, 3), the pairs of each of which are put together.
 
-    Problems without an answer are NaN, and a warning of the worker names them. There is no `full`.
+    Problems without an answer are NaN, and a warning of the worker names them by their places in the chunk; a single problem,
+    without leading dimensions, is an error. There is no `full`.
     """
     if options.get("full"):
         raise ValueError("fit: expected no `full`, whose answers are several arrays: pass chunks to `dq8.fit` by `map_blocks`.")

@@ -95,6 +95,7 @@ impl Given<'_> {
         let (hands, mut eyes) = (signed(self.hands), signed(self.eyes));
         let pairs = self.pairs;
         let mut angles = vec![0.0; pairs];
+        let mut counted = Vec::new();
         let mut left: Vec<usize> = (0..to.len()).collect();
         for round in 0..TURNS {
             let own = |all: &[[f64; 8]]| -> Vec<[f64; 8]> {
@@ -134,7 +135,12 @@ impl Given<'_> {
                 let to = &mut to[problem];
                 to[..8].copy_from_slice(&motion.to_array());
                 to[8..16].copy_from_slice(&sizes);
-                to[16] = if motion.is_finite() { median(&mut angles) } else { f64::NAN };
+                // Pairs without a weight say nothing about the others.
+                let given = self.weights.get(problem * pairs..(problem + 1) * pairs);
+                counted.clear();
+                let counts = |at: &usize| given.is_none_or(|given| given[*at] > 0.0);
+                counted.extend((0..pairs).filter(counts).map(|at| angles[at]));
+                to[16] = if motion.is_finite() { median(&mut counted) } else { f64::NAN };
                 turned
             });
             if left.is_empty() {
