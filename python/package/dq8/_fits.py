@@ -303,10 +303,10 @@ def hand_eye(
     noise = np.maximum(1e-6 * sizes[..., :1], 3 * sizes[..., 6:7])
     ranks = (sizes[..., :6] > noise).sum(axis=-1).astype(np.uint8)
     tells = ranks == 6
-    # Motions that do not turn have singular values, but no answer whose angles could be judged.
-    known = np.isfinite(sizes).all(axis=-1)
+    # Finite motions that do not turn have no finite answer either, and are told apart from those that are not finite.
+    known = (np.isfinite(a) & np.isfinite(b)).all(axis=(-2, -1))
     good = known & tells & (angles <= 0.1)
-    faults = [] if good.all() else _faults((~known, NOT_FINITE), (known & tells & ~(angles <= 0.1), NOT_TOGETHER), (known & ~tells, PARALLEL))
+    faults = [] if good.all() else _faults((~known, NOT_FINITE), (angles > 0.1, NOT_TOGETHER), (known & ~tells, PARALLEL))
     if not full:
         return _answers("hand_eye", motions, faults)
     motions = np.where((known & tells)[..., np.newaxis], motions, np.nan)
