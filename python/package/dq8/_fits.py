@@ -301,7 +301,9 @@ def hand_eye(
     motions, sizes, angles = numbers[..., :8], numbers[..., 8:16], numbers[..., 16]
     # The sixth is of axes that are not parallel, the seventh of noise: in a plane they are 1.3 to 1.6 times apart.
     noise = np.maximum(1e-6 * sizes[..., :1], 3 * sizes[..., 6:7])
-    ranks = (sizes[..., :6] > noise).sum(axis=-1).astype(np.uint8)
+    ranks = np.asarray((sizes[..., :6] > noise).sum(axis=-1), np.uint8)
+    # Where no hand turns by more than rounding, there are no axes, and what looks like them is rounding as well.
+    ranks[~(np.abs(a[..., :3]) > 1e-12).any(axis=(-2, -1))] = 0
     tells = ranks == 6
     # Finite motions that do not turn have no finite answer either, and are told apart from those that are not finite.
     known = (np.isfinite(a) & np.isfinite(b)).all(axis=(-2, -1))
