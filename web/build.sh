@@ -78,7 +78,7 @@ export RUSTC=$rustc RUSTC_BOOTSTRAP=1 CARGO_INCREMENTAL=0
 # Every browser since 2023 and node since 18 know these. Kernels say themselves what is inlined into them; of other
 # functions only the smallest are, which is two kilobytes of two modules and no time (`bench`).
 export RUSTFLAGS='-Ctarget-feature=+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext'
-RUSTFLAGS+=' -Cllvm-args=-inline-threshold=20'
+RUSTFLAGS+=' -Cllvm-args=-inline-threshold=8'
 flags=()
 if sources "$rustc"; then
   # A panic ends the module without a text: nobody could read one, and kernels do not panic. Old compilers cannot.
