@@ -43,12 +43,16 @@ export async function open({ flags = [] } = {}) {
       message.error ? reject(new Error(message.error.message)) : resolve(message.result);
     }
   });
+  // Who asks a browser that is gone gets an answer, too.
+  let ended;
   const gone = (why) => {
-    for (const { reject } of waiting.values()) reject(new Error(`Chromium: ${why}`));
+    ended = new Error(`Chromium: ${why}`);
+    for (const { reject } of waiting.values()) reject(ended);
     waiting.clear();
   };
   process_.on("exit", (code) => gone(`ended with ${code}`)).on("error", (error) => gone(error.message));
   const send = (method, params = {}, sessionId) => new Promise((resolve, reject) => {
+    if (ended) return reject(ended);
     waiting.set(++last, { resolve, reject });
     to.write(`${JSON.stringify({ id: last, method, params, sessionId })}\0`);
   });
