@@ -132,7 +132,7 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     output::write(&texts, Some(&args.clip))
 }
 
-/// Which links follow which joints.
+/// The lines that say which links follow which joints.
 fn heading(person: &Person, humanoid: &Humanoid, told: &[String]) -> String {
     let mut text = format!("{} on {humanoid}", person.title());
     for sentence in told {

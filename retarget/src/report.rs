@@ -142,7 +142,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// What soles do.
+/// The measures of the soles.
 struct Soles {
     slide: f64,
     ground: f64,
@@ -188,7 +188,7 @@ impl Soles {
     }
 }
 
-/// What joints do.
+/// The measures of the joints.
 struct Joints {
     speed: f64,
     speed_most: f64,

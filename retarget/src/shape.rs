@@ -1,4 +1,4 @@
-//! The parts of a robot by its shape, without names: two mirrored chains of hinges that reach
+//! The parts of a robot by its shape, without names: the two mirrored chains of hinges that reach
 //! lowest are legs, two more are arms, and knees bend backward.
 
 use crate::role::Role;
@@ -131,9 +131,10 @@ impl<'r> Shape<'r> {
         let tips: Vec<_> = (0..self.joints.len())
             .filter(|&link| self.moving[link] == link && self.children[link].is_empty())
             .collect();
+        let paths: Vec<_> = tips.iter().map(|&tip| self.path(tip)).collect();
         let mut pairs = Vec::new();
-        for (index, &a) in tips.iter().enumerate() {
-            pairs.extend(tips[index + 1..].iter().filter_map(|&b| self.twins(a, b)));
+        for (index, a) in paths.iter().enumerate() {
+            pairs.extend(paths[index + 1..].iter().filter_map(|b| self.twins(a, b)));
         }
         // Of rods and soles at the end of a leg, the one with most hinges before it is the foot.
         let low = |pair: &&Pair| {
@@ -173,13 +174,15 @@ impl<'r> Shape<'r> {
         0.5 * (self.at(a)[2] + self.at(b)[2])
     }
 
-    /// Returns two limbs if the chains to two tips are of at least three hinges, of the same
-    /// lengths, and mirrored.
-    fn twins(&self, a: usize, b: usize) -> Option<Pair> {
-        let (a, b) = (self.path(a), self.path(b));
-        let same = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
+    /// Returns two limbs if the paths to two tips part into chains of at least three hinges, of the
+    /// same lengths, and mirrored.
+    fn twins(&self, a: &[usize], b: &[usize]) -> Option<Pair> {
+        if a.len() != b.len() {
+            return None;
+        }
+        let same = a.iter().zip(b).take_while(|(a, b)| a == b).count();
         let (trunk, a, b) = (*a.get(same.checked_sub(1)?)?, &a[same..], &b[same..]);
-        if a.len() != b.len() || a.len() < 3 {
+        if a.len() < 3 {
             return None;
         }
         let near = |x: f64, y: f64| (x - y).abs() < 0.02 * self.height;

@@ -27,7 +27,7 @@ type Each<'f, T> = dyn Fn(T) -> bool + Sync + 'f;
 pub struct Threads {
     pool: Option<Arc<ThreadPool>>,
     interrupt: Interrupt,
-    /// Whether pieces are counted: those of the outermost loop are.
+    /// `true` while a loop counts its pieces; loops inside of it do not count theirs.
     counted: AtomicBool,
 }
 

@@ -8,7 +8,8 @@ use dq8_robot::urdf::{Robot, UrdfError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-/// Text as UTF-8 with a mark that says so, whatever it declares.
+/// Returns text as UTF-8 behind a byte order mark, which counts more than the encoding that the
+/// text itself declares.
 fn with_mark(text: &str) -> Vec<u8> {
     format!("\u{feff}{text}").into_bytes()
 }
@@ -28,8 +29,8 @@ fn bytes_of(source: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
     path.call_method0("read_bytes")?.extract()
 }
 
-/// The robot of a file, or of what is in it. Of the encodings that a file may declare Python knows
-/// all: tables of them in here would be a twentieth of the wheel.
+/// Returns the robot of a file, or of the contents of a file. Python decodes all encodings that a
+/// file may declare: tables of them in this module would be a twentieth of the wheel.
 pub(crate) fn mechanism_of(source: &Bound<'_, PyAny>) -> PyResult<Mechanism> {
     let py = source.py();
     let (encoding, bytes) = match made(py, bytes_of(source)?)? {
@@ -50,7 +51,7 @@ fn made(py: Python<'_>, bytes: Vec<u8>) -> PyResult<Result<Mechanism, Failure>> 
     if bytes.len() < LARGE { Ok(read(bytes)) } else { whole(py, || read(bytes)) }
 }
 
-/// Why there is no robot.
+/// The reason why there is no robot.
 enum Failure {
     /// The bytes must be decoded first.
     Encoding {

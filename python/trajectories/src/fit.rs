@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 /// `dq8.fit` has them.
 const NUMBERS: usize = 13;
 
-/// How many pairs are fitted between two looks at signals.
+/// The number of pairs that are fitted between two looks at signals.
 const PAIRS: usize = 4096;
 
 /// The best maps of `points` to `moved`, both (..., n, 3), with `weights` (..., n): thirteen
@@ -80,7 +80,7 @@ fn typed<'py, R: Number>(
                 let part = given.part(at / width, to.len() / width);
                 match rule {
                     None => part.fit(to.as_chunks_mut().0),
-                    Some(rule) => part.reweighted(rule, to),
+                    Some(rule) => part.reweighted(rule, &threads, to),
                 }
                 true
             });
@@ -89,7 +89,7 @@ fn typed<'py, R: Number>(
     })
 }
 
-/// Problems of equally many pairs, which follow each other.
+/// Problems that lie one after the other and have the same number of pairs.
 #[derive(Clone, Copy)]
 struct Given<'s, R> {
     points: &'s [[R; 3]],
@@ -100,7 +100,7 @@ struct Given<'s, R> {
 }
 
 impl<'s, R: Number> Given<'s, R> {
-    /// Some of them.
+    /// Returns a range of the problems.
     fn part(&self, first: usize, count: usize) -> Self {
         let own = first * self.pairs..(first + count) * self.pairs;
         Self {
@@ -131,7 +131,7 @@ impl<'s, R: Number> Given<'s, R> {
         }
     }
 
-    fn reweighted(&self, rule: Rule, to: &mut [R]) {
+    fn reweighted(&self, rule: Rule, threads: &Threads, to: &mut [R]) {
         let (pairs, width) = (self.pairs, NUMBERS + self.pairs);
         let weights: Vec<f64> =
             self.weights.unwrap_or_default().iter().map(|&weight| weight.into()).collect();
@@ -171,7 +171,7 @@ impl<'s, R: Number> Given<'s, R> {
                 }
             }
         };
-        reweighted(&of, solve, &mut factors);
+        reweighted(&of, threads, solve, &mut factors);
         for (to, factors) in to.chunks_mut(width).zip(factors.chunks(pairs)) {
             for (to, &factor) in to[NUMBERS..].iter_mut().zip(factors) {
                 *to = <R as Real>::from_f64(factor);

@@ -1,4 +1,4 @@
-//! Where a camera sits on a hand: the kernel of `dq8.hand_eye`.
+//! The kernel of `dq8.hand_eye`, which finds how a camera sits on a hand.
 
 use crate::argument::{Argument, Input};
 use crate::call::Answer;
@@ -15,10 +15,10 @@ use pyo3::prelude::*;
 /// angles that are left.
 const NUMBERS: usize = 17;
 
-/// How many pairs are solved between two looks at signals.
+/// The number of pairs that are solved between two looks at signals.
 const PAIRS: usize = 4096;
 
-/// How often a problem is solved with other signs.
+/// The number of times that a problem is solved at most, each time with other signs.
 const TURNS: usize = 4;
 
 /// The motions X with ``A X = X B`` of hands A and eyes B, both (..., n, 8), with `weights` (...,
@@ -55,7 +55,7 @@ pub fn hand_eye_pairs<'py>(
                 let part = given.part(at / width, to.len() / width);
                 match rule {
                     None => part.solve(to.as_chunks_mut().0, &mut []),
-                    Some(rule) => part.reweighted(rule, to),
+                    Some(rule) => part.reweighted(rule, &threads, to),
                 }
                 true
             });
@@ -64,18 +64,18 @@ pub fn hand_eye_pairs<'py>(
     })
 }
 
-/// Problems of equally many pairs, which follow each other.
+/// Problems that lie one after the other and have the same number of pairs.
 #[derive(Clone, Copy)]
 struct Given<'s> {
     hands: &'s [[f64; 8]],
     eyes: &'s [[f64; 8]],
-    /// None if all pairs weigh the same.
+    /// The weights of all pairs; empty if all pairs weigh the same.
     weights: &'s [f64],
     pairs: usize,
 }
 
 impl Given<'_> {
-    /// Some of them.
+    /// Returns a range of the problems.
     fn part(&self, first: usize, count: usize) -> Self {
         let own = first * self.pairs..(first + count) * self.pairs;
         let weights = self.weights.get(own.clone()).unwrap_or_default();
@@ -84,9 +84,10 @@ impl Given<'_> {
 
     /// Writes the numbers of each problem, and the lengths of all residuals if there is room.
     ///
-    /// A and B turn by the same angle, so their scalars agree: both are made not negative first. Of
-    /// turns by nearly π noise decides the sign, and the wrong one makes an outlier; so where A X
-    /// and X B have opposite signs, B gets the other one, and the problem is solved again.
+    /// A and B turn by the same angle, so their scalars agree: both are made not negative first. If
+    /// both turn by nearly π, noise decides about the sign, and the wrong sign makes an outlier.
+    /// So where A X and X B have opposite signs, the sign of B is changed, and the problem is
+    /// solved again.
     fn solve(&self, to: &mut [[f64; NUMBERS]], residuals: &mut [f64]) {
         let signed = |all: &[[f64; 8]]| -> Vec<[f64; 8]> {
             let sign = |one: &[f64; 8]| if one[3] < 0.0 { -1.0 } else { 1.0 };
@@ -149,7 +150,7 @@ impl Given<'_> {
         }
     }
 
-    fn reweighted(&self, rule: Rule, to: &mut [f64]) {
+    fn reweighted(&self, rule: Rule, threads: &Threads, to: &mut [f64]) {
         let (pairs, width) = (self.pairs, NUMBERS + self.pairs);
         let longest = |motions: &[[f64; 8]]| {
             let duals = motions.iter().flat_map(|motion| &motion[4..]);
@@ -179,7 +180,7 @@ impl Given<'_> {
                 to[problem * width..][..NUMBERS].copy_from_slice(&found);
             }
         };
-        reweighted(&of, solve, &mut factors);
+        reweighted(&of, threads, solve, &mut factors);
         for (to, factors) in to.chunks_mut(width).zip(factors.chunks(pairs)) {
             to[NUMBERS..].copy_from_slice(factors);
         }

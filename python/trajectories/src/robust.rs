@@ -1,13 +1,14 @@
 //! [`reweighted`]: weights by which outliers do not count, found by least squares again and again.
 
+use crate::threads::Threads;
 use std::cmp::Ordering;
 
-/// How much a pair counts whose residual is so many standard deviations.
+/// The rule by which a pair counts less, the more standard deviations u its residual has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rule {
-    /// min(1, k/u).
+    /// The factor min(1, k/u).
     Huber,
-    /// (1 − (u/c)²)², from c on 0.
+    /// The factor (1 − (u/c)²)², which is zero from c on.
     Tukey,
 }
 
@@ -21,19 +22,21 @@ impl Rule {
     }
 }
 
-/// The lengths of residuals whose components are normal with the standard deviation one.
+/// Numbers of the lengths of residuals whose components are normally distributed, with the standard
+/// deviation one.
 pub(crate) struct Lengths {
-    /// Their median.
+    /// The median of the lengths.
     median: f64,
-    /// The k of [`Rule::Huber`] and the c of [`Rule::Tukey`], with which 95 percent of what is
-    /// known of a mean stays known. A test of Python computes all three.
+    /// The k of [`Rule::Huber`] with which a mean has 95 % of the efficiency that it has without
+    /// the rule, and below it the c of [`Rule::Tukey`] that does the same. A test in Python
+    /// computes all three numbers.
     huber: f64,
     tukey: f64,
 }
 
-/// Of three components, as points have them.
+/// The lengths of residuals of points, which have three components.
 pub(crate) const OF_POINTS: Lengths = Lengths { median: 1.5382, huber: 1.6280, tukey: 5.4902 };
-/// Of six components, as motions have them.
+/// The lengths of residuals of motions, which have six components.
 pub(crate) const OF_MOTIONS: Lengths = Lengths { median: 2.3126, huber: 1.8693, tukey: 6.3562 };
 
 impl Lengths {
@@ -49,20 +52,20 @@ impl Lengths {
     }
 }
 
-/// More rounds than are needed where the weights settle.
+/// The number of rounds after which weights that have not settled are taken as they are.
 const ROUNDS: usize = 100;
 
 /// Some problems of equally many pairs, to be solved again and again.
 pub(crate) struct Problems<'p> {
     pub(crate) rule: Rule,
     pub(crate) lengths: &'static Lengths,
-    /// How many pairs each has.
+    /// The number of pairs of each problem.
     pub(crate) pairs: usize,
-    /// The weights of all pairs; none if all are the same.
+    /// The weights of all pairs; empty if all pairs weigh the same.
     pub(crate) weights: &'p [f64],
-    /// The standard deviation that rounding leaves, of each problem.
+    /// The standard deviation that rounding leaves in each problem.
     pub(crate) least: &'p [f64],
-    /// The change of weights that is none.
+    /// The largest change of a weight with which the weights count as settled.
     pub(crate) settled: f64,
 }
 
@@ -70,16 +73,26 @@ pub(crate) struct Problems<'p> {
 /// of the residuals.
 pub(crate) type Solve<'f> = dyn FnMut(&[usize], &[f64], &mut [f64]) + 'f;
 
-/// Solves problems until their weights settle, and writes by what each weight was multiplied. The
-/// standard deviation is that of which the median of the residuals tells. Tukey's rule begins where
-/// Huber's, which has one solution, ended, and keeps that standard deviation.
-pub(crate) fn reweighted(of: &Problems<'_>, solve: &mut Solve<'_>, factors: &mut [f64]) {
+/// Solves problems until their weights settle, or until `threads` are interrupted, and writes the
+/// factor by which each weight was multiplied. The standard deviation is computed from the median
+/// of the residuals. Tukey's rule begins where Huber's, which has one solution, ended, and keeps
+/// that standard deviation.
+pub(crate) fn reweighted(
+    of: &Problems<'_>,
+    threads: &Threads,
+    solve: &mut Solve<'_>,
+    factors: &mut [f64],
+) {
     factors.fill(1.0);
     let pairs = of.pairs;
     let mut active: Vec<usize> = (0..of.least.len()).collect();
     let mut known = vec![None; active.len()];
     let (mut weights, mut residuals, mut sorted) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..ROUNDS {
+        // A single problem may have millions of pairs.
+        if threads.interrupted() {
+            return;
+        }
         weights.clear();
         for &problem in &active {
             let own = problem * pairs..(problem + 1) * pairs;

@@ -138,7 +138,8 @@ pub struct Tracking<R> {
     pub options: Options<R>,
     /// The weight of a radian of distance from the [posture](super::Reach::with_posture), relative
     /// to a radian of distance from a target. It acts in every step. With zero, the default, the
-    /// posture uses only the freedom that the goals leave, after the targets are reached.
+    /// posture uses only the freedom that the goals leave, after the targets are reached; beside
+    /// another weight that is not zero it does nothing.
     pub posture_weight: R,
     /// The weight of a radian of distance from the start. If a target moves, the start is the
     /// solution of the previous frame. It keeps joints that the goals hardly determine from
