@@ -216,3 +216,16 @@ fn carried_rigidly(robot: &Robot, foot: usize, mut link: usize) -> bool {
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Sole;
+    use dq8::DualQuat;
+
+    #[test]
+    fn each_point_of_a_sole_has_a_radius_of_its_own() {
+        // The corner of a box, and a ball that ends as low.
+        let sole = Sole { points: vec![([0.0, 0.0, -0.05], 0.0), ([0.0, 0.0, -0.03], 0.02)] };
+        assert_eq!(sole.lowest(DualQuat::IDENTITY), -0.05);
+    }
+}
