@@ -740,7 +740,7 @@ fn names_come_before_shapes_and_tables_before_both() {
     assert_eq!(again.table(), humanoid.table());
     // A joint has no centre of its own.
     let person = person(&biped::clip());
-    let table = "[joints]\nleft_hand = { link = \"left_hand\", centre = \"left_hand\" }\n";
+    let table = "[joints]\nleft_hand = { link = \"LeftHand\", centre = \"LeftHand\" }\n";
     let error = person.with_table(table).unwrap_err();
     assert!(matches!(error, RetargetError::Table { .. }), "{error}");
     // A wrong table does not pass.
