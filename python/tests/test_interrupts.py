@@ -24,6 +24,7 @@ SHARED = ["mean", "mean of few", "dib_windows", "Mechanism.reach", "Mechanism.so
 CHILD = """
 import signal, sys, threading, time
 import numpy as np, dq8
+from test_interrupts import in_line
 # What a shell starts in the background ignores interrupts, and so do its children.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 sys.setswitchinterval(0.001)
@@ -32,11 +33,12 @@ arm = dq8.Mechanism([-1, 0], "revolute", [0, 0, 1], dq8.from_translation([1.0, 0
 chain = dq8.Mechanism([-1] + list(range(2_000)), ["revolute"] + ["fixed"] * 2_000, [0, 0, 1], dq8.from_translation([1e-3, 0, 0]))
 stood, ends = [0.0], False
 def run():
-    last = time.monotonic()
+    last, kept = time.monotonic(), in_line("self")
     while not ends:
         time.sleep(0.002)
-        now = time.monotonic()
-        stood[0], last = max(stood[0], now - last), now
+        now, keeps = time.monotonic(), in_line("self")
+        stood[0] = max(stood[0], now - last - sum(keeps[thread] - kept.get(thread, 0.0) for thread in keeps))
+        last, kept = now, keeps
 threading.Thread(target=run, daemon=True).start()
 for line in sys.stdin:
     setup, call = line.rstrip("\\n").split("\\t")
@@ -64,14 +66,14 @@ for line in sys.stdin:
 SOON = 0.2
 
 
-def in_line(process: int) -> float:
-    """Seconds for which threads of a process were ready to run, and other processes had the cores: Linux counts them."""
-    waited = 0
-    for task in Path("/proc").glob(f"{process}/task/*"):
+def in_line(process: object) -> dict[str, float]:
+    """Seconds for which each thread of a process was ready to run, and others had the cores: Linux counts them."""
+    seconds = {}
+    for thread in Path("/proc").glob(f"{process}/task/*"):
         # A thread may end meanwhile, and Linux may be built without these counts.
         with contextlib.suppress(OSError):
-            waited += int((task / "schedstat").read_text().split()[1])
-    return waited / 1e9
+            seconds[thread.name] = int((thread / "schedstat").read_text().split()[1]) / 1e9
+    return seconds
 
 
 class Child:
@@ -94,13 +96,13 @@ class Child:
     def wait(self) -> tuple[float, float]:
         """Both without the time that other processes took from this one."""
         assert self.process.stdout.readline() == "begins\n"
-        before = in_line(self.process.pid)
         time.sleep(0.1)
-        sent, until_sent = time.monotonic(), in_line(self.process.pid)
+        sent, before = time.monotonic(), in_line(self.process.pid)
         self.process.send_signal(signal.SIGINT)
         stood = float(self.process.stdout.readline())
-        waited, until_now = time.monotonic() - sent, in_line(self.process.pid)
-        return waited - (until_now - until_sent), stood - (until_now - before)
+        waited, after = time.monotonic() - sent, in_line(self.process.pid)
+        # Threads that compute side by side wait side by side.
+        return waited - max((after[thread] - before.get(thread, 0.0) for thread in after), default=0.0), stood
 
 
 @pytest.fixture(scope="module")
