@@ -4,12 +4,13 @@
 //! ```text
 //! cargo run --release --example retarget -- \
 //!   ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ] \
-//!   [--speed RAD/S] [--csv OUT] [--svg OUT]
+//!   [--speed RAD/S] [--csv OUT] [--svg OUT] [--targets OUT]
 //! ```
 //!
 //! The crate `dq8-retarget` does the work. The program prints the roles of links and joints, the
 //! measures of the motion, and how long searches take.
 
+mod goals;
 mod picture;
 mod track;
 
@@ -25,7 +26,7 @@ use std::str::FromStr;
 
 const USAGE: &str = "\
 usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ]
-                [--speed RAD/S] [--csv OUT] [--svg OUT]
+                [--speed RAD/S] [--csv OUT] [--svg OUT] [--targets OUT]
 
   --map FILE      a table of TOML that gives roles to links and joints, where names and the shape do not:
                     [links]
@@ -43,6 +44,7 @@ usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--an
   --speed RAD/S   the greatest speed of all joints; with `file` that of each joint in the robot's file
   --csv OUT       write the joint values, one row per frame
   --svg OUT       draw the clip and the robot at several moments
+  --targets OUT   write the goals of the search and their targets as JSON, for other programs
 ";
 
 #[derive(Debug, PartialEq)]
@@ -53,11 +55,22 @@ struct Args {
     settings: Settings,
     csv: Option<PathBuf>,
     svg: Option<PathBuf>,
+    targets: Option<PathBuf>,
 }
 
 fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
-    let options = ["--map", "--fps", "--rest", "--ankle", "--smooth", "--speed", "--csv", "--svg"];
-    read(words, options, |[map, fps, rest, ankle, smooth, speed, csv, svg], others| {
+    let options = [
+        "--map",
+        "--fps",
+        "--rest",
+        "--ankle",
+        "--smooth",
+        "--speed",
+        "--csv",
+        "--svg",
+        "--targets",
+    ];
+    read(words, options, |[map, fps, rest, ankle, smooth, speed, csv, svg, targets], others| {
         let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
             .map_err(|files| format!("two files are needed, and {} given", files.len()))?;
         let positive = |number: &f64| *number > 0.0 && number.is_finite();
@@ -74,7 +87,7 @@ fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Str
             },
             ..own
         };
-        Ok(Args { robot, clip, map, settings, csv, svg })
+        Ok(Args { robot, clip, map, settings, csv, svg, targets })
     })
 }
 
@@ -125,8 +138,12 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &args.csv {
         texts.push((path, csv(&humanoid, &motion.values, motion.step)?.into()));
     }
+    let targets = || Targets::new(&person, &humanoid, &args.settings);
+    if let Some(path) = &args.targets {
+        texts.push((path, goals::json(&person, &humanoid, &targets()?, &motion)?.into()));
+    }
     if let Some(path) = &args.svg {
-        let targets = Targets::new(&person, &humanoid, &args.settings)?;
+        let targets = targets()?;
         texts.push((path, picture::draw(&person, &humanoid, &targets, &motion.values)?.into()));
     }
     output::write(&texts, Some(&args.clip))

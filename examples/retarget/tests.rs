@@ -1,6 +1,6 @@
 //! The embedded biped on the repository's humanoid.
 
-use crate::{Args, csv, heading, parse, picture, track};
+use crate::{Args, csv, goals, heading, parse, picture, track};
 use dq8_fixtures::legible::illegible;
 use dq8_retarget::{Humanoid, Person, Settings, Targets, retarget};
 use mocap::biped;
@@ -29,6 +29,9 @@ fn texts_have_a_row_for_each_frame_and_pictures_are_legible() {
     assert_eq!(text.lines().count(), targets.frames() + 1);
     let picture = picture::draw(&person, &humanoid, &targets, &motion.values).unwrap();
     assert_eq!(illegible(&picture), [""; 0]);
+    let text = goals::json(&person, &humanoid, &targets, &motion).unwrap();
+    assert_eq!(text.lines().filter(|line| line.contains("\"role\"")).count(), targets.goals.len());
+    assert_eq!(text.matches("[[").count(), 1 + targets.frames());
     let text = heading(&person, &humanoid, &motion.told);
     assert!(text.contains("left_foot       left_foot\n"), "{text}");
 }

@@ -2,7 +2,7 @@
 
 use crate::Person;
 use crate::collision::Sole;
-use dq8::scalar::vector::{add, norm, scale, sub};
+use dq8::scalar::vector::{add, dot, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
 use std::ops::Range;
 
@@ -16,6 +16,9 @@ const LOW: f64 = 0.04;
 
 /// A foot that stands for a shorter time does not stand. Seconds.
 const SHORTEST: f64 = 0.1;
+
+/// The cosine of an eighth of a round.
+const FLAT: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
 /// A foot of the robot.
 #[derive(Clone, Debug)]
@@ -82,6 +85,26 @@ impl Foot {
     /// Returns `true` if the foot stands in a frame.
     pub(crate) fn stands_in(&self, frame: usize) -> bool {
         self.stands.iter().any(|run| run.contains(&frame))
+    }
+
+    /// Turns the targets of the foot about its goal so that the sole is flat in the mean of all
+    /// frames in which it stands. In the rest pose the person's foot may not be flat, and the
+    /// robot's foot is not turned as it is there.
+    pub(crate) fn level(&self, targets: &mut [DualQuat<f64>], goals: usize) {
+        let own = || targets.iter().skip(self.goal).step_by(goals).enumerate();
+        let standing = own().filter(|&(frame, _)| self.stands_in(frame));
+        let up = standing.fold([0.0; 3], |sum, (_, target)| {
+            add(sum, target.rotation().conjugate().rotate([0.0, 0.0, 1.0]))
+        });
+        // A foot that is turned by more than an eighth of a round stands in another way.
+        if dot(up, self.normal) <= FLAT * norm(up) {
+            return;
+        }
+        let turn = Quat::from_rotation_arc(self.normal, over_norm(up, norm(up)));
+        for target in targets.iter_mut().skip(self.goal).step_by(goals) {
+            let rotation = (target.rotation() * turn).normalize();
+            *target = DualQuat::from_rotation_translation(rotation, target.translation());
+        }
     }
 
     /// Returns the pose of the link if the goal has this target.

@@ -103,6 +103,9 @@ impl Humanoid {
             Some(Part { link, centre, source: Source::Name })
         };
         let mut named = Role::ALL.map(by_name);
+        if are_arms(&shape, &body, &named) {
+            body = Body::default();
+        }
         self.told.extend(exchanged(&shape, &mut body, &named));
         if body.legs.is_some() && body.is_front_assumed {
             self.told.push("the knees do not tell where front is".to_owned());
@@ -221,6 +224,20 @@ impl Humanoid {
     pub(crate) fn sole(&self, poses: &[DualQuat<f64>], role: Role) -> Option<Sole> {
         Sole::of(&self.robot, &self.collisions, poses, self.part(role)?.link)
     }
+}
+
+/// Returns `true` if the names say that the legs of the shape are arms: the arms of a robot that
+/// has no legs reach lowest, too.
+fn are_arms(shape: &Shape<'_>, body: &Body, named: &[Option<Part>; Role::COUNT]) -> bool {
+    let arms = [Role::LeftShoulder, Role::LeftElbow, Role::LeftHand].into_iter().chain([
+        Role::RightShoulder,
+        Role::RightElbow,
+        Role::RightHand,
+    ]);
+    let mut links = arms.filter_map(|role| Some(named[role as usize]?.link));
+    body.legs.as_ref().is_some_and(|legs| {
+        links.any(|link| legs.limbs.iter().any(|limb| shape.place_on(limb, link).is_some()))
+    })
 }
 
 /// Exchanges left and right of the shape where the names of most parts say the opposite, and

@@ -151,6 +151,7 @@ impl Targets {
             let mut foot = Foot { goal, point, sole, normal, stands: Vec::new() };
             let joints = feet::joints_of_the_foot(person, place.joint);
             foot.find(&self.skeleton, person.joint_names().len(), &joints, self.step);
+            foot.level(&mut self.poses, self.goals.len());
             self.feet.push(foot);
         }
         if is_assumed {
