@@ -63,7 +63,7 @@ test("the crowd moves, WebGL draws it, and its palettes are those of plain JavaS
   const [difference, feet] = await page.evaluate(`(() => {
     document.getElementById("pause").checked = true;
     dq8.crowd.compare();
-    for (let i = 0; i < 15; i++) dq8.crowd.frame(0.037);
+    for (let i = 0; i < 25; i++) dq8.crowd.frame(0.037);
     return [dq8.crowd.crowd.difference(), dq8.crowd.crowd.feet()];
   })()`);
   assert.ok(difference < 2e-4 && feet < 2e-5, `${difference} and ${feet}`);
