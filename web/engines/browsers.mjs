@@ -128,7 +128,9 @@ export async function drive(name) {
   const screen = ["-a", "-s", "-screen 0 1280x1000x24"], printed = [];
   // A group of its own, whose processes end together.
   const started = spawn("xvfb-run", [...screen, ...program(port, profile)], { env, detached: true });
-  for (const pipe of [started.stdout, started.stderr]) pipe.setEncoding("utf8").on("data", (text) => printed.push(text));
+  for (const pipe of [started.stdout, started.stderr]) {
+    pipe.setEncoding("utf8").on("data", (text) => printed.push(text));
+  }
   async function close() {
     const gone = new Promise((gone) => started.once("exit", gone));
     if (started.exitCode === null) {

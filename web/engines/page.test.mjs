@@ -1,5 +1,6 @@
-// The page in the engine that the variable `ENGINE` names: it draws and moves, opens files, hears keys, and says nothing
-// to the console. `web/tests` has the rest, in Chromium. A picture is left in `web/target/engines`.
+// The page in the engine that the variable `ENGINE` names: it draws and moves, opens files, hears keys,
+// and says nothing to the console. `web/tests` has the rest, in Chromium. A picture is left in
+// `web/target/engines`.
 import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
