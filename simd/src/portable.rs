@@ -187,15 +187,9 @@ macro_rules! wide_lanes {
                 }
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
-                    #[cfg(any(
-                        all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"),
-                        all(target_arch = "wasm32", target_feature = "simd128")
-                    ))]
+                    #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
                     return singles::sum_quads(vectors);
-                    #[cfg(not(any(
-                        all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"),
-                        all(target_arch = "wasm32", target_feature = "simd128")
-                    )))]
+                    #[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
                     {
                         let [a, b, c, d] = Self::$transpose(vectors);
                         (a + c) + (b + d)

@@ -61,31 +61,6 @@ fn blended<R: Scalar, V: Level>(
     sum
 }
 
-/// Returns the three rows in a register each.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn rows<R: Scalar, V: Level>(level: V, (two, third): Rows<R, V>) -> [R::Half<V>; 3] {
-    let two = two.to_array();
-    let [first, second]: &[[R; 4]; 2] = bytemuck::cast_ref(&two);
-    [R::Half::load(level, first), R::Half::load(level, second), third]
-}
-
-/// Returns the products of the rows of a blended matrix with a point, which is the first three of
-/// four components. `one` has one in the lanes of the fourth component, and zero in all others.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn products<R: Scalar, V: Level>(
-    level: V,
-    matrices: [&[R; 12]; GROUP],
-    weights: [R; GROUP],
-    point: &[R; 4],
-    one: Rows<R, V>,
-) -> Option<Rows<R, V>> {
-    let sum = blended::<R, V>(level, matrices, weights)?;
-    let fourth = (one.0.constant(0.0).lt(one.0), one.1.constant(0.0).lt(one.1));
-    let twice = R::Packed::select(fourth.0, one.0, R::Packed::load_twice(level, point));
-    let once = R::Half::select(fourth.1, one.1, R::Half::load(level, point));
-    Some((sum.0 * twice, sum.1 * once))
-}
-
 impl<R: Scalar> Blender<R> for Linear<'_, R> {
     type Sum<L: Lanes<Real = R>> = [[L; 4]; 3];
     type Map<L: Lanes<Real = R>> = LinearMap<L>;
@@ -146,57 +121,27 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         let (picked, weights) = skin.in_place(first, count, palette)?;
         let one = [R::ZERO, R::ZERO, R::ZERO, R::ONE];
         let one: Rows<R, V> = (R::Packed::load_twice(level, &one), R::Half::load(level, &one));
+        let fourth = (one.0.constant(0.0).lt(one.0), one.1.constant(0.0).lt(one.1));
         let mut four = 0;
         while four < count {
+            let (mut two, mut third) = ([one.0; 4], [one.1; 4]);
             let weights: &[_; 4] = weights.get(four..four + 4)?.first_chunk()?;
             let points: &[R; 13] = rest.get(3 * four..)?.first_chunk()?;
-            let posed = posed.get_mut(four..four + 4)?;
-            let [a, b, c, d] = [
-                products(
-                    level,
-                    picked.records(four)?,
-                    weights[0],
-                    points[..4].first_chunk()?,
-                    one,
-                )?,
-                products(
-                    level,
-                    picked.records(four + 1)?,
-                    weights[1],
-                    points[3..7].first_chunk()?,
-                    one,
-                )?,
-                products(
-                    level,
-                    picked.records(four + 2)?,
-                    weights[2],
-                    points[6..10].first_chunk()?,
-                    one,
-                )?,
-                products(
-                    level,
-                    picked.records(four + 3)?,
-                    weights[3],
-                    points[9..].first_chunk()?,
-                    one,
-                )?,
-            ];
-            if const { R::Lanes::<V>::LANES == 4 } {
-                // Each register of `two` is two registers here, so the sums are computed in the
-                // order of memory, and nothing is shuffled to store them.
-                let [[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]] =
-                    [rows(level, a), rows(level, b), rows(level, c), rows(level, d)];
-                let [first, second, third] = bytemuck::cast_slice_mut(posed) else { return None };
-                R::Half::sum_quads([ax, ay, az, bx]).store(first);
-                R::Half::sum_quads([by, bz, cx, cy]).store(second);
-                R::Half::sum_quads([cz, dx, dy, dz]).store(third);
-            } else {
-                let xy = R::Packed::sum_quads([a.0, b.0, c.0, d.0]).to_array();
-                let [x, y]: &[[R; 4]; 2] = bytemuck::cast_ref(&xy);
-                let (x, y) = (R::Half::load(level, x), R::Half::load(level, y));
-                let z = R::Half::sum_quads([a.1, b.1, c.1, d.1]);
-                Records::store_records([x, y, z], posed);
+            let mut which = 0;
+            while which < 4 {
+                let vertex = four + which;
+                let sum = blended::<R, V>(level, picked.records(vertex)?, weights[which])?;
+                let point = points[3 * which..].first_chunk()?;
+                let twice = R::Packed::select(fourth.0, one.0, R::Packed::load_twice(level, point));
+                let once = R::Half::select(fourth.1, one.1, R::Half::load(level, point));
+                (two[which], third[which]) = (sum.0 * twice, sum.1 * once);
+                which += 1;
             }
+            let xy = R::Packed::sum_quads(two).to_array();
+            let [x, y]: &[[R; 4]; 2] = bytemuck::cast_ref(&xy);
+            let (x, y) = (R::Half::load(level, x), R::Half::load(level, y));
+            let z = R::Half::sum_quads(third);
+            Records::store_records([x, y, z], posed.get_mut(four..four + 4)?);
             four += 4;
         }
         Some(count)
