@@ -6,6 +6,7 @@ const section = (id) => document.getElementById(id),
   bar = reading.querySelector("progress");
 /** So soon, in milliseconds, no bar is shown. */
 const SOON = 150;
+const KINDS = /\.(glb|bvh|urdf)$/i;
 let giveUp;
 
 function tell(text, bad) {
@@ -18,6 +19,7 @@ function read(kind, file) {
   return new Promise((resolve, reject) => {
     const worker = new Worker(new URL("reader.js", import.meta.url), { type: "module" }),
       shown = setTimeout(() => (reading.hidden = false), SOON);
+    let answers = false;
     const end = () => {
       clearTimeout(shown);
       worker.terminate();
@@ -31,14 +33,16 @@ function read(kind, file) {
     bar.removeAttribute("value");
     reading.querySelector("span").textContent = `Reading ${file.name}`;
     worker.onmessage = ({ data: { part, made, error } }) => {
+      answers = true;
       if (part !== undefined) return void (bar.value = part);
       end();
       if (made) resolve(made);
       else reject(new Error(error));
     };
-    worker.onerror = ({ message }) => {
+    worker.onerror = ({ message = "no reason is known" }) => {
       end();
-      reject(new Error(message ?? "this browser has no workers that are modules"));
+      const why = answers ? "its reader failed" : "its reader, a worker that is a module, does not start";
+      reject(new Error(`${why}${answers ? "" : ", as in browsers before 2023"}: ${message}`));
     };
     worker.postMessage({ kind, file });
   });
@@ -46,7 +50,13 @@ function read(kind, file) {
 
 /** Plays files; a bad one is told, and changes nothing. */
 export function opening(robot, yours) {
-  async function open(file) {
+  /** Of several files, the first that is played here. */
+  function open(files) {
+    const file = files.find(({ name }) => KINDS.test(name)) ?? files[0],
+      others = files.filter((other) => other !== file).map(({ name }) => name);
+    if (file) play(file, others.length ? `; one file is taken at a time, so not ${others.join(", ")}` : "");
+  }
+  async function play(file, more) {
     giveUp?.();
     try {
       const kind = /\.(\w+)$/.exec(file.name)?.[1].toLowerCase();
@@ -58,16 +68,19 @@ export function opening(robot, yours) {
         const made = await read(kind, file);
         if (!made) return tell(`${file.name}: given up`);
         what = yours.show(file.name, made);
-      } else throw new Error("none of .glb, .bvh, .urdf");
-      tell(`${file.name}: ${what}`);
+      } else {
+        const hint = kind === "gltf" ? "; a .glb has in one file what a .gltf has in several" : "";
+        throw new Error(`none of .glb, .bvh, .urdf${hint}`);
+      }
+      tell(`${file.name}: ${what}${more}`);
     } catch (error) {
-      tell(`${file.name}: ${error.message}`, true);
+      tell(`${file.name}: ${error.message}${more}`, true);
       told.scrollIntoView({ block: "center" });
     }
   }
   reading.querySelector("button").addEventListener("click", () => giveUp?.());
   section("file").addEventListener("change", ({ target }) => {
-    for (const file of target.files) open(file);
+    open([...target.files]);
     target.value = "";
   });
   addEventListener("dragover", (event) => {
@@ -78,6 +91,6 @@ export function opening(robot, yours) {
   addEventListener("drop", (event) => {
     event.preventDefault();
     document.body.classList.remove("over");
-    for (const file of event.dataTransfer.files) open(file);
+    open([...event.dataTransfer.files]);
   });
 }

@@ -6,7 +6,7 @@ import { test } from "node:test";
 const MOST = 120;
 
 test(`lines have at most ${MOST} characters`, () => {
-  for (const folder of ["package", "bundlers", "page", "tests", "bench"]) {
+  for (const folder of ["package", "bundlers", "page", "tests", "bench", "engines"]) {
     for (const name of readdirSync(new URL(`../${folder}`, import.meta.url))) {
       if (!/\.(m?js|m?ts|html)$/.test(name)) continue;
       const lines = readFileSync(new URL(`../${folder}/${name}`, import.meta.url), "utf8").split("\n");

@@ -18,9 +18,9 @@ const ISOLATED = { "cross-origin-opener-policy": "same-origin", "cross-origin-em
 
 /**
  * Serves until `close`; `extra` maps further prefixes to folders, such as those of npm. Isolated
- * pages have the finer clock.
+ * pages have the finer clock; `first` is put before all else in them.
  */
-export async function serve(port = 0, { extra = {}, isolated = false } = {}) {
+export async function serve(port = 0, { extra = {}, isolated = false, first = "" } = {}) {
   const headers = isolated ? ISOLATED : {};
   const server = createServer(async (request, answer) => {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
@@ -29,7 +29,8 @@ export async function serve(port = 0, { extra = {}, isolated = false } = {}) {
       if (folder === ROOT && !/^\/((web|robot)\/|README\.md$)/.test(path)) throw new Error("not served");
       const body = await readFile(join(folder, path.slice(prefix.length)));
       const type = TYPES[extname(path)] ?? "application/octet-stream";
-      answer.writeHead(200, { ...headers, "content-type": type }).end(body);
+      const told = type === TYPES[".html"] ? String(body).replace(/^<!doctype html>/, (kind) => kind + first) : body;
+      answer.writeHead(200, { ...headers, "content-type": type }).end(told);
     } catch {
       answer.writeHead(404).end(`${path}: not found`);
     }

@@ -88,6 +88,7 @@
 mod element;
 mod error;
 mod file;
+mod names;
 mod number;
 mod robot;
 mod tree;

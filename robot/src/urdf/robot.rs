@@ -1,11 +1,11 @@
 use super::error::{UrdfError, UrdfWarning};
 use super::file::{Drive, File, Name};
-use super::tree::{Leader, Node, leaders, nodes};
+use super::names::Names;
+use super::tree::{Leader, Node, leaders, named, nodes};
 use super::xml;
 use crate::{Joint, JointKind, Mechanism, MechanismError, Mimic, OwnedMechanism};
 use dq8::internal::{brief, errors};
 use dq8::{DualQuat, Real, Skeleton};
-use std::collections::HashMap;
 use std::fmt;
 use std::iter::repeat_n;
 use std::path::Path;
@@ -19,8 +19,8 @@ pub struct Robot {
     pub(super) drives: Vec<Drive>,
     pub(super) mechanism: OwnedMechanism<f64>,
     pub(super) link_names: Vec<String>,
-    /// The index of each link, by its name.
-    pub(super) links: HashMap<String, usize>,
+    /// The order of `link_names`.
+    pub(super) links: Names,
     pub(super) joint_names: Vec<Option<String>>,
     pub(super) value_names: Vec<String>,
     pub(super) warnings: Vec<UrdfWarning>,
@@ -66,18 +66,12 @@ impl Robot {
     }
 
     fn from_elements(robot: File) -> Result<Self, UrdfError> {
-        let mut by_name = HashMap::new();
-        for (number, Name { text, line }) in robot.joints.iter().map(|j| &j.name).enumerate() {
-            if let Some(first) = by_name.insert(text.as_str(), number) {
-                let (line, name, first) = (*line, text.clone(), robot.joints[first].name.line);
-                return Err(UrdfError::Twice { line, element: "joint", name, first });
-            }
-        }
+        let joints_by_name = named("joint", &robot.joints, |joint| &joint.name)?;
         let nodes = nodes(&robot)?;
-        let leaders = leaders(&robot.joints, &by_name)?;
-        let links: HashMap<_, _> =
-            nodes.iter().enumerate().map(|(index, node)| (node.link.text.clone(), index)).collect();
-        let link = |name: &Name| links.get(&name.text).copied().unwrap_or_default();
+        let leaders = leaders(&robot.joints, &joints_by_name)?;
+        let name_of = |index: usize| nodes[index].link.text.as_str();
+        let links = Names::new((0..nodes.len()).map(name_of));
+        let link = |name: &Name| links.find(&name.text, name_of).unwrap_or_default();
         let (mut joints, mut narrowed) = (Vec::with_capacity(nodes.len()), Vec::new());
         for node in &nodes {
             let Some(number) = node.joint else {
@@ -226,7 +220,7 @@ impl Robot {
     #[must_use]
     #[doc(alias("find_link", "get_frame_id"))]
     pub fn link(&self, name: &str) -> Option<usize> {
-        self.links.get(name).copied()
+        self.links.find(name, |index| &self.link_names[index])
     }
 
     /// Returns the names of the joints, indexed by the link that the joint carries; `None` for a
@@ -410,7 +404,7 @@ impl Robot {
         if self.link(name).is_some() || self.joint(name).is_some() {
             return Err(ChangeError::Taken { name: name.into() });
         }
-        self.links.insert(name.into(), self.joints.len());
+        self.links.push(name, |index| &self.link_names[index]);
         self.joints.push(Joint::fixed(Some(parent), pose));
         self.drives.push(Drive::FREE);
         self.link_names.push(name.into());

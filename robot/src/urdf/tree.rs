@@ -2,8 +2,8 @@
 
 use super::error::{UrdfError, UrdfWarning};
 use super::file::{File, JointElement, Name};
+use super::names::Names;
 use crate::mechanism::step::{common_range, unlimited};
-use std::collections::HashMap;
 
 /// A link, and the index of the joint that carries it, unless the link is the root.
 #[derive(Clone, Copy)]
@@ -12,22 +12,29 @@ pub(crate) struct Node<'u> {
     pub(crate) joint: Option<usize>,
 }
 
+/// Returns the order of the names of `elements`, which must differ.
+pub(crate) fn named<E>(
+    element: &'static str,
+    elements: &[E],
+    name: impl Fn(&E) -> &Name,
+) -> Result<Names, UrdfError> {
+    let name_of = |index: usize| name(&elements[index]).text.as_str();
+    let names = Names::new((0..elements.len()).map(name_of));
+    let Some([second, first]) = names.twice(name_of) else { return Ok(names) };
+    let Name { text, line } = name(&elements[second]).clone();
+    Err(UrdfError::Twice { line, element, name: text, first: name(&elements[first]).line })
+}
+
 /// Returns the links in the order of the file, except that a parent comes before its children.
 pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
-    let mut numbers: HashMap<&str, usize> = HashMap::new();
-    for (number, link) in robot.links.iter().enumerate() {
-        if let Some(first) = numbers.insert(&link.text, number) {
-            let (line, name) = (link.line, link.text.clone());
-            let first = robot.links[first].line;
-            return Err(UrdfError::Twice { line, element: "link", name, first });
-        }
-    }
+    let numbers = named("link", &robot.links, |link| link)?;
     // For each link, `carried` holds the joint that carries it and the parent link; `None` for the
     // root.
     let mut carried: Vec<Option<(usize, usize)>> = vec![None; robot.links.len()];
     for (number, joint) in robot.joints.iter().enumerate() {
         let link = |element, name: &Name| {
-            numbers.get(name.text.as_str()).copied().ok_or_else(|| UrdfError::Unknown {
+            let found = numbers.find(&name.text, |link| &robot.links[link].text);
+            found.ok_or_else(|| UrdfError::Unknown {
                 line: name.line,
                 joint: joint.name.text.clone(),
                 element,
@@ -111,7 +118,7 @@ impl Leader {
 /// joint mimics a third joint.
 pub(crate) fn leaders(
     joints: &[JointElement],
-    by_name: &HashMap<&str, usize>,
+    by_name: &Names,
 ) -> Result<Vec<Option<Leader>>, UrdfError> {
     let mut leaders: Vec<Option<Leader>> = vec![None; joints.len()];
     for first in 0..joints.len() {
@@ -125,7 +132,8 @@ pub(crate) fn leaders(
                 joint: from.name.text.clone(),
                 other: other.text.clone(),
             };
-            let leader = *by_name.get(other.text.as_str()).ok_or_else(|| UrdfError::Unknown {
+            let found = by_name.find(&other.text, |joint| &joints[joint].name.text);
+            let leader = found.ok_or_else(|| UrdfError::Unknown {
                 line: other.line,
                 joint: from.name.text.clone(),
                 element: "mimic joint",

@@ -3,7 +3,6 @@
 
 use super::error::{UrdfError, UrdfWarning};
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 
 /// The text of a file, decoded from its bytes, and facts about the decoding.
 struct Decoded<'b> {
@@ -129,7 +128,7 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
     // Some editors leave a byte order mark at the beginning, or NUL or Ctrl-Z at the end.
     let text = text.trim_start_matches('\u{feff}').trim_end_matches(['\0', '\u{1a}']);
     let mut out = String::with_capacity(text.len());
-    let (mut used, mut declared) = (BTreeSet::new(), BTreeSet::new());
+    let (mut used, mut declared) = (Vec::new(), Vec::new());
     let (mut rest, mut depth, mut root) = (text, 0_usize, None);
     let line = |rest: &str| newlines(&text[..text.len() - rest.len()]).count() as u32 + 1;
     while let Some(at) = rest.find('<') {
@@ -158,9 +157,9 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
             let name = tag[..name].trim_end_matches('/');
             for (prefix, local) in colons.into_iter().map(|colon| around(tag, colon)) {
                 match (prefix, root) {
-                    ("xmlns", None) => declared.insert(local),
+                    ("xmlns", None) => declared.push(local),
                     ("xmlns" | "xml" | "", _) => continue,
-                    _ => used.insert(prefix),
+                    _ => used.push(prefix),
                 };
             }
             root.get_or_insert(out.len() + name.len());
@@ -187,7 +186,12 @@ pub(crate) fn strict(text: &str) -> Result<String, UrdfError> {
         rest = after;
     }
     out.push_str(rest);
-    let unknown: Vec<_> = used.difference(&declared).collect();
+    for names in [&mut used, &mut declared] {
+        names.sort_unstable();
+        names.dedup();
+    }
+    used.retain(|prefix| declared.binary_search(prefix).is_err());
+    let unknown = used;
     let root = root.unwrap_or_default();
     // The declarations of prefixes become attributes of the root, and the strict reader searches
     // all of them for each name. Their count is limited, so that this search stays quick.

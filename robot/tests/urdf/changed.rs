@@ -62,3 +62,18 @@ fn a_tool_is_a_link_on_the_one_that_is_named() {
     assert!(unknown.to_string().contains(&last), "{unknown}");
     assert!(matches!(robot.with_tool("pen", &last, pose()), Err(ChangeError::Taken { .. })));
 }
+
+#[test]
+fn tools_are_found_by_their_names_in_whatever_order_these_come() {
+    let last = arm().link_names().last().unwrap().clone();
+    let names = ["pen", "a", "zoom", "pencil", "0", "pe"];
+    let robot =
+        names.iter().fold(arm(), |robot, name| robot.with_tool(name, &last, pose()).unwrap());
+    assert_eq!(robot.link_names().len(), arm().link_names().len() + names.len());
+    for (index, name) in robot.link_names().iter().enumerate() {
+        assert_eq!(robot.link(name), Some(index));
+    }
+    for name in ["", "p", "penc", "zz"] {
+        assert_eq!(robot.link(name), None, "{name}");
+    }
+}
