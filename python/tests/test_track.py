@@ -290,6 +290,26 @@ def test_steady_robots_stand_still_beyond_reach(arm):
     assert (values[-1] == values[-10]).all()
 
 
+def test_out_may_overlap_targets_and_starts(arm, rng):
+    wanted, count = moving(arm, rng, 30), len(arm.values)
+    memory = np.zeros(30 * 8 + 30 * count)
+    targets, out = memory[: 30 * 8].reshape(30, 8), memory[8 * 15 : 8 * 15 + 30 * count].reshape(30, count)
+    targets[:] = arm.poses(wanted, "hand")
+    expected = arm.track(targets.copy(), wanted[0], "hand")[0]
+    assert arm.track(targets, wanted[0], "hand", out=out)[0] is out
+    np.testing.assert_array_equal(out, expected)
+    out[20] = wanted[0]
+    np.testing.assert_array_equal(arm.track(arm.poses(wanted, "hand"), out[20], "hand", out=out)[0], expected)
+
+
+def test_columns_by_name_are_starts_and_postures(arm, rng):
+    wanted = moving(arm, rng, 30)
+    targets, names = arm.poses(wanted, "hand"), arm.values
+    expected = arm.track(targets, wanted[0], "hand", posture=wanted[3], posture_weight=0.1)[0]
+    start, posture = (dict(reversed(list(zip(names, row)))) for row in (wanted[0], wanted[3]))
+    np.testing.assert_array_equal(arm.track(targets, start, "hand", posture=posture, posture_weight=0.1)[0], expected)
+
+
 ROUND, START = np.tile(np.eye(8)[3], (4, 1)), np.zeros(3)
 
 

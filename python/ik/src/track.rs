@@ -10,7 +10,7 @@ use crate::reach_report::{Columns, Part, ReachReport};
 use crate::search::{Parts, Rows, Search, configurations, filled, of_goals, settings};
 use crate::threads::Threads;
 use dq8::simd::MAX_LANES;
-use dq8::{Real, ShapeError};
+use dq8::{Backend, Real, ShapeError};
 use dq8_robot::OwnedMechanism;
 use dq8_robot::ik::{Reach, Report, Tracking};
 use pyo3::exceptions::PyValueError;
@@ -26,6 +26,10 @@ const PIECE: RangeInclusive<usize> = MAX_LANES..=4096;
 /// How many clips a thread tracks at the same time. A few for each lane, so that lanes seldom wait
 /// for each other at the end of a piece.
 const CLIPS: usize = 4 * MAX_LANES;
+
+/// How many clips fill the registers of AVX2. Wider ones, which have the same bits, take longer for
+/// them: a quarter longer for a single clip of a humanoid.
+const FEW: usize = 4;
 
 /// The values of all frames of clips, and what was reached in each frame. Without `clips`, their
 /// lengths, each clip is a leading dimension of the targets, and the last of these are frames.
@@ -179,6 +183,8 @@ fn solve<R: Number>(
     let numbers = problem.mechanism().values();
     // Fewer clips than all threads could have are shared out.
     let width = left.lengths.len().div_ceil(threads.count()).min(CLIPS);
+    let best = Backend::best();
+    let narrow = Backend::avx2().filter(|_| Backend::avx512() == Some(best)).unwrap_or(best);
     let (left, failure) = (Mutex::new(left), Mutex::new(None));
     threads.all(usize::MAX, &|| {
         let mut scratch = vec![0.0; problem.batch_scratch_len()];
@@ -208,7 +214,8 @@ fn solve<R: Number>(
             }
             reports.clear();
             reports.resize(counts.iter().sum(), Report::default());
-            let done = problem.job().sequence_in(
+            let backend = if now <= FEW { narrow } else { best };
+            let done = problem.job().backend(backend).sequence_in(
                 &mut scratch,
                 &counts,
                 &wanted,
