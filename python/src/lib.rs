@@ -96,6 +96,8 @@ mod _core {
     #[pymodule_export]
     use dq8_python_robots::solutions::solutions;
     #[pymodule_export]
+    use dq8_python_robots::track::track;
+    #[pymodule_export]
     use dq8_python_trajectories::compare::compare;
     #[pymodule_export]
     use dq8_python_trajectories::fit::fit_pairs;

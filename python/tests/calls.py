@@ -50,6 +50,9 @@ TIMES = lambda rng: np.cumsum(0.5 + rng.random(COUNT))
 WINDOW = lambda rng: rng.random(3)
 PALETTE = lambda rng: neighbours(rng, JOINTS)
 VALUES = lambda rng: rng.uniform(-1, 1, size=(COUNT, 3))
+# The poses of a link in clips of some frames, and in one frame each.
+CLIPS = lambda rng: ARM.poses(rng.uniform(-1, 1, size=(COUNT, 1, 3)) + 0.05 * np.arange(4)[:, np.newaxis], 3)
+POSES = lambda rng: CLIPS(rng)[:, 0]
 
 HIERARCHY = dq8.Hierarchy([-1, 0, 0, 1, 3])
 ARM = dq8.Mechanism(
@@ -110,6 +113,10 @@ CALLS: dict[str, tuple[Callable, list[Callable]]] = {
     "Mechanism.rates_for": (lambda values, twists, out=None: ARM.rates_for(values, twists, 3, out=out), [VALUES, TWISTS]),
     "Mechanism.manipulability": (lambda values, out=None: ARM.manipulability(values, 3, out=out), [VALUES]),
     "Mechanism.reach": (reach, [VALUES, VALUES]),
+    "Mechanism.track": (lambda targets, values, out=None: ARM.track(targets, values, 3, out=out)[0], [CLIPS, VALUES]),
+    "Mechanism.sequence": (
+        lambda targets, values, out=None: ARM.sequence(np.ones(COUNT, int), targets, values, 3, out=out)[0], [POSES, VALUES]
+    ),
     "RigidTransform.as_matrix": (of_transform("as_matrix"), [MOTIONS]),
     "RigidTransform.as_exp_coords": (of_transform("as_exp_coords"), [MOTIONS]),
     "RigidTransform.as_dual_quat": (of_transform("as_dual_quat"), [MOTIONS]),

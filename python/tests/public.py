@@ -34,6 +34,22 @@ CALLS: dict[str, tuple[str, str]] = {
         "six.solutions(targets, start)",
     ),
     "Mechanism.reach": ("far = np.tile(dq8.from_translation([1e3, 0, 0]), (3_000_000, 1))", "arm.reach(far, np.zeros(2), 1)"),
+    "Mechanism.reach of goals": (
+        "points = np.full((1_000_000, 2, 3), 1e3); goals = [dq8.Goal.position(1), dq8.Goal.position(0).at([1.0, 0, 0])]",
+        "arm.reach(points, np.zeros(2), goals)",
+    ),
+    "Mechanism.track": (
+        "clip = np.tile(dq8.from_translation([1e3, 0, 0]), (3_000_000, 1))",
+        "arm.track(clip, np.zeros(2), 1)",
+    ),
+    "Mechanism.sequence": (
+        "clips, targets = np.full(100_000, 30), np.tile(dq8.from_translation([1e3, 0, 0]), (3_000_000, 1))",
+        "arm.sequence(clips, targets, np.zeros(2), 1)",
+    ),
+    "Mechanism.floating": (
+        "long = dq8.Mechanism(range(-1, 99_999), 'fixed', [0, 0, 1], dq8.identity())",
+        "long.floating()",
+    ),
     "Mechanism.poses": (VALUES, "chain.poses(values, 2_000)"),
     "Mechanism.jacobian": (VALUES, "chain.jacobian(values, 2_000)"),
     "Mechanism.velocity": (VALUES, "chain.velocity(values, values, 2_000)"),
@@ -108,7 +124,7 @@ CALLS: dict[str, tuple[str, str]] = {
 }
 
 # Settings of the process, what others return, and what lends memory.
-WITHOUT = ["to_arrow", "from_arrow", "Comparison", "Fit", "HandEye", "Hierarchy", "Mechanism", "Outcome", "ReachReport", "Solutions", "Statistics", "backend",
+WITHOUT = ["to_arrow", "from_arrow", "Comparison", "Fit", "Goal", "HandEye", "Hierarchy", "Mechanism", "Outcome", "ReachReport", "Solutions", "Statistics", "backend",
            "get_num_threads", "progress", "set_num_threads", "set_reproducible"]  # fmt: skip
 
 

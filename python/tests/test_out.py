@@ -19,7 +19,7 @@ def public():
     for owner in (dq8.Hierarchy, dq8.Mechanism, RigidTransform):
         for name, method in vars(owner).items():
             # Of the methods of a mechanism that Python has written, some have no kernel that could write.
-            written = owner is dq8.Mechanism and inspect.isfunction(method) and name not in vars(_core)
+            written = owner is dq8.Mechanism and inspect.isfunction(method) and "out" not in inspect.signature(method).parameters
             if not name.startswith("_") and callable(method) and not written:
                 yield f"{owner.__name__}.{name}", method
 

@@ -50,8 +50,8 @@ SIX = dq8.Mechanism(range(-1, 5), "revolute", AXES, dq8.from_translation(OFFSETS
 REACHES = {"chain_products": range(ROW, COUNT), "dib_windows": range(ROW - 2, ROW + 1), "Trajectory.sample": [ROW - 1, ROW]}
 # Arguments that are no rows (the weights of a window, stamps and times, the joints of a mesh), and which are refused.
 NO_ROWS = {("dib_windows", 1), ("resample", 0), ("resample", 2), ("skin", 1), ("skin", 2)}
-# What it returns is the start then, and its report says so.
-ANSWERS = ["Mechanism.reach"]
+# What they return is the start then, and their reports say so.
+ANSWERS = ["Mechanism.reach", "Mechanism.track", "Mechanism.sequence"]
 
 
 def cases():

@@ -3,7 +3,7 @@
 use crate::plain::check_whole;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyFrozenSet, PySet};
+use pyo3::types::{PyBool, PyFrozenSet, PyIterator, PySet};
 use std::collections::HashSet;
 
 /// Links that were asked for.
@@ -20,15 +20,20 @@ impl Chosen {
         if links.extract::<String>().is_ok() || links.extract::<i64>().is_ok() {
             return Ok(Self { links: vec![link_of(names, "links", links)?], one: true });
         }
-        if links.is_instance_of::<PySet>() || links.is_instance_of::<PyFrozenSet>() {
-            return Err(PyTypeError::new_err(
-                "Expected `links` to be a sequence of links, got a set, which has no order: pass a list.",
-            ));
-        }
-        let links = links.try_iter().map_err(|_| not_a_link("links", links))?;
+        let links = in_order(links)?;
         let links = links.map(|link| link_of(names, "links", &link?)).collect::<PyResult<_>>()?;
         Ok(Self { links, one: false })
     }
+}
+
+/// What the argument `links` holds, one after the other.
+pub fn in_order<'py>(links: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyIterator>> {
+    if links.is_instance_of::<PySet>() || links.is_instance_of::<PyFrozenSet>() {
+        return Err(PyTypeError::new_err(
+            "Expected `links` to be a sequence of links, got a set, which has no order: pass a list.",
+        ));
+    }
+    links.try_iter().map_err(|_| not_a_link("links", links))
 }
 
 /// The names of so many links, each its own; numbers if none are given.

@@ -49,6 +49,11 @@ impl Threads {
         self.pool.is_some()
     }
 
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.pool.as_ref().map_or(1, |pool| pool.current_num_threads())
+    }
+
     /// Runs `job` while other threads of Python run. Where it is interrupted, it may have left out
     /// pieces.
     pub fn run<T: Send>(

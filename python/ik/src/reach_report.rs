@@ -2,6 +2,7 @@
 
 use crate::call::Answer;
 use crate::number::Number;
+use dq8::Real;
 use dq8_robot::ik::{Outcome, Report};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -79,34 +80,108 @@ impl ReachReport {
     }
 
     /// Arrays of this shape.
-    pub fn new<R: Number>(
+    pub(crate) fn new<R: Number>(
         py: Python<'_>,
-        reports: &[Report<R>],
+        columns: Columns<R>,
         shape: &[usize],
     ) -> PyResult<Self> {
         Ok(Self {
-            converged: array(py, reports, shape, |it| it.outcome == Outcome::Converged)?,
-            outcome: array(py, reports, shape, |it| it.outcome as u8)?,
-            iterations: array(py, reports, shape, |it| it.iterations)?,
-            restarts: array(py, reports, shape, |it| it.restarts)?,
-            angular_error: array(py, reports, shape, |it| it.angular_error)?,
-            linear_error: array(py, reports, shape, |it| it.linear_error)?,
+            converged: shaped(py, columns.converged, shape)?.unbind(),
+            outcome: shaped(py, columns.outcome, shape)?.unbind(),
+            iterations: shaped(py, columns.iterations, shape)?.unbind(),
+            restarts: shaped(py, columns.restarts, shape)?.unbind(),
+            angular_error: shaped(py, columns.angular_error, shape)?.unbind(),
+            linear_error: shaped(py, columns.linear_error, shape)?.unbind(),
         })
     }
 }
 
-/// One thing of each of `all`; a scalar where there are no dimensions.
-pub(crate) fn array<S, T: numpy::Element>(
-    py: Python<'_>,
-    all: &[S],
+/// Reports of many searches, an array for each of their fields.
+pub(crate) struct Columns<R> {
+    converged: Vec<bool>,
+    outcome: Vec<u8>,
+    iterations: Vec<u32>,
+    restarts: Vec<u32>,
+    angular_error: Vec<R>,
+    linear_error: Vec<R>,
+}
+
+impl<R: Number> Columns<R> {
+    /// Makes room for so many. It is zero, because the system has memory of zeros ready, of which
+    /// nothing is touched before a search has ended.
+    pub(crate) fn new(count: usize) -> Self {
+        Self {
+            converged: vec![false; count],
+            outcome: vec![0; count],
+            iterations: vec![0; count],
+            restarts: vec![0; count],
+            angular_error: vec![R::ZERO; count],
+            linear_error: vec![R::ZERO; count],
+        }
+    }
+
+    pub(crate) fn all(&mut self) -> Part<'_, R> {
+        Part {
+            converged: &mut self.converged,
+            outcome: &mut self.outcome,
+            iterations: &mut self.iterations,
+            restarts: &mut self.restarts,
+            angular_error: &mut self.angular_error,
+            linear_error: &mut self.linear_error,
+        }
+    }
+}
+
+/// Room for some reports.
+#[derive(Default)]
+pub(crate) struct Part<'s, R> {
+    converged: &'s mut [bool],
+    outcome: &'s mut [u8],
+    iterations: &'s mut [u32],
+    restarts: &'s mut [u32],
+    angular_error: &'s mut [R],
+    linear_error: &'s mut [R],
+}
+
+impl<R: Real> Part<'_, R> {
+    pub(crate) fn len(&self) -> usize {
+        self.outcome.len()
+    }
+
+    /// Takes the first `count` away.
+    pub(crate) fn split_off(&mut self, count: usize) -> Self {
+        Self {
+            converged: self.converged.split_off_mut(..count).unwrap_or_default(),
+            outcome: self.outcome.split_off_mut(..count).unwrap_or_default(),
+            iterations: self.iterations.split_off_mut(..count).unwrap_or_default(),
+            restarts: self.restarts.split_off_mut(..count).unwrap_or_default(),
+            angular_error: self.angular_error.split_off_mut(..count).unwrap_or_default(),
+            linear_error: self.linear_error.split_off_mut(..count).unwrap_or_default(),
+        }
+    }
+
+    /// Writes reports, also of another precision.
+    pub(crate) fn write<S: Real>(self, reports: &[Report<S>]) {
+        for (index, report) in reports.iter().enumerate() {
+            self.converged[index] = report.outcome == Outcome::Converged;
+            self.outcome[index] = report.outcome as u8;
+            self.iterations[index] = report.iterations;
+            self.restarts[index] = report.restarts;
+            self.angular_error[index] = R::from_f64(report.angular_error.into());
+            self.linear_error[index] = R::from_f64(report.linear_error.into());
+        }
+    }
+}
+
+/// An array of this shape, of the numbers where they lie; a scalar where there are no dimensions.
+pub(crate) fn shaped<'py, T: numpy::Element>(
+    py: Python<'py>,
+    numbers: Vec<T>,
     shape: &[usize],
-    of: impl Fn(&S) -> T,
-) -> PyResult<Py<PyAny>> {
-    let flat = PyArray1::from_iter(py, all.iter().map(of));
-    let array: Answer<'_> = if shape.is_empty() {
-        flat.get_item(0)
-    } else {
-        flat.call_method1("reshape", (PyTuple::new(py, shape)?,))
-    };
-    Ok(array?.unbind())
+) -> Answer<'py> {
+    let flat = PyArray1::from_vec(py, numbers);
+    if shape.is_empty() {
+        return flat.get_item(0);
+    }
+    flat.call_method1("reshape", (PyTuple::new(py, shape)?,))
 }

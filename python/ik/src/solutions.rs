@@ -2,18 +2,18 @@
 
 use crate::argument::{Argument, Input};
 use crate::broadcast::{common, misfit};
-use crate::call::Answer;
 use crate::error::value_error;
 use crate::number::Number;
 use crate::precision::Precision;
-use crate::reach::{STEPS, configurations};
+use crate::reach::STEPS;
+use crate::reach_report::shaped;
+use crate::search::configurations;
 use crate::threads::Threads;
 use dq8::{DualQuat, Real};
 use dq8_robot::OwnedMechanism;
 use dq8_robot::ik::{
     Family, Freedom, Goal, Reach, SixAxisArm, Solution, Solutions, SolutionsError,
 };
-use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::{Mutex, PoisonError};
@@ -189,19 +189,6 @@ impl<R: Number> SomeParts<'_, R> {
         }
         Ok(())
     }
-}
-
-/// An array of this shape, of the numbers where they lie; a scalar where there are no dimensions.
-fn shaped<'py, T: numpy::Element>(
-    py: Python<'py>,
-    numbers: Vec<T>,
-    shape: &[usize],
-) -> Answer<'py> {
-    let flat = PyArray1::from_vec(py, numbers);
-    if shape.is_empty() {
-        return flat.get_item(0);
-    }
-    flat.call_method1("reshape", (PyTuple::new(py, shape)?,))
 }
 
 fn singular_of<R>(solution: &Solution<R>) -> [bool; 3] {

@@ -15,7 +15,7 @@ Ctrl-C ends a call within 0.2 seconds. What `out` holds then is partly the resul
 tells how much of a call is done.
 
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
-(`Mechanism.reach`; `Mechanism.solutions` for all ways of an arm of six hinges). `skin` lets a mesh follow joints.
+(`Mechanism.reach`; `track` and `sequence` for clips of targets; `solutions` for all ways of an arm of six hinges). `skin` lets a mesh follow joints.
 `PackedClip` is an animation in a quarter of its memory.
 
 `Trajectory` is poses at stamps: sampled at any times, and clouds of points moved by the pose at each point's time (`deskew`).
@@ -89,6 +89,7 @@ from ._core import (
 )
 from ._core import forget_threads as _forget_threads
 from ._fits import Fit, HandEye, fit, hand_eye
+from ._goals import Goal
 from . import _mechanisms as _methods
 from . import _notebooks as _shown
 from ._outcome import Outcome
@@ -117,6 +118,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Comparison",
     "Fit",
+    "Goal",
     "HandEye",
     "Hierarchy",
     "Mechanism",

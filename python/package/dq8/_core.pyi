@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
+from ._goals import Goal
 from ._solutions import Solutions
 from ._trajectories import Frame, Outside
 
@@ -22,6 +23,9 @@ _Format = Literal["tum", "euroc", "kitti"]
 
 _Values = ArrayLike | Mapping[str, ArrayLike]
 """Configurations; columns with names are put in order."""
+
+_Links = str | int | Goal | Sequence[str | int | Goal]
+"""What is to be at targets."""
 
 _Axes = Literal["aligned", "body", "world"]
 """In which axes, and about which point, a Jacobian is."""
@@ -176,6 +180,27 @@ def velocity(
 def solutions(
     mechanism: Mechanism, targets: ArrayLike, values: _Values, link: str | int
 ) -> tuple[_Floats, NDArray[np.uint8] | np.uint8, _Floats, NDArray[np.bool], NDArray[np.bool] | np.bool]: ...
+def track(
+    mechanism: Mechanism,
+    clips: ArrayLike | None,
+    targets: ArrayLike,
+    values: _Values,
+    links: _Links,
+    weights: ArrayLike | None,
+    posture: _Values | None,
+    angular_tolerance: float,
+    linear_tolerance: float,
+    max_iterations: int,
+    length_per_radian: float | None,
+    max_step: float,
+    damping: float,
+    least_gain: float,
+    posture_weight: float,
+    start_weight: float,
+    floating_weight: float,
+    steady: bool,
+    out: _Floats | None,
+) -> tuple[_Floats, ReachReport]: ...
 
 class Hierarchy:
     def __new__(
@@ -241,6 +266,7 @@ class Mechanism:
     ) -> Mechanism: ...
     @classmethod
     def from_urdf(cls, source: str | bytes | PathLike[str]) -> Mechanism: ...
+    def floating(self) -> Mechanism: ...
     def plot(self, values: _Values, axes: Any = None) -> Any: ...
     def _repr_html_(self) -> str: ...
     @property
@@ -303,7 +329,7 @@ class Mechanism:
         self,
         targets: ArrayLike,
         values: _Values,
-        links: str | int | Sequence[str | int],
+        links: _Links,
         *,
         weights: ArrayLike | None = None,
         posture: _Values | None = None,
@@ -314,6 +340,50 @@ class Mechanism:
         max_step: float = 1.5,
         damping: float = 0.0,
         restarts: bool = True,
+        least_gain: float = 0.0,
+        out: _Floats | None = None,
+    ) -> tuple[_Floats, ReachReport]: ...
+    def track(
+        self,
+        targets: ArrayLike,
+        values: _Values,
+        links: _Links,
+        *,
+        weights: ArrayLike | None = None,
+        posture: _Values | None = None,
+        angular_tolerance: float = 1e-4,
+        linear_tolerance: float = 1e-4,
+        max_iterations: int = 3,
+        length_per_radian: float | None = None,
+        max_step: float = 1.5,
+        damping: float = 0.1,
+        least_gain: float = 0.01,
+        posture_weight: float = 0.0,
+        start_weight: float = 0.0,
+        floating_weight: float = 0.0,
+        steady: bool = False,
+        out: _Floats | None = None,
+    ) -> tuple[_Floats, ReachReport]: ...
+    def sequence(
+        self,
+        clips: ArrayLike,
+        targets: ArrayLike,
+        values: _Values,
+        links: _Links,
+        *,
+        weights: ArrayLike | None = None,
+        posture: _Values | None = None,
+        angular_tolerance: float = 1e-4,
+        linear_tolerance: float = 1e-4,
+        max_iterations: int = 3,
+        length_per_radian: float | None = None,
+        max_step: float = 1.5,
+        damping: float = 0.1,
+        least_gain: float = 0.01,
+        posture_weight: float = 0.0,
+        start_weight: float = 0.0,
+        floating_weight: float = 0.0,
+        steady: bool = False,
         out: _Floats | None = None,
     ) -> tuple[_Floats, ReachReport]: ...
 

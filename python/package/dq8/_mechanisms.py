@@ -10,6 +10,7 @@ import numpy as np
 from . import _core
 from ._extras import needed
 from ._solutions import solutions
+from ._tracking import sequence, track
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -186,5 +187,5 @@ def __hash__(self: _core.Mechanism) -> int:
     return hash(tuple(self.links))
 
 
-for _method in (sample, velocity, rates_for, manipulability, solutions, plot, __eq__, __hash__):
+for _method in (sample, velocity, rates_for, manipulability, solutions, track, sequence, plot, __eq__, __hash__):
     setattr(_core.Mechanism, _method.__name__, _method)

@@ -16,6 +16,7 @@ use dq8_robot::{Body, Job, Mechanism, OwnedMechanism, World, WorldAligned};
 use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 /// In which axes, and about which point, a Jacobian is.
@@ -43,22 +44,14 @@ impl Frame {
     pub(crate) fn jacobians<R: Number>(
         self,
         job: &Job<'_, R, &[usize]>,
-        given: Given<'_, R>,
+        values: &[R],
         poses: &mut [[R; 8]],
         columns: &mut [[R; 6]],
     ) -> Result<(), ShapeError> {
-        macro_rules! jacobians {
-            ($frame:expr) => {
-                match given {
-                    Given::Rows(rows) => job.jacobians($frame, rows, poses, columns),
-                    Given::Columns(all) => job.jacobians($frame, &all, poses, columns),
-                }
-            };
-        }
         match self {
-            Self::World => jacobians!(World),
-            Self::Body => jacobians!(Body),
-            Self::Aligned => jacobians!(WorldAligned),
+            Self::World => job.jacobians(World, values, poses, columns),
+            Self::Body => job.jacobians(Body, values, poses, columns),
+            Self::Aligned => job.jacobians(WorldAligned, values, poses, columns),
         }
     }
 }
@@ -161,15 +154,22 @@ pub(crate) enum Given<'s, R> {
     Columns(Vec<&'s [R]>),
 }
 
-impl<'s, R> Given<'s, R> {
-    /// Those in `range`, `values` numbers each.
-    pub(crate) fn part(&self, values: usize, range: std::ops::Range<usize>) -> Self {
-        match self {
-            Self::Rows(rows) => Self::Rows(&rows[range.start * values..range.end * values]),
-            Self::Columns(all) => {
-                Self::Columns(all.iter().map(|column| &column[range.clone()]).collect())
+impl<'s, R: Number> Given<'s, R> {
+    /// Those in `range`, `values` numbers each, side by side. (A piece of columns is put together
+    /// in the cache: kernels that read columns where they lie would be as many again.)
+    pub(crate) fn part(&self, values: usize, range: std::ops::Range<usize>) -> Cow<'s, [R]> {
+        let all = match self {
+            Self::Rows(rows) => return rows[range.start * values..range.end * values].into(),
+            Self::Columns(all) => all,
+        };
+        let mut rows = vec![R::ZERO; range.len() * values];
+        for (index, column) in all.iter().enumerate() {
+            let places = rows.iter_mut().skip(index).step_by(values);
+            for (to, &from) in places.zip(&column[range.clone()]) {
+                *to = from;
             }
         }
+        rows.into()
     }
 }
 
@@ -193,11 +193,9 @@ pub(crate) fn poses<'py, R: Number>(
     let values = values.apart_from(&output)?;
     let given = values.given();
     let job = view.job().backend(Backend::best());
-    let poses = |given: Given<'_, R>, to: &mut [[R; 8]]| match (&chosen, given) {
-        (None, Given::Rows(rows)) => job.poses(rows, to),
-        (None, Given::Columns(columns)) => job.poses(&columns, to),
-        (Some(chosen), Given::Rows(rows)) => job.links(&chosen.links).poses(rows, to),
-        (Some(chosen), Given::Columns(columns)) => job.links(&chosen.links).poses(&columns, to),
+    let poses = |values: &[R], to: &mut [[R; 8]]| match &chosen {
+        None => job.poses(values, to),
+        Some(chosen) => job.links(&chosen.links).poses(values, to),
     };
     let links = chosen.as_ref().map_or(view.links(), |chosen| chosen.links.len());
     output.fill(&threads, |to| pieces(&threads, view, &given, links, to, &poses))
@@ -223,9 +221,9 @@ pub(crate) fn jacobian<'py, R: Number>(
     let given = values.given();
     let links = [link];
     let job = view.job().links(&links).backend(Backend::best());
-    let columns = |given: Given<'_, R>, to: &mut [[R; 6]]| {
+    let columns = |values: &[R], to: &mut [[R; 6]]| {
         let mut poses = vec![[R::ZERO; 8]; to.len() / view.rates()];
-        frame.jacobians(&job, given, &mut poses, to)
+        frame.jacobians(&job, values, &mut poses, to)
     };
     let threads = Threads::for_elements(configurations * view.links());
     let columns =
@@ -247,7 +245,7 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 
 /// Writes elements of some configurations.
 type Compute<'f, R, const C: usize> =
-    dyn Fn(Given<'_, R>, &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
+    dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
 /// Returns the number of configurations of a piece, which fill whole registers.
 pub(crate) fn configurations_per_piece<R: Number>(view: Mechanism<'_, R>) -> usize {
@@ -270,7 +268,7 @@ fn pieces<R: Number, const C: usize>(
     let size = count * configurations_per_piece(view);
     threads.split(size, to, &|(first, to)| {
         let range = first / count..(first + to.len()) / count;
-        each(given.part(view.values(), range), to).map_err(|error| failure.set(error)).is_ok()
+        each(&given.part(view.values(), range), to).map_err(|error| failure.set(error)).is_ok()
     });
     failure.into_inner().map_or(Ok(()), |error| Err(value_error(error)))
 }

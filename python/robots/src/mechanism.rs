@@ -1,16 +1,16 @@
 //! Mechanisms: from the values of joints to the poses of links.
 
-use crate::argument::{Argument, common_dtype, is_single};
+use crate::argument::{common_dtype, is_single};
 use crate::call::Answer;
-use crate::columns::in_order;
 use crate::configurations::{Frame, Values, jacobian, poses};
 use crate::error::value_error;
+use crate::floating::floating;
 use crate::joints::{self, Arrays};
 use crate::links::{Chosen, link_of, names, parents_of};
-use crate::shape::{EIGHT, NUMBER, SIX};
+use crate::track::Asked;
 use crate::urdf::mechanism_of;
 use dq8_python_ik::Precision;
-use dq8_python_ik::reach::{Search, reach};
+use dq8_python_ik::reach::reach;
 use dq8_python_ik::reach_report::ReachReport;
 use dq8_robot::ik::Options;
 use dq8_robot::urdf::Drive;
@@ -70,6 +70,8 @@ pub struct Mechanism {
     pub single: Result<OwnedMechanism<f32>, MechanismError>,
     /// The name of the robot and the bytes of the file.
     pub urdf: Option<(String, Vec<u8>)>,
+    /// What this was before its base floated.
+    pub fixed: Option<Py<Self>>,
 }
 
 #[pymethods]
@@ -100,7 +102,7 @@ impl Mechanism {
         let double = OwnedMechanism::new(&joints).map_err(value_error)?;
         let single = OwnedMechanism::new(&joints.iter().map(Joint::cast).collect::<Vec<_>>());
         let joint_names = links.iter().cloned().map(Some).collect();
-        Ok(Self { links, joint_names, joints, drives, double, single, urdf: None })
+        Ok(Self { links, joint_names, joints, drives, double, single, urdf: None, fixed: None })
     }
 
     /// A robot from a URDF file.
@@ -126,7 +128,36 @@ impl Mechanism {
     /// The name that a URDF file gives the robot, or None.
     #[getter]
     fn name(&self) -> Option<&str> {
-        self.urdf.as_ref().map(|(name, _)| name.as_str())
+        let urdf = self.fixed.as_ref().map_or(&self.urdf, |fixed| &fixed.get().urdf);
+        urdf.as_ref().map(|(name, _)| name.as_str())
+    }
+
+    /// The robot with a base that moves freely: a floating joint ``"root_joint"`` carries its root.
+    ///
+    /// Its seven values, the rotation (qx, qy, qz, qw) and the translation, and its six rates come
+    /// before all others. Where they are zero, but qw one, the robot stands as it did.
+    ///
+    /// Returns
+    /// -------
+    /// Mechanism
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     Unless one link alone, the first, is fixed to the base, as in robots of URDF files; or
+    ///     if a joint has that name already.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> body = dq8.Mechanism.from_urdf("<robot name='drone'><link name='body'/></robot>")
+    /// >>> drone = body.floating()
+    /// >>> drone.values[3:5], len(drone.rates)
+    /// (['root_joint.qw', 'root_joint.x'], 6)
+    /// >>> dq8.translation(drone.poses([0, 0, 0, 1, 0.5, 0, 2], "body"))
+    /// array([0.5, 0. , 2. ])
+    fn floating(slf: &Bound<'_, Self>) -> PyResult<Self> {
+        floating(slf)
     }
 
     /// The names of the links.
@@ -206,6 +237,10 @@ impl Mechanism {
         slf: &Bound<'py, Self>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let (py, own) = (slf.py(), slf.get());
+        if let Some(fixed) = &own.fixed {
+            let of = PyTuple::new(py, [fixed])?;
+            return Ok((slf.get_type().getattr("floating")?, of));
+        }
         if let Some((_, urdf)) = &own.urdf {
             let bytes = PyTuple::new(py, [PyBytes::new(py, urdf)])?;
             return Ok((slf.get_type().getattr("from_urdf")?, bytes));
@@ -318,11 +353,13 @@ impl Mechanism {
     /// Parameters
     /// ----------
     /// targets : array_like, shape (..., 8), or (..., links, 8) for a sequence of links
-    ///     Unit dual quaternions: the poses that links should have, in the frame of the base.
+    ///     Unit dual quaternions: the poses that links should have, in the frame of the base. Or
+    ///     positions alone, shape (..., 3) or (..., links, 3), which leave rotations free.
     /// values : array_like, shape (..., values), or columns by name
     ///     Configurations to start from. Leading dimensions broadcast with those of `targets`.
-    /// links : str, int, or sequence of these
-    ///     Which links.
+    /// links : str, int, Goal, or sequence of these
+    ///     Which links. A `Goal` also says which point of its link is meant, and has weights of its
+    ///     own.
     /// weights : array_like, shape (6,), or (links, 6) for a sequence of links, optional
     ///     How much the components of the error weigh where not all vanish: rotation, then
     ///     position, in the axes of the target. Zero leaves one free: ``[0, 0, 0, 1, 1, 1]`` asks
@@ -344,6 +381,9 @@ impl Mechanism {
     ///     target.
     /// restarts : bool
     ///     False keeps to the start: to follow a target that moves.
+    /// least_gain : float
+    ///     The part of the squared error, from 0 to 1, by which a step must reduce it; a search
+    ///     whose steps gain less ends, as those of more goals than the robot has joints do.
     /// out : ndarray, optional
     ///     Where to write the values; may be `values`.
     ///
@@ -367,7 +407,7 @@ impl Mechanism {
     #[pyo3(signature = (
         targets, values, links, *, weights=None, posture=None, angular_tolerance=1e-5,
         linear_tolerance=1e-5, max_iterations=100, length_per_radian=None, max_step=1.5, damping=0.0,
-        restarts=true, out=None
+        restarts=true, least_gain=0.0, out=None
     ))]
     fn reach<'py>(
         &self,
@@ -383,27 +423,21 @@ impl Mechanism {
         max_step: f64,
         damping: f64,
         restarts: bool,
+        least_gain: f64,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
-        let named =
-            |name, value| Argument::new(name, NUMBER, &in_order(name, value, &|| self.values())?);
-        let search = Search {
-            targets: Argument::new("targets", EIGHT, targets)?,
-            values: named("values", values)?,
-            chosen: Chosen::of(&self.links, links)?,
-            weights: weights.map(|value| Argument::new("weights", SIX, value)).transpose()?,
-            posture: posture.map(|value| named("posture", value)).transpose()?,
-            options: Options {
-                angular_tolerance,
-                linear_tolerance,
-                max_iterations,
-                length_per_radian,
-                max_step,
-                damping,
-                restarts,
-                ..Options::default()
-            },
+        let options = Options {
+            angular_tolerance,
+            linear_tolerance,
+            max_iterations,
+            length_per_radian,
+            max_step,
+            damping,
+            restarts,
+            least_gain,
         };
+        let settings = options.into();
+        let search = Asked { targets, values, links, weights, posture, settings }.of(self)?;
         reach(self.precision(is_single([&search.targets, &search.values]))?, &search, out)
     }
 }

@@ -155,7 +155,7 @@ fn typed<'py, R: Number>(
             let mut columns = vec![[R::ZERO; 6]; range.len() * rates];
             let mut poses = vec![[R::ZERO; 8]; range.len()];
             let part = given.part(count, range.clone());
-            let done = frame.jacobians(&job, part, &mut poses, &mut columns);
+            let done = frame.jacobians(&job, &part, &mut poses, &mut columns);
             let other = &other[range.start * taken..range.end * taken];
             let work = Work { law, rates, columns: &columns, other, to };
             done.map(|()| Backend::best().run(work)).map_err(|error| failure.set(error)).is_ok()

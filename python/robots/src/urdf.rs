@@ -86,5 +86,6 @@ fn read(bytes: Vec<u8>) -> Result<Mechanism, Failure> {
         drives: robot.drives().to_vec(),
         joints,
         urdf: Some((robot.name().to_owned(), bytes)),
+        fixed: None,
     })
 }
