@@ -290,8 +290,9 @@ enum dq8_status
   DQ8_STATUS_TOO_MANY_JOINTS = 17,
   /**
    * An argument has no allowed value: it is no value of its enum (a backend, an order of
-   * matrices, a kind of joint, a frame), no order of Euler angles, a damping that is negative
-   * or not finite, neither 0 nor 1 where only these are allowed, or no index of a clip.
+   * matrices, a kind of joint, a frame), no order of Euler angles, a damping that is
+   * negative or not finite, neither 0 nor 1 where only these are allowed, or no index of a
+   * clip.
    */
   DQ8_STATUS_UNKNOWN_VALUE = 18,
   /**

@@ -83,8 +83,9 @@ statuses! {
         /// There are more joints than 32 bits can number.
         TooManyJoints = 17: c"there are more joints than 32 bits can number",
         /// An argument has no allowed value: it is no value of its enum (a backend, an order of
-        /// matrices, a kind of joint, a frame), no order of Euler angles, a damping that is negative
-        /// or not finite, neither 0 nor 1 where only these are allowed, or no index of a clip.
+        /// matrices, a kind of joint, a frame), no order of Euler angles, a damping that is
+        /// negative or not finite, neither 0 nor 1 where only these are allowed, or no index of a
+        /// clip.
         UnknownValue = 18: c"a number is none of the allowed ones, such as the values of an enum",
         /// The length of an axis or normal is not 1.
         Axis = 19: c"the length of a joint's axis is not 1",

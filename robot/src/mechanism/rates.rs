@@ -15,10 +15,10 @@ impl<R: Scalar + Lanes<Real = R>> Mechanism<'_, R> {
     /// [`link_velocities`](Self::link_velocities) for one link. Angular and linear velocities have
     /// equal weights.
     ///
-    /// With `damping` zero these are the least rates of all that fit equally well, J⁺ · twist, so
-    /// rates that move nothing are zero. Near a singularity they are large, unless `damping` keeps
-    /// them small. `columns` is scratch memory with one element per rate, whose contents do not
-    /// matter.
+    /// With `damping` zero these are the least rates of all that fit equally well, J⁺ · twist,
+    /// so rates that move nothing are zero. Near a singularity they are large, unless `damping`
+    /// keeps them small. `columns` is scratch memory with one element per rate, whose contents do
+    /// not matter.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -28,7 +28,8 @@ impl<R: Scalar + Lanes<Real = R>> Mechanism<'_, R> {
     ///     Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]),
     ///     Joint::revolute(Some(0), DualQuat::IDENTITY, [0.0, 0.0, 1.0_f64]),
     /// ];
-    /// let (arm, mut columns, mut rates) = (OwnedMechanism::new(&joints)?, [Twist::ZERO; 2], [0.0; 2]);
+    /// let arm = OwnedMechanism::new(&joints)?;
+    /// let (mut columns, mut rates) = ([Twist::ZERO; 2], [0.0; 2]);
     /// // Nothing moves it along y.
     /// let twist = Twist { angular: [0.0, 0.0, 0.5], linear: [2.0, 3.0, 0.0] };
     /// let at = [0.1, 0.2];
@@ -77,8 +78,8 @@ const SWEEPS: usize = 16;
 
 /// Turns the rows of J, and a twist with them, until the rows are orthogonal: U J = ΣVᵀ
 /// (Hestenes' form of Jacobi's method). The rates are then sums of the rows that are left in
-/// `columns` ([`rate_of`]), with the factors that this function returns: (U twist)/(σ² + λ²), or 0
-/// where σ is only rounding, compared with the largest.
+/// `columns` ([`rate_of`]), with the factors that this function returns: (U twist)/(σ² + λ²),
+/// or 0 where σ is only rounding, compared with the largest.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub fn scales<L: Lanes>(
     zero: L,
