@@ -118,7 +118,7 @@ def generic(functions):
         if short == name or f"{short}_f64" not in known:
             continue
         names = [re.search(r"(\w+)(?:\[\d+\])?$", pair)[1] for pair in pairs]
-        told = [(n, p) for n, p in zip(names, pairs) if "*" in p and re.search(r"\bfloat\b|_f32", p)]
+        told = [(n, p) for n, p in zip(names, pairs) if "*" in p and re.search(r"\bfloat\b|_f32", p) and n != "quality"]
         if not told:
             continue
         # An argument that is never null: a mechanism or the like, or `out`, or else the last output.

@@ -42,6 +42,8 @@
  * Contents, without _f32 and _f64.
  *
  * One motion
+ *   dq8_motion_from_euler                      Makes the rotation about the origin of three turns about coordinate ...
+ *   dq8_motion_to_euler                        Writes the three Euler angles of the rotation of a unit motion, in ...
  *   dq8_motion_line                            Moves a line by a unit motion
  *   dq8_motion_plane                           Moves a plane by a unit motion
  *   dq8_motion_twist                           Applies the adjoint of a unit motion to a twist, which turns a body ...
@@ -78,6 +80,7 @@
  *   dq8_plan_local_to_model                    Computes model poses like dq8_local_to_model, in a faster order
  *
  * Packed clips
+ *   dq8_clips_bound                            Writes a number of bytes that the file of these clips does not ...
  *   dq8_clips_pack                             Packs clips of one skeleton into a file, which dq8_clips_make reads
  *   dq8_clips_make                             Makes `clips` from the `length` bytes of a packed clip file
  *   dq8_clips_duration                         Writes the time from the first to the last frame of a clip
@@ -101,6 +104,8 @@
  *   dq8_mechanism_link_poses                   Computes the poses of all links in the frame of the base
  *   dq8_mechanism_link_pose                    Computes the pose of one link in the frame of the base
  *   dq8_mechanism_link_jacobian                Computes the geometric Jacobian of a link
+ *   dq8_mechanism_manipulability               Computes the manipulability of a link
+ *   dq8_mechanism_rates_for                    Computes the rates that move a link best with the velocity `twist`
  *   dq8_mechanism_reach_options                Writes the default options
  *   dq8_mechanism_reach_scratch                Writes the size that `scratch` of dq8_mechanism_reach must have
  *   dq8_mechanism_reach                        Solves the inverse kinematics of one configuration
@@ -169,6 +174,7 @@
  *   dq8_backend_name                           Returns the name of the instruction set in use, for logs
  *   dq8_backend_limit                          Limits the instruction set to `most`, one of enum dq8_backend
  *   dq8_set_reproducible                       Makes results the same on every machine, bit by bit
+ *   dq8_fit                                    Finds the motion that brings `points` nearest to `moved`
  *   dq8_check_parents                          Checks that `parents` is a hierarchy
  *   dq8_pack                                   Packs plain poses into blocks
  *   dq8_unpack                                 Unpacks blocks into plain poses
@@ -266,7 +272,8 @@ enum dq8_status
    */
   DQ8_STATUS_NOT_AFFINE = 13,
   /**
-   * There is nothing to blend, because the number of motions or influences is 0.
+   * There is nothing to blend or to fit, because the number of motions, influences or pairs
+   * of points is 0, or all weights of pairs are 0.
    */
   DQ8_STATUS_NO_INFLUENCES = 14,
   /**
@@ -283,8 +290,9 @@ enum dq8_status
   DQ8_STATUS_TOO_MANY_JOINTS = 17,
   /**
    * An argument has no allowed value: it is no value of its enum (a backend, an order of
-   * matrices, a kind of joint, a frame), or neither 0 nor 1 where only these are allowed, or
-   * no index of a clip.
+   * matrices, a kind of joint, a frame), no order of Euler angles, a damping that is
+   * negative or not finite, neither 0 nor 1 where only these are allowed, or no index of a
+   * clip.
    */
   DQ8_STATUS_UNKNOWN_VALUE = 18,
   /**
@@ -423,6 +431,11 @@ enum dq8_status
    * There is no clip, frame or joint to pack.
    */
   DQ8_STATUS_NO_FRAMES = 50,
+  /**
+   * Many rotations fit equally well, for instance because the points of one array are on a
+   * line.
+   */
+  DQ8_STATUS_AMBIGUOUS = 51,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -664,6 +677,66 @@ typedef struct dq8_place {
    */
   uint32_t numbers[6];
 } dq8_place;
+
+/**
+ * The quality of a fit, and how well the points determine a rotation.
+ */
+typedef struct dq8_fit_quality_f32 {
+  /**
+   * The factor by which the points are multiplied before they are moved. It is 1 unless `scaled`
+   * was 1.
+   */
+  float scale;
+  /**
+   * The root mean square of the distances that the fit leaves, with the weights.
+   */
+  float rms;
+  /**
+   * The stiffness of the pairs against the turn that they resist most, over the stiffness
+   * against the turn that they resist least. A large number means that noise turns the result.
+   */
+  float condition;
+  /**
+   * 3 for points in space, and 2 for points in a plane.
+   */
+  size_t rank;
+  /**
+   * 1 if the points are mirrored, so that one of the two arrays has left-handed coordinates: a
+   * reflection would leave less than a hundredth of the squares that the fit leaves. Otherwise
+   * 0.
+   */
+  int32_t mirrored;
+} dq8_fit_quality_f32;
+
+/**
+ * The quality of a fit, and how well the points determine a rotation.
+ */
+typedef struct dq8_fit_quality_f64 {
+  /**
+   * The factor by which the points are multiplied before they are moved. It is 1 unless `scaled`
+   * was 1.
+   */
+  double scale;
+  /**
+   * The root mean square of the distances that the fit leaves, with the weights.
+   */
+  double rms;
+  /**
+   * The stiffness of the pairs against the turn that they resist most, over the stiffness
+   * against the turn that they resist least. A large number means that noise turns the result.
+   */
+  double condition;
+  /**
+   * 3 for points in space, and 2 for points in a plane.
+   */
+  size_t rank;
+  /**
+   * 1 if the points are mirrored, so that one of the two arrays has left-handed coordinates: a
+   * reflection would leave less than a hundredth of the squares that the fit leaves. Otherwise
+   * 0.
+   */
+  int32_t mirrored;
+} dq8_fit_quality_f64;
 
 /**
  * The memory that a mechanism needs for one joint. Its content is private to the library.
@@ -1331,6 +1404,17 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
                                          size_t count);
 
 /**
+ * Writes a number of bytes that the file of these clips does not exceed, to `bound`. A program
+ * that gives dq8_clips_pack so much memory need not call it twice. Arguments and errors are those
+ * of dq8_clips_pack.
+ */
+dq8_status dq8_clips_bound(const struct dq8_frames *clips,
+                           size_t clip_count,
+                           size_t joint_count,
+                           size_t *bound,
+                           size_t *bad_key);
+
+/**
  * Packs clips of one skeleton into a file, which dq8_clips_make reads. `clips` holds `clip_count`
  * clips of `joint_count` joints. The file takes about a quarter of the memory of the frames. A
  * rotation is kept to about 5e-5 radians, and a translation to 1/65534 of the longest side of the
@@ -1339,7 +1423,7 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
  * A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
  * that moves by less than `length_tolerance` as a single translation: 2e-5 and 1e-5 suit metres.
  * `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity`
- * is 0, only `length` is written.
+ * is 0, only `length` is written. dq8_clips_bound tells enough room for less time.
  *
  * Returns DQ8_STATUS_LENGTH_BYTES if the file is longer than `capacity`, DQ8_STATUS_NO_FRAMES
  * if there is no clip, frame or joint, and DQ8_STATUS_UNKNOWN_VALUE for a wrong rate or `loops`.
@@ -1439,6 +1523,94 @@ dq8_status dq8_clips_to_model_f64(const int32_t *parents,
                                   const double *t,
                                   size_t instances,
                                   double *models);
+
+/**
+ * Makes the rotation about the origin of three turns about coordinate axes, the first
+ * turn first. `angles` holds three angles in radians. `order` is a string of three
+ * letters, the axis of the first turn first, and no axis twice in a row. Small letters
+ * such as "xyz" are axes that stay fixed, and capitals such as "ZYX" are axes that
+ * turn with the body. Returns DQ8_STATUS_UNKNOWN_VALUE for any other string.
+ */
+dq8_status dq8_motion_from_euler_f32(const char *order, const float *angles, float *out);
+
+/**
+ * Writes the three Euler angles of the rotation of a unit motion, in radians, in the
+ * `order` of dq8_motion_from_euler. The middle angle is from -pi/2 to pi/2 if the
+ * three axes differ, and otherwise from 0 to pi. `gimbal_lock`, which may be null, is
+ * set to 1 if the first and the last axis coincide, so that other angles give the same
+ * rotation, and otherwise to 0. The last angle is then 0.
+ */
+dq8_status dq8_motion_to_euler_f32(const float *motion,
+                                   const char *order,
+                                   float *angles,
+                                   int32_t *gimbal_lock);
+
+/**
+ * Makes the rotation about the origin of three turns about coordinate axes, the first
+ * turn first. `angles` holds three angles in radians. `order` is a string of three
+ * letters, the axis of the first turn first, and no axis twice in a row. Small letters
+ * such as "xyz" are axes that stay fixed, and capitals such as "ZYX" are axes that
+ * turn with the body. Returns DQ8_STATUS_UNKNOWN_VALUE for any other string.
+ */
+dq8_status dq8_motion_from_euler_f64(const char *order, const double *angles, double *out);
+
+/**
+ * Writes the three Euler angles of the rotation of a unit motion, in radians, in the
+ * `order` of dq8_motion_from_euler. The middle angle is from -pi/2 to pi/2 if the
+ * three axes differ, and otherwise from 0 to pi. `gimbal_lock`, which may be null, is
+ * set to 1 if the first and the last axis coincide, so that other angles give the same
+ * rotation, and otherwise to 0. The last angle is then 0.
+ */
+dq8_status dq8_motion_to_euler_f64(const double *motion,
+                                   const char *order,
+                                   double *angles,
+                                   int32_t *gimbal_lock);
+
+/**
+ * Finds the motion that brings `points` nearest to `moved`: the sum of the squared
+ * distances, each multiplied by its weight, is least. Both arrays have `count` points
+ * of three components. `weights` may be null for equal weights. If `scaled` is 1, the
+ * points are first multiplied by the scale that fits best, and if it is 0 they are
+ * not. `quality`, which may be null, gets the scale and tells how well the motion
+ * fits; check its field `mirrored` if the handedness of the points is not known.
+ *
+ * Returns DQ8_STATUS_AMBIGUOUS if many rotations fit equally well, as for points on a
+ * line, and DQ8_STATUS_NO_INFLUENCES if no pair has a weight. Returns
+ * DQ8_STATUS_NOT_FINITE or _WEIGHT for a wrong point or weight, and sets `bad_pair`,
+ * which may be null, to its index. DQ8_STATUS_NOT_FINITE also means that the points
+ * are so far apart that a square overflows; `bad_pair` is then as it was.
+ */
+dq8_status dq8_fit_f32(const float *points,
+                       const float *moved,
+                       const float *weights,
+                       size_t count,
+                       int32_t scaled,
+                       float *motion,
+                       struct dq8_fit_quality_f32 *quality,
+                       size_t *bad_pair);
+
+/**
+ * Finds the motion that brings `points` nearest to `moved`: the sum of the squared
+ * distances, each multiplied by its weight, is least. Both arrays have `count` points
+ * of three components. `weights` may be null for equal weights. If `scaled` is 1, the
+ * points are first multiplied by the scale that fits best, and if it is 0 they are
+ * not. `quality`, which may be null, gets the scale and tells how well the motion
+ * fits; check its field `mirrored` if the handedness of the points is not known.
+ *
+ * Returns DQ8_STATUS_AMBIGUOUS if many rotations fit equally well, as for points on a
+ * line, and DQ8_STATUS_NO_INFLUENCES if no pair has a weight. Returns
+ * DQ8_STATUS_NOT_FINITE or _WEIGHT for a wrong point or weight, and sets `bad_pair`,
+ * which may be null, to its index. DQ8_STATUS_NOT_FINITE also means that the points
+ * are so far apart that a square overflows; `bad_pair` is then as it was.
+ */
+dq8_status dq8_fit_f64(const double *points,
+                       const double *moved,
+                       const double *weights,
+                       size_t count,
+                       int32_t scaled,
+                       double *motion,
+                       struct dq8_fit_quality_f64 *quality,
+                       size_t *bad_pair);
 
 /**
  * Moves a line by a unit motion. A line is given by its six Plücker coordinates: the
@@ -2105,6 +2277,45 @@ dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mecha
                                            float *pose);
 
 /**
+ * Computes the manipulability of a link: the root of the determinant of its Jacobian
+ * times the transposed Jacobian (Yoshikawa 1985). It is 0 where the link cannot move
+ * in some direction, and for fewer than six rates; it does not depend on the frame.
+ * `columns` is scratch for `column_count` columns of six components, and
+ * `column_count` must be the mechanism's number of rates. Returns DQ8_STATUS_NO_LINK
+ * if there is no such link.
+ */
+dq8_status dq8_mechanism_manipulability_f32(const struct dq8_mechanism_f32 *mechanism,
+                                            const float *values,
+                                            size_t value_count,
+                                            size_t link,
+                                            float *columns,
+                                            size_t column_count,
+                                            float *manipulability);
+
+/**
+ * Computes the rates that move a link best with the velocity `twist`: six components,
+ * angular x y z, then linear x y z, in `frame`, one of enum dq8_frame. The sum of the
+ * squared errors, plus the square of `damping` times the squared rates, is least.
+ * Without damping, which is 0, rates that move nothing are 0, and rates near a
+ * singular configuration are large.
+ *
+ * `column_count` must be the mechanism's number of rates, which is the length of
+ * `rates`. `columns` is scratch for as many columns of six components. Returns
+ * DQ8_STATUS_NO_LINK if there is no such link, and DQ8_STATUS_UNKNOWN_VALUE if `frame`
+ * is no value of the enum, or `damping` is negative or not finite.
+ */
+dq8_status dq8_mechanism_rates_for_f32(const struct dq8_mechanism_f32 *mechanism,
+                                       int32_t frame,
+                                       const float *values,
+                                       size_t value_count,
+                                       size_t link,
+                                       const float *twist,
+                                       float damping,
+                                       float *columns,
+                                       float *rates,
+                                       size_t column_count);
+
+/**
  * Makes a mechanism of `count` joints. It checks the joints once, so that the
  * functions of the mechanism need not. `steps` is memory for `count` steps, to which
  * the mechanism points. The behaviour of its functions is undefined if the program
@@ -2162,6 +2373,45 @@ dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mecha
                                            double *columns,
                                            size_t column_count,
                                            double *pose);
+
+/**
+ * Computes the manipulability of a link: the root of the determinant of its Jacobian
+ * times the transposed Jacobian (Yoshikawa 1985). It is 0 where the link cannot move
+ * in some direction, and for fewer than six rates; it does not depend on the frame.
+ * `columns` is scratch for `column_count` columns of six components, and
+ * `column_count` must be the mechanism's number of rates. Returns DQ8_STATUS_NO_LINK
+ * if there is no such link.
+ */
+dq8_status dq8_mechanism_manipulability_f64(const struct dq8_mechanism_f64 *mechanism,
+                                            const double *values,
+                                            size_t value_count,
+                                            size_t link,
+                                            double *columns,
+                                            size_t column_count,
+                                            double *manipulability);
+
+/**
+ * Computes the rates that move a link best with the velocity `twist`: six components,
+ * angular x y z, then linear x y z, in `frame`, one of enum dq8_frame. The sum of the
+ * squared errors, plus the square of `damping` times the squared rates, is least.
+ * Without damping, which is 0, rates that move nothing are 0, and rates near a
+ * singular configuration are large.
+ *
+ * `column_count` must be the mechanism's number of rates, which is the length of
+ * `rates`. `columns` is scratch for as many columns of six components. Returns
+ * DQ8_STATUS_NO_LINK if there is no such link, and DQ8_STATUS_UNKNOWN_VALUE if `frame`
+ * is no value of the enum, or `damping` is negative or not finite.
+ */
+dq8_status dq8_mechanism_rates_for_f64(const struct dq8_mechanism_f64 *mechanism,
+                                       int32_t frame,
+                                       const double *values,
+                                       size_t value_count,
+                                       size_t link,
+                                       const double *twist,
+                                       double damping,
+                                       double *columns,
+                                       double *rates,
+                                       size_t column_count);
 
 /**
  * Writes the identity: the motion that moves nothing.

@@ -13,6 +13,7 @@
 
 #include "dq8/arrays.hpp"
 #include "dq8/clips.hpp"
+#include "dq8/fit.hpp"
 #include "dq8/hierarchy.hpp"
 #include "dq8/mechanism.hpp"
 #include "dq8/motion.hpp"

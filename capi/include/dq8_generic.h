@@ -23,6 +23,12 @@
   DQ8_OF_NUMBERS(t, dq8_clips_place)(clips, clip, at, place, t)
 #define dq8_clips_to_model(parents, joint_count, root, clips, places, t, instances, models) \
   DQ8_OF_NUMBERS(models, dq8_clips_to_model)(parents, joint_count, root, clips, places, t, instances, models)
+#define dq8_motion_from_euler(order, angles, out) \
+  DQ8_OF_NUMBERS(out, dq8_motion_from_euler)(order, angles, out)
+#define dq8_motion_to_euler(motion, order, angles, gimbal_lock) \
+  DQ8_OF_NUMBERS(angles, dq8_motion_to_euler)(motion, order, angles, gimbal_lock)
+#define dq8_fit(points, moved, weights, count, scaled, motion, quality, bad_pair) \
+  DQ8_OF_NUMBERS(motion, dq8_fit)(points, moved, weights, count, scaled, motion, quality, bad_pair)
 #define dq8_motion_line(motion, line, out) \
   DQ8_OF_NUMBERS(out, dq8_motion_line)(motion, line, out)
 #define dq8_motion_plane(motion, plane, out) \
@@ -79,6 +85,10 @@
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_mechanism_link_pose)(mechanism, values, value_count, link, pose)
 #define dq8_mechanism_link_jacobian(mechanism, frame, values, value_count, link, columns, column_count, pose) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_mechanism_link_jacobian)(mechanism, frame, values, value_count, link, columns, column_count, pose)
+#define dq8_mechanism_manipulability(mechanism, values, value_count, link, columns, column_count, manipulability) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_mechanism_manipulability)(mechanism, values, value_count, link, columns, column_count, manipulability)
+#define dq8_mechanism_rates_for(mechanism, frame, values, value_count, link, twist, damping, columns, rates, column_count) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_mechanism_rates_for)(mechanism, frame, values, value_count, link, twist, damping, columns, rates, column_count)
 #define dq8_motion_identity(out) \
   DQ8_OF_NUMBERS(out, dq8_motion_identity)(out)
 #define dq8_motion_from_rotation_translation(rotation, translation, out) \

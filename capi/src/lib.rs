@@ -4,7 +4,8 @@
 //! |---|---|
 //! | [`status`] | [`Status`], the result of every call, and its text |
 //! | [`backend`] | the choice of the instruction set |
-//! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion |
+//! | [`motion`], [`screw`], [`mean`], [`geometry`], [`euler`] | operations on one motion |
+//! | [`fit`] | the motion between two arrays of points |
 //! | [`slices`] | kernels over arrays, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | products along long chains, plain or in blocks |
@@ -50,6 +51,8 @@ pub mod chain;
 #[cfg(feature = "std")]
 pub mod clip_files;
 pub mod clips;
+pub mod euler;
+pub mod fit;
 pub mod geometry;
 pub mod hierarchy;
 pub mod joint;

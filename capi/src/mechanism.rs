@@ -7,7 +7,7 @@ use crate::span::{Span, disjoint};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr;
-use dq8::{DualQuat, Real, Twist};
+use dq8::{DualQuat, Lanes, Real, Scalar, Twist};
 use dq8_robot::{Body, JointKind, World, WorldAligned};
 
 /// The frame of the columns of a Jacobian. It decides along which axes the components are measured,
@@ -201,7 +201,7 @@ unsafe fn link_pose<R: Real>(
     Ok(())
 }
 
-/// The inputs of [`link_jacobian`]. `frame` is a value of [`Frame`].
+/// The inputs of functions of a Jacobian. `frame` is a value of [`Frame`].
 struct Query<R> {
     mechanism: *const Mechanism<R>,
     frame: i32,
@@ -244,6 +244,80 @@ unsafe fn link_jacobian<R: Real>(
     // SAFETY: the caller guarantees that `pose` is null or a motion, and `disjoint` has checked
     // that it overlaps no other array.
     unsafe { pose.write(reached) };
+    Ok(())
+}
+
+/// # Safety
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says, and `manipulability` must point to a number. No other
+/// thread may use the outputs or write the inputs during the call.
+unsafe fn manipulability<R: Real>(
+    query: Query<R>,
+    columns: *mut R,
+    column_count: usize,
+    manipulability: *mut R,
+) -> Done {
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
+    let checked = unsafe { Checked::new(query.mechanism)? };
+    let values = Input::<R>::new(query.values, query.value_count)?;
+    let columns = Output::<Twist<R>>::new(columns, column_count)?;
+    let to = Output::<R>::new(manipulability, 1)?;
+    disjoint(&[columns.span, to.span], &[values.span, checked.given, checked.steps])?;
+    let (known, link) = (checked.known, query.link);
+    if link >= known.links() {
+        return Err(Status::NoLink);
+    }
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and a
+    // number. `disjoint` has checked that no output overlaps another array.
+    unsafe { to.write(known.manipulability(values.slice(), link, columns.slice())?) };
+    Ok(())
+}
+
+/// # Safety
+/// The mechanism must be zeroed, or made with steps that have not changed since. Each array must
+/// have as many elements as its count says, and `twist` must point to six numbers. No other thread
+/// may use the outputs or write the inputs during the call.
+unsafe fn rates_for<R: Scalar + Lanes<Real = R>>(
+    query: Query<R>,
+    twist: *const R,
+    damping: R,
+    columns: *mut R,
+    rates: *mut R,
+    column_count: usize,
+) -> Done {
+    // SAFETY: the caller guarantees that the mechanism is zeroed, or made with unchanged steps.
+    let checked = unsafe { Checked::new(query.mechanism)? };
+    let values = Input::<R>::new(query.values, query.value_count)?;
+    let twist = Input::<Twist<R>>::new(twist, 1)?;
+    let columns = Output::<Twist<R>>::new(columns, column_count)?;
+    let rates = Output::<R>::new(rates, column_count)?;
+    let read = [values.span, twist.span, checked.given, checked.steps];
+    disjoint(&[columns.span, rates.span], &read)?;
+    let (known, link) = (checked.known, query.link);
+    if link >= known.links() {
+        return Err(Status::NoLink);
+    }
+    if !(damping.is_finite() && damping >= R::ZERO) {
+        return Err(Status::UnknownValue);
+    }
+    // SAFETY: the caller guarantees that each array has as many elements as its count says, and
+    // `disjoint` has checked that no output overlaps another array.
+    let (values, twist) = unsafe { (values.slice(), twist.slice()) };
+    // SAFETY: as above.
+    let (columns, rates) = unsafe { (columns.slice(), rates.slice()) };
+    let twist = twist.first().copied().unwrap_or(Twist::ZERO);
+    match query.frame {
+        frame if frame == Frame::World as i32 => {
+            known.rates_for(World, values, link, twist, damping, columns, rates)
+        }
+        frame if frame == Frame::Body as i32 => {
+            known.rates_for(Body, values, link, twist, damping, columns, rates)
+        }
+        frame if frame == Frame::WorldAligned as i32 => {
+            known.rates_for(WorldAligned, values, link, twist, damping, columns, rates)
+        }
+        _ => return Err(Status::UnknownValue),
+    }?;
     Ok(())
 }
 
@@ -301,6 +375,47 @@ macro_rules! functions {
                 columns,
                 column_count,
                 pose,
+            )
+        }
+        export_one! { $R
+            /// Computes the manipulability of a link: the root of the determinant of its Jacobian
+            /// times the transposed Jacobian (Yoshikawa 1985). It is 0 where the link cannot move
+            /// in some direction, and for fewer than six rates; it does not depend on the frame.
+            /// `columns` is scratch for `column_count` columns of six components, and
+            /// `column_count` must be the mechanism's number of rates. Returns DQ8_STATUS_NO_LINK
+            /// if there is no such link.
+            mechanism::manipulability(
+                mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize, link: usize,
+                columns: *mut $R, column_count: usize, manipulability: *mut $R,
+            ) = super::manipulability(
+                Query { mechanism, frame: Frame::World as i32, values, value_count, link },
+                columns,
+                column_count,
+                manipulability,
+            )
+        }
+        export_one! { $R
+            /// Computes the rates that move a link best with the velocity `twist`: six components,
+            /// angular x y z, then linear x y z, in `frame`, one of enum dq8_frame. The sum of the
+            /// squared errors, plus the square of `damping` times the squared rates, is least.
+            /// Without damping, which is 0, rates that move nothing are 0, and rates near a
+            /// singular configuration are large.
+            ///
+            /// `column_count` must be the mechanism's number of rates, which is the length of
+            /// `rates`. `columns` is scratch for as many columns of six components. Returns
+            /// DQ8_STATUS_NO_LINK if there is no such link, and DQ8_STATUS_UNKNOWN_VALUE if `frame`
+            /// is no value of the enum, or `damping` is negative or not finite.
+            mechanism::rates_for(
+                mechanism: *const Mechanism<$R>, frame: i32, values: *const $R, value_count: usize,
+                link: usize, twist: *const $R, damping: $R, columns: *mut $R, rates: *mut $R,
+                column_count: usize,
+            ) = super::rates_for(
+                Query { mechanism, frame, values, value_count, link },
+                twist,
+                damping,
+                columns,
+                rates,
+                column_count,
             )
         }
     };

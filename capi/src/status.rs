@@ -73,8 +73,9 @@ statuses! {
         NotFinite = 12: c"a number that must be finite is not",
         /// The last row of the 4x4 matrix is not 0 0 0 1.
         NotAffine = 13: c"the last row of the matrix is not 0 0 0 1",
-        /// There is nothing to blend, because the number of motions or influences is 0.
-        NoInfluences = 14: c"there is nothing to blend: the number of motions or influences is 0",
+        /// There is nothing to blend or to fit, because the number of motions, influences or pairs
+        /// of points is 0, or all weights of pairs are 0.
+        NoInfluences = 14: c"there is nothing to blend or fit: the number of motions, influences or points is 0",
         /// The parent of a joint does not come before it in the array.
         ParentNotBefore = 15: c"the parent of a joint does not come before it",
         /// The parent of a joint is neither a joint nor -1.
@@ -82,8 +83,9 @@ statuses! {
         /// There are more joints than 32 bits can number.
         TooManyJoints = 17: c"there are more joints than 32 bits can number",
         /// An argument has no allowed value: it is no value of its enum (a backend, an order of
-        /// matrices, a kind of joint, a frame), or neither 0 nor 1 where only these are allowed, or
-        /// no index of a clip.
+        /// matrices, a kind of joint, a frame), no order of Euler angles, a damping that is
+        /// negative or not finite, neither 0 nor 1 where only these are allowed, or no index of a
+        /// clip.
         UnknownValue = 18: c"a number is none of the allowed ones, such as the values of an enum",
         /// The length of an axis or normal is not 1.
         Axis = 19: c"the length of a joint's axis is not 1",
@@ -157,6 +159,9 @@ statuses! {
         LengthNames = 49: c"names_size is not what dq8_urdf_size has written",
         /// There is no clip, frame or joint to pack.
         NoFrames = 50: c"there is no clip, frame or joint to pack",
+        /// Many rotations fit equally well, for instance because the points of one array are on a
+        /// line.
+        Ambiguous = 51: c"many rotations fit equally well, as for points on a line",
     }
 }
 
@@ -179,7 +184,7 @@ impl From<ShapeError> for Status {
         };
         match what {
             "values" => Self::LengthValues,
-            "columns" => Self::LengthColumns,
+            "columns" | "rates" => Self::LengthColumns,
             "scratch" => Self::LengthScratch,
             "things" => Self::LengthPoses,
             "blocks" => Self::LengthBlocks,

@@ -211,6 +211,32 @@ static void on_motions() {
             near<T>(motion::exp(a.log()), a),
         "there and back");
   check(near<T>(a.inverse() * a, identity) && near<T>(a.conjugate(), a.inverse()), "inverses");
+  const auto turn = [](std::size_t axis, T angle) {
+    std::array<T, 4> turned{0, 0, 0, std::cos(angle / 2)};
+    turned[axis] = std::sin(angle / 2);
+    return motion::rotation_by(turned);
+  };
+  const std::array<T, 3> angles{T(0.3), T(-0.2), T(0.1)};
+  check(near<T>(motion::from_euler("ZYX", angles), turn(2, angles[0]) * turn(1, angles[1]) * turn(0, angles[2])) &&
+            near<T>(motion::from_euler("xyz", {angles[2], angles[1], angles[0]}), motion::from_euler("ZYX", angles)) &&
+            near<T>(motion::from_euler("ZXZ", {T(0.3), T(0.2), T(0.1)}), turn(2, T(0.3)) * turn(0, T(0.2)) * turn(2, T(0.1))) &&
+            near<T>(motion::from_euler("ZYX", angles).to_euler("ZYX"), angles),
+        "Euler angles");
+  for (const char *order : {"ZYx", "ZZX", "ZY", "ZYXZ", "", "abc"}) {
+    check(refused(DQ8_STATUS_UNKNOWN_VALUE, "motion::from_euler", [&] { motion::from_euler(order, angles); }), "no order");
+  }
+  check(refused(DQ8_STATUS_UNKNOWN_VALUE, "motion::to_euler", [&] { a.to_euler("zyz "); }), "no order of angles");
+  std::vector<std::array<T, 3>> corners{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {1, 1, 1}}, there;
+  for (const auto &corner : corners) there.push_back(a.point(corner));
+  const auto fit = dq8::fit(corners, there);
+  check(near<T>(fit.motion, a) && fit.quality.rank == 3 && fit.quality.rms < T(1e-5) && fit.quality.mirrored == 0 && fit.quality.scale == 1, "a fit");
+  for (auto &point : there) point = {2 * point[0], 2 * point[1], 2 * point[2]};
+  check(std::fabs(dq8::fit(corners, there, {}, true).quality.scale - 2) < T(1e-5), "a fit with a scale");
+  for (auto &point : there) point[2] = -point[2];
+  check(dq8::fit(corners, there, {}, true).quality.mirrored == 1, "points of the other hand");
+  check(refused(DQ8_STATUS_WEIGHT, "fit", [&] { dq8::fit(corners, there, {T(1), T(1), T(-1), T(1), T(1)}); }, 2), "a weight");
+  check(refused(DQ8_STATUS_AMBIGUOUS, "fit", [&] { dq8::fit(std::vector<T>(6), std::vector<T>(6)); }), "points in a point");
+  check(refused(DQ8_STATUS_LENGTH, "moved has length 3", [&] { dq8::fit(corners, corners[0]); }), "moved points");
   const auto log = a.log(), twist = a.to_twist();
   check(std::fabs(twist[1] - 2 * log[1]) < T(1e-5) && near<T>(motion().integrate_body(twist, 1), a), "the twist is twice the log");
   check(near<T>(a.sclerp(b, 0), a) && near<T>(a.nlerp(b, 0), a) && near<T>(a.pow(1), a), "ends");
@@ -401,6 +427,20 @@ static void on_mechanisms() {
                                   mechanism::revolute(2, {}, {1, 0, 0}), mechanism::revolute(3, out, {0, 1, 0}), mechanism::revolute(4, {}, {1, 0, 0})});
   const std::array<T, 6> bent{T(0.3), T(0.4), T(0.9), T(0.2), T(0.8), T(0.1)};
   const motion target = six.pose(bent, 5);
+  const auto [six_columns, six_pose] = six.jacobian(bent, 5);
+  std::array<T, 6> speeds{T(0.5), T(-0.25), 1, 2, T(-0.5), T(0.75)}, twist{};
+  for (std::size_t i = 0; i < 36; i++) twist[i % 6] += six_columns[i / 6][i % 6] * speeds[i / 6];
+  check(near<T>(six_pose, target) && near<T>(six.rates_for(bent, 5, twist), speeds), "rates give the twist");
+  auto slower = six.rates_for(bent, 5, twist, T(1));
+  check(std::fabs(slower[3]) < std::fabs(speeds[3]), "damping");
+  std::array<T, 36> scratch{};
+  std::array<T, 6> twice{};
+  six.rates_for(bent, 5, twist, scratch, twice, T(1));
+  check(near<T>(twice, slower) && six.manipulability(bent, 5) > T(0.1) && six.manipulability(bent, 5, scratch) == six.manipulability(bent, 5), "manipulability");
+  check(six.manipulability({T(0.3), T(0.4), T(0.9), T(0.2), 0, T(0.1)}, 5) < T(1e-5), "a wrist that is straight");
+  check(refused(DQ8_STATUS_LENGTH, "found has length 3", [&] { std::vector<T> few(3); six.rates_for(bent, 5, twist, scratch, few); }), "rates");
+  check(refused(DQ8_STATUS_UNKNOWN_VALUE, "rates_for", [&] { six.rates_for(bent, 5, twist, -1); }), "negative damping");
+  check(refused(DQ8_STATUS_NO_LINK, "manipulability", [&] { six.manipulability(bent, 6); }), "manipulability of no link");
   const auto found = six.solutions(mechanism::whole(5), target, bent);
   check(found.size() == 1 && found[0].count >= 2 && found[0].is_complete == 1 && found[0].all[0].distance < T(1e-3), "solutions");
   for (std::size_t i = 0; i < found[0].count; i++) check(six.pose(found[0].all[i].values, 5).distance_to(target) < T(1e-4), "a solution");
@@ -482,6 +522,7 @@ static void on_clips() {
   const std::vector<dq8_place> places{first, second};
   clips.to_model(skeleton, places, {at, later}, both);
   check(near<T>(both[0].translation(), std::array<T, 3>{T(1.25), 0, 0}) && near<T>(both[3].translation(), std::array<T, 3>{T(0.5), 1, 0}), "two places");
+  check(clips.bytes().size() == 208, "no byte of the bound is left");
   const dq8::clips read(std::vector<std::uint8_t>(clips.bytes().begin(), clips.bytes().end()));
   check(read.size() == 2, "the bytes of a file");
 

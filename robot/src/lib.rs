@@ -90,6 +90,11 @@ pub mod guide {}
 
 pub mod ik;
 mod mechanism;
+/// What the Python package has of the Jacobians of many configurations on lanes. Not for others.
+#[doc(hidden)]
+pub mod internal {
+    pub use crate::mechanism::rates::{rate_of, rows, scales};
+}
 #[cfg(feature = "urdf")]
 pub mod urdf;
 

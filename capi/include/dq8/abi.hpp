@@ -18,10 +18,14 @@ namespace detail {
     using reach_options = dq8_reach_options_##suffix;                                           \
     using reach_report = dq8_reach_report_##suffix;                                             \
     using solution_list = dq8_solution_list_##suffix;                                           \
+    using fit_quality = dq8_fit_quality_##suffix;                                               \
     static constexpr auto chain_products = &dq8_chain_products_##suffix;                        \
     static constexpr auto blocks_chain_products = &dq8_blocks_chain_products_##suffix;          \
     static constexpr auto clips_place = &dq8_clips_place_##suffix;                              \
     static constexpr auto clips_to_model = &dq8_clips_to_model_##suffix;                        \
+    static constexpr auto motion_from_euler = &dq8_motion_from_euler_##suffix;                  \
+    static constexpr auto motion_to_euler = &dq8_motion_to_euler_##suffix;                      \
+    static constexpr auto fit = &dq8_fit_##suffix;                                              \
     static constexpr auto motion_line = &dq8_motion_line_##suffix;                              \
     static constexpr auto motion_plane = &dq8_motion_plane_##suffix;                            \
     static constexpr auto motion_twist = &dq8_motion_twist_##suffix;                            \
@@ -50,6 +54,8 @@ namespace detail {
     static constexpr auto mechanism_link_poses = &dq8_mechanism_link_poses_##suffix;            \
     static constexpr auto mechanism_link_pose = &dq8_mechanism_link_pose_##suffix;              \
     static constexpr auto mechanism_link_jacobian = &dq8_mechanism_link_jacobian_##suffix;      \
+    static constexpr auto mechanism_manipulability = &dq8_mechanism_manipulability_##suffix;    \
+    static constexpr auto mechanism_rates_for = &dq8_mechanism_rates_for_##suffix;              \
     static constexpr auto motion_identity = &dq8_motion_identity_##suffix;                      \
     static constexpr auto motion_from_rotation_translation = &dq8_motion_from_rotation_translation_##suffix;\
     static constexpr auto motion_to_rotation_translation = &dq8_motion_to_rotation_translation_##suffix;\

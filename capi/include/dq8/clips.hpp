@@ -34,14 +34,13 @@ class clips {
       all.push_back({clip.keys.data(), count, clip.rate, clip.loops ? 1u : 0u});
     }
     std::size_t size = 0, bad = nowhere;
-    const auto call = [&](std::uint8_t *bytes, std::size_t capacity) {
-      const dq8_status status =
-          dq8_clips_pack(all.data(), all.size(), joints, angle, length, bytes, capacity, &size, &bad);
-      detail::check("clips::pack", status, bad);
-    };
-    call(nullptr, 0);
+    dq8_status status = dq8_clips_bound(all.data(), all.size(), joints, &size, &bad);
+    detail::check("clips::pack", status, bad);
     std::vector<std::uint8_t> bytes(size);
-    call(bytes.data(), bytes.size());
+    status = dq8_clips_pack(all.data(), all.size(), joints, angle, length, bytes.data(), bytes.size(), &size, &bad);
+    detail::check("clips::pack", status, bad);
+    bytes.resize(size);
+    bytes.shrink_to_fit();
     return clips(std::move(bytes));
   }
 

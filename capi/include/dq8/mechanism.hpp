@@ -116,6 +116,41 @@ class mechanism {
     return pose;
   }
 
+  /* Computes the manipulability of a link of one configuration: the root of the determinant of J times the transposed J. It is 0
+     where the link cannot move in some direction, and the same in all frames. */
+  T manipulability(span<const T> values, std::size_t link) const {
+    std::vector<column> columns(rates());
+    return manipulability(values, link, span<T>(columns));
+  }
+  /* The same with scratch memory of the caller, which holds six numbers for each rate. */
+  T manipulability(span<const T> values, std::size_t link, span<T> columns) const {
+    one("mechanism::manipulability", values);
+    detail::length("mechanism::manipulability", "columns", columns.size(), 6 * rates());
+    T volume = 0;
+    detail::check("mechanism::manipulability", abi::mechanism_manipulability(made(), values.data(), values.size(), link,
+                                                                             columns.data(), rates(), &volume));
+    return volume;
+  }
+  /* Computes the rates that move a link best with the velocity `twist`, angular x y z and then linear x y z. `damping` keeps them
+     small near singular configurations. */
+  std::vector<T> rates_for(span<const T> values, std::size_t link, const column &twist, T damping = 0,
+                           std::int32_t frame = DQ8_FRAME_WORLD_ALIGNED) const {
+    std::vector<column> columns(rates());
+    std::vector<T> found(rates());
+    rates_for(values, link, twist, span<T>(columns), span<T>(found), damping, frame);
+    return found;
+  }
+  /* The same into memory of the caller: `found` holds a number for each rate, and `columns`, which is scratch, six. */
+  void rates_for(span<const T> values, std::size_t link, const column &twist, span<T> columns, span<T> found, T damping = 0,
+                 std::int32_t frame = DQ8_FRAME_WORLD_ALIGNED) const {
+    one("mechanism::rates_for", values);
+    detail::length("mechanism::rates_for", "columns", columns.size(), 6 * rates());
+    detail::length("mechanism::rates_for", "found", found.size(), rates());
+    detail::check("mechanism::rates_for",
+                  abi::mechanism_rates_for(made(), frame, values.data(), values.size(), link, twist.data(), damping,
+                                           columns.data(), found.data(), rates()));
+  }
+
   /* Computes the Jacobians and poses of some links of many configurations: poses are [configuration][link], in the order of
      `links`, and columns [configuration][link][rate], of six numbers each. */
   void jacobians(span<const T> values, span<const std::size_t> links, span<T> poses, span<T> columns,

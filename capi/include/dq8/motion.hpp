@@ -52,6 +52,11 @@ class motion {
   static motion from_screw(const screw &numbers) {
     return ask<motion>("motion::from_screw", abi::motion_from_screw, numbers.data());
   }
+  /* Makes the rotation of three turns about coordinate axes, in radians, the first turn first. `order` has three letters, none
+     twice in a row: small ones such as "xyz" are axes that stay fixed, and capitals such as "ZYX" turn with the body. */
+  static motion from_euler(const char *order, const vector &angles) {
+    return ask<motion>("motion::from_euler", abi::motion_from_euler, order, angles.data());
+  }
   static motion exp(const twist &log) { return ask<motion>("motion::exp", abi::motion_exp, log.data()); }
   /* Blends motions by weights, which need not sum to 1, and normalizes. */
   static motion blend(span<const T> motions, span<const T> weights) {
@@ -87,6 +92,13 @@ class motion {
   /* The unit quaternion (x, y, z, w) of the rotation. */
   quaternion rotation() const { return parts().first; }
   vector translation() const { return parts().second; }
+  /* The angles of `from_euler` in radians, the angle of the first turn first. The middle one is from -pi/2 to pi/2 if the three
+     axes differ, and otherwise from 0 to pi. If the first and the last axis coincide, the last angle is 0. */
+  vector to_euler(const char *order) const {
+    vector angles{};
+    detail::check("motion::to_euler", abi::motion_to_euler(data(), order, angles.data(), nullptr));
+    return angles;
+  }
   std::array<T, 12> to_matrix_3x4() const { return ask<std::array<T, 12>>("motion::to_matrix_3x4", abi::motion_to_matrix_3x4, data()); }
   std::array<T, 16> to_matrix_4x4() const { return ask<std::array<T, 16>>("motion::to_matrix_4x4", abi::motion_to_matrix_4x4, data()); }
   screw to_screw() const { return ask<screw>("motion::to_screw", abi::motion_to_screw, data()); }

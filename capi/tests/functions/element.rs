@@ -4,6 +4,7 @@ use dq8::simd::{Block, Row};
 use dq8::{DualQuat, Quat, Real, Twist};
 use dq8_capi::clip_files::Frames;
 use dq8_capi::clips::{Clips, Place};
+use dq8_capi::fit::FitQuality;
 use dq8_capi::joint::Joint;
 use dq8_capi::mechanism::{Mechanism, Step};
 use dq8_capi::reach::{Goal, ReachOptions, ReachReport};
@@ -170,5 +171,6 @@ things! {
     [R] ReachReport<R>, |report| report;
     [R] Solutions<R>, |found| found;
     [R] Mechanism<R>, |made| (made.links, made.values, made.rates);
+    [R] FitQuality<R>, |quality| quality;
     [R] Skin<R>, |made| (made.vertices, made.influences, made.joints);
 }

@@ -13,9 +13,10 @@ use crate::number::Number;
 use crate::output::Output;
 use crate::shape::{NUMBER, SIX};
 use crate::threads::Threads;
-use dq8::simd::{Mask, Records};
-use dq8::{Backend, Kernel, Lanes, Level, Real};
+use dq8::simd::Records;
+use dq8::{Backend, Kernel, Lanes, Level};
 use dq8_robot::OwnedMechanism;
+use dq8_robot::internal::{rate_of, rows, scales};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::OnceLock;
@@ -204,7 +205,6 @@ impl<R: Number> Kernel for Work<'_, R> {
             Law::Rates { .. } => rates,
         };
         let zero = R::Lanes::<V>::splat(level, R::ZERO);
-        let epsilon: f64 = <R as Real>::EPSILON.into();
         let mut own = vec![[zero; 6]; rates];
         for (group, to) in to.chunks_mut(lanes * made).enumerate() {
             let first = group * lanes;
@@ -230,12 +230,9 @@ impl<R: Number> Kernel for Work<'_, R> {
                 Law::Rates { damping } => {
                     let from = other.as_chunks().0.get(first..).unwrap_or_default();
                     let twist = R::Lanes::<V>::load_records(level, from, [R::ZERO; 6]);
-                    let scales = scales(zero, &mut own, twist, damping, epsilon);
+                    let scales = scales(zero, &mut own, twist, damping);
                     for (rate, column) in own.iter().enumerate() {
-                        let mut sum = zero;
-                        for (&row, &scale) in column.iter().zip(&scales) {
-                            sum = row.mul_add(scale, sum);
-                        }
+                        let sum = rate_of(zero, column, &scales);
                         let places = to.iter_mut().skip(rate).step_by(rates);
                         for (to, &rate) in places.zip(sum.to_array().as_ref()) {
                             *to = rate;
@@ -245,16 +242,6 @@ impl<R: Number> Kernel for Work<'_, R> {
             }
         }
     }
-}
-
-/// The product of two rows.
-#[inline(always)]
-fn rows<L: Lanes>(zero: L, columns: &[[L; 6]], i: usize, j: usize) -> L {
-    let mut sum = zero;
-    for column in columns {
-        sum = column[i].mul_add(column[j], sum);
-    }
-    sum
 }
 
 /// The product of the lengths of the rows, after each was made orthogonal to those before it
@@ -276,66 +263,4 @@ fn volume<L: Lanes>(zero: L, columns: &mut [[L; 6]]) -> L {
         }
     }
     volume
-}
-
-/// As many sweeps as rows of nearly equal length may take.
-const SWEEPS: usize = 16;
-
-/// Turns the rows of J, and a twist with them, until the rows are orthogonal: U J = ΣVᵀ
-/// (Hestenes' form of Jacobi's method). Of what is left in J the rates are the sum of the rows
-/// times the numbers that this returns, (U twist)/(σ² + λ²); 0 where σ is only rounding, by
-/// `epsilon` of the largest.
-#[inline(always)]
-fn scales<L: Lanes>(
-    zero: L,
-    columns: &mut [[L; 6]],
-    mut twist: [L; 6],
-    damping: f64,
-    epsilon: f64,
-) -> [L; 6] {
-    let one = zero.constant(1.0);
-    let mut total = zero;
-    for row in 0..6 {
-        total = total + rows(zero, columns, row, row);
-    }
-    // Rows that are shorter are rounding, and so are products that are less.
-    let cut = epsilon * columns.len().max(6) as f64;
-    let (cut, least) = (total * zero.constant(cut * cut), zero.constant(16.0 * epsilon * epsilon));
-    for _ in 0..SWEEPS {
-        let mut turned = !zero.eq(zero);
-        for i in 0..5 {
-            for j in i + 1..6 {
-                let (a, b) = (rows(zero, columns, i, i), rows(zero, columns, j, j));
-                let product = rows(zero, columns, i, j);
-                let is_small = (product * product).le(least * a * b) | a.le(cut) | b.le(cut);
-                turned = turned | (!is_small & product.eq(product));
-                let half = (b - a) / (product + product);
-                let size = one / (half.abs() + (half * half + one).sqrt());
-                let tangent = L::select(half.lt(zero), -size, size);
-                let tangent = L::select(is_small, zero, tangent);
-                let cosine = one / (tangent * tangent + one).sqrt();
-                let sine = tangent * cosine;
-                for column in &mut *columns {
-                    (column[i], column[j]) = turn(cosine, sine, column[i], column[j]);
-                }
-                (twist[i], twist[j]) = turn(cosine, sine, twist[i], twist[j]);
-            }
-        }
-        if !turned.any() {
-            break;
-        }
-    }
-    let added = zero.constant(damping * damping);
-    let mut scales = twist;
-    for (row, scale) in scales.iter_mut().enumerate() {
-        let square = rows(zero, columns, row, row);
-        *scale = L::select(square.le(cut), zero, twist[row] / (square + added));
-    }
-    scales
-}
-
-/// Two numbers of a column, turned.
-#[inline(always)]
-fn turn<L: Lanes>(cosine: L, sine: L, x: L, y: L) -> (L, L) {
-    (cosine * x - sine * y, sine * x + cosine * y)
 }

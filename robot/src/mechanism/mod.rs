@@ -6,6 +6,7 @@ mod configuration;
 mod jacobians;
 pub(crate) mod job;
 pub(crate) mod joint;
+pub(crate) mod rates;
 mod single;
 pub(crate) mod step;
 pub(crate) mod tree;

@@ -9,6 +9,7 @@ mod far;
 mod hinge;
 mod jobs;
 mod manipulable;
+mod rates;
 mod reach;
 mod single;
 mod solutions;

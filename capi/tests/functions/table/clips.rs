@@ -10,7 +10,7 @@ use dq8::hierarchy::{Clip, PackedClip, Root, Sampled, Tolerance, TrackPlace};
 use dq8::law::NlerpLerp;
 use dq8::{DualQuat, Hierarchy};
 use dq8_capi::Status;
-use dq8_capi::clip_files::{Frames, dq8_clips_pack};
+use dq8_capi::clip_files::{Frames, dq8_clips_bound, dq8_clips_pack};
 use dq8_capi::clips::{Clips, Place, double, dq8_clips_duration, dq8_clips_make, single};
 use std::rc::Rc;
 
@@ -50,13 +50,12 @@ fn add_packing(joints: usize, to: &mut Vec<Function>) {
         };
         (0..frames * joints).map(key).collect()
     }));
-    let clips = |keys: &[Vec<[f32; 7]>; 2]| {
-        let [first, second] = keys.each_ref().map(|keys| Clip::new(joints, keys).expect("frames"));
-        let tolerance = Tolerance { angle: 1e-3, length: 1e-4 };
-        PackedClip::library(&[first, second.with_rate(2.0).looping()], tolerance)
-    };
-    let file = clips(&keys).expect("keys").as_bytes().to_vec();
-    let length = file.len();
+    let [first, second] = keys.each_ref().map(|keys| Clip::new(joints, keys).expect("frames"));
+    let all = [first, second.with_rate(2.0).looping()];
+    let tolerance = Tolerance { angle: 1e-3, length: 1e-4 };
+    let file = PackedClip::library(&all, tolerance).expect("keys").as_bytes().to_vec();
+    let (length, most) = (file.len(), PackedClip::bound(&all).expect("keys"));
+    assert!(length <= most, "{length} {most}");
     let of_c = move |keys: &[Vec<[f32; 7]>; 2], at: usize| {
         let (rate, loops) = [(0.0, 0), (2.0, 1)][at];
         Frames { keys: keys[at].as_ptr().cast(), count: keys[at].len() / joints, rate, loops }
@@ -68,16 +67,26 @@ fn add_packing(joints: usize, to: &mut Vec<Function>) {
         move |clips: &mut [Frames]| clips[1] = of_c(&wrong, 1)
     };
     let bad = joints - 1;
-    let given = Rc::clone(&keys);
+    let clips = || {
+        let given = Rc::clone(&keys);
+        reads::<Frames>(2)
+            .only(move |at| of_c(&given, at))
+            .keeps(keys.iter().map(|keys| memory(keys)).collect())
+            .fault(Status::NullPointer, None, |clips| clips[1].keys = std::ptr::null())
+            .fault(Status::NoFrames, None, |clips| clips[1].count = 0)
+            .fault(Status::UnknownValue, None, |clips| clips[0].loops = 2)
+            .fault_through(Status::NotUnit, 6 * joints + bad, wrong(bad, 3, 2.0))
+    };
     functions! { to:
+        "dq8_clips_bound", dq8_clips_bound = (
+            clips: clips(),
+            clip_count: passes(2).wrong(0, Status::NoFrames).wrong(usize::MAX, Status::TooLarge),
+            joint_count: passes(joints).wrong(0, Status::NoFrames),
+            bound: writes::<usize>(1), bad_key: names(),
+        ) => bound[0] = most;
         "dq8_clips_pack", dq8_clips_pack = (
-            clips: reads::<Frames>(2).only(move |at| of_c(&given, at))
-                .keeps(keys.iter().map(|keys| memory(keys)).collect())
-                .fault(Status::NullPointer, None, |clips| clips[1].keys = std::ptr::null())
-                .fault(Status::NoFrames, None, |clips| clips[1].count = 0)
-                .fault(Status::UnknownValue, None, |clips| clips[0].loops = 2)
+            clips: clips()
                 .fault(Status::UnknownValue, None, |clips| clips[0].rate = -1.0)
-                .fault_through(Status::NotUnit, 6 * joints + bad, wrong(bad, 3, 2.0))
                 .fault_through(Status::NotFinite, 6 * joints + bad, wrong(bad, 5, f32::NAN)),
             clip_count: passes(2).wrong(0, Status::NoFrames).wrong(usize::MAX, Status::TooLarge),
             joint_count: passes(joints).wrong(0, Status::NoFrames),

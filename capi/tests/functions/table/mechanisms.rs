@@ -201,7 +201,7 @@ macro_rules! add {
         type Motion = DualQuat<$R>;
         let scene = Scene::<$R>::$of($shape);
         let Mechanism { links: joints, values, rates, .. } = scene.made;
-        let [all, one, columns_of, made] = [(); 4].map(|()| Rc::clone(&scene));
+        let [all, one, columns_of, made, volume, inverse] = [(); 6].map(|()| Rc::clone(&scene));
         let given = Rc::clone(&scene);
         let links = || one_of(0..joints.max(1)).wrong(joints.max(1), Status::NoLink).wrong(usize::MAX, Status::NoLink);
         let values_of = || count(values).wrong(values + 1, Status::LengthValues);
@@ -237,6 +237,31 @@ macro_rules! add {
                     _ => known.link_jacobian(WorldAligned, values, link, columns),
                 })?;
                 pose.fill(reached);
+            };
+            "mechanism_" mechanism manipulability (
+                mechanism: scene.argument(), values: reads::<$R>(values), value_count: values_of(), link: links(),
+                columns: writes::<Twist<$R>>(rates).scratch(),
+                column_count: count(rates).wrong(rates + 1, Status::LengthColumns),
+                manipulability: writes::<$R>(1),
+            ) => {
+                let known = volume.rust.view();
+                manipulability[0] = linked(link, joints, || known.manipulability(values, link, columns))?;
+            };
+            "mechanism_" mechanism rates_for (
+                mechanism: scene.argument(),
+                frame: one_of([0, 1, 2]).wrong(3, Status::UnknownValue).wrong(-1, Status::UnknownValue),
+                values: reads::<$R>(values), value_count: values_of(), link: links(),
+                twist: reads::<Twist<$R>>(1),
+                damping: one_of([0.0, 0.25]).wrong(-0.1, Status::UnknownValue).wrong(<$R>::NAN, Status::UnknownValue),
+                columns: writes::<Twist<$R>>(rates).scratch(), rates: writes::<$R>(rates),
+                column_count: count(rates).wrong(rates + 1, Status::LengthColumns),
+            ) => {
+                let (known, twist) = (inverse.rust.view(), twist[0]);
+                linked(link, joints, || match frame {
+                    0 => known.rates_for(World, values, link, twist, damping, columns, rates),
+                    1 => known.rates_for(Body, values, link, twist, damping, columns, rates),
+                    _ => known.rates_for(WorldAligned, values, link, twist, damping, columns, rates),
+                })?;
             };
         }
     }};

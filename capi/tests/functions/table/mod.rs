@@ -2,6 +2,7 @@
 
 mod arrays;
 mod clips;
+mod fits;
 mod hierarchies;
 mod mechanisms;
 mod motions;
@@ -17,6 +18,7 @@ pub(crate) fn table(shape: &Shape) -> Vec<Function> {
     let mut all = Vec::new();
     arrays::add(shape, &mut all);
     clips::add(shape, &mut all);
+    fits::add(shape, &mut all);
     hierarchies::add(shape, &mut all);
     mechanisms::add(shape, &mut all);
     motions::add(shape, &mut all);

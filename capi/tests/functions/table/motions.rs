@@ -1,16 +1,28 @@
 //! Functions on one motion.
 
-use crate::argument::{Of, Written, count, one_of, passes, reads, writes};
+use crate::argument::{Of, Read, Written, count, one_of, passes, reads, writes};
 use crate::element::{Element, SCALED, record, wave};
 use crate::function::Function;
 use crate::shape::Shape;
 use dq8::geometry::{DualVector, Screw};
+use dq8::representation::{EulerAngles, EulerAxes, EulerFrame, EulerOrder};
 use dq8::{DualQuat, Line, Plane, Quat, Real, Twist, internal};
-use dq8_capi::{Status, geometry, mean, motion, screw};
+use dq8_capi::{Status, euler, geometry, mean, motion, screw};
 
 /// It may lie anywhere.
 fn to<T: Element>() -> Of<T, Written> {
     writes(1).free()
+}
+
+/// The order of Euler angles in all calls.
+const TURNS: EulerOrder = EulerOrder { axes: EulerAxes::ZXY, frame: EulerFrame::Intrinsic };
+
+/// A string: the order [`TURNS`].
+fn order() -> Of<u8, Read> {
+    let wrong = [*b"ZXy\0", *b"XXY\0", *b"XYY\0", *b"WXY\0", *b"ZXYZ", *b"ZX\0Y", *b"\0XYZ"];
+    wrong.into_iter().fold(reads(4).only(|at| b"ZXY\0"[at]), |order, wrong| {
+        order.fault(Status::UnknownValue, None, move |letters| letters.copy_from_slice(&wrong))
+    })
 }
 
 fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status> {
@@ -58,6 +70,16 @@ macro_rules! add {
                 => matrix[0] = motion[0].to_matrix3x4();
             "motion_" motion to_matrix_4x4 (motion: one(), matrix: to::<[[$R; 4]; 4]>())
                 => matrix[0] = motion[0].to_matrix4();
+            "motion_" euler from_euler (
+                order: order(), angles: reads::<[$R; 3]>(1), out: to::<Motion>(),
+            ) => out[0] = Motion::from_rotation(EulerAngles { angles: angles[0], order: TURNS }.to_quat());
+            "motion_" euler to_euler (
+                motion: one(), order: order(), angles: to::<[$R; 3]>(), gimbal_lock: to::<i32>().unless_null(0),
+            ) => {
+                let found = motion[0].rotation().to_euler(TURNS);
+                angles[0] = found.angles.angles;
+                gimbal_lock.fill(found.gimbal_lock.into());
+            };
             "motion_" motion mul (a: one(), b: one(), out: to::<Motion>()) => out[0] = a[0] * b[0];
             "motion_" motion conjugate (motion: one(), out: to::<Motion>()) => out[0] = motion[0].conjugate();
             "motion_" motion inverse (
