@@ -58,6 +58,8 @@ IN_C = {
     ("DualQuat", "dlb"): "blend",
     ("DualQuat", "dib"): "mean",
     ("DualQuat", "adjoint"): "twist",
+    ("Quat", "from_euler"): "from_euler",
+    ("Quat", "to_euler"): "to_euler",
 }
 NO_OPERATION_IN_C = {"identity"}
 # Kernels over slices of what is no operation: fits of maps to points.

@@ -170,8 +170,8 @@ impl<'s, R: Number> Left<'s, R> {
 }
 
 /// All clips, by all threads. Each thread tracks some of them at the same time, a piece of each in
-/// one call; so a call on long clips can be interrupted. Neither other clips nor the pieces change a
-/// bit of a frame, which depends on the values of the frame before it.
+/// one call; so a call on long clips can be interrupted. Neither other clips nor the pieces change
+/// a bit of a frame, which depends on the values of the frame before it.
 fn solve<R: Number>(
     threads: &Threads,
     problem: &Reach<'_, f64>,
