@@ -101,6 +101,8 @@ CALLS: dict[str, tuple[str, str]] = {
         "points = np.random.default_rng(1).normal(size=(2_000_000, 3))",
         "dq8.fit(points, points + 0.01 * points[:, ::-1], robust='tukey')",
     ),
+    "hand_eye, one of many pairs": ("motions = dq8.random(2_000_000, rng=1)", "dq8.hand_eye(motions, motions)"),
+    "hand_eye, robust, one of many pairs": ("motions = dq8.random(500_000, rng=1)", "dq8.hand_eye(motions, motions, robust='tukey')"),
     "from_matrix": ("matrices = np.tile(np.eye(4), (3_000_000, 1, 1))", "dq8.from_matrix(matrices)"),
     "angle_to": ("a = np.tile(turned, (12_000, 1)).astype(np.float32)", "dq8.angle_to(a[:, None], a)"),
     "allclose": (MANY, "dq8.allclose(many, many)"),

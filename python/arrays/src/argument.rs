@@ -99,6 +99,10 @@ impl<'py, R: Number> Input<'py, R> {
 
     /// [`of`](Self::of), before it is known whether they do.
     pub fn attached(argument: &Argument<'py>) -> PyResult<Self> {
+        R::attached(argument)
+    }
+
+    pub(crate) fn read(argument: &Argument<'py>) -> PyResult<Self> {
         let py = argument.array.py();
         let view = view(&argument.array)?;
         let array = match view.cast_into::<PyArrayDyn<R>>() {
@@ -216,9 +220,10 @@ impl<'py, R: Number> Input<'py, R> {
 
     /// With an element in memory for each of `shape`, to which the leading dimensions broadcast.
     pub fn filled(self, shape: &[usize]) -> PyResult<Self> {
-        if self.leading == shape {
-            return Ok(self);
-        }
+        if self.leading == shape { Ok(self) } else { R::filled(self, shape) }
+    }
+
+    pub(crate) fn repeated(self, shape: &[usize]) -> PyResult<Self> {
         let py = self.array.py();
         let mut full = shape.to_vec();
         full.extend_from_slice(&self.array.shape()[self.leading.len()..]);

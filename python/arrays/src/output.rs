@@ -43,6 +43,15 @@ impl<'py, R: Number> Output<'py, R> {
         leading: &[usize],
         core: &[usize],
     ) -> PyResult<Self> {
+        R::output(py, out, leading, core)
+    }
+
+    pub(crate) fn made(
+        py: Python<'py>,
+        out: Option<&Bound<'py, PyAny>>,
+        leading: &[usize],
+        core: &[usize],
+    ) -> PyResult<Self> {
         let mut shape = leading.to_vec();
         shape.extend_from_slice(core);
         let Some(out) = out else {

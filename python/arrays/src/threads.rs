@@ -167,29 +167,40 @@ pub fn whole<T: Send + 'static>(
     py: Python<'_>,
     job: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
+    let made = Arc::new(Mutex::new(None));
+    let to = Arc::clone(&made);
+    apart(
+        py,
+        Box::new(move || {
+            let it = job();
+            *to.lock().unwrap_or_else(PoisonError::into_inner) = Some(it);
+        }),
+    )?;
+    let made = made.lock().unwrap_or_else(PoisonError::into_inner).take();
+    // It has panicked.
+    made.ok_or_else(|| PyRuntimeError::new_err("nothing was computed"))
+}
+
+/// Runs a job in a thread of its own and waits for its end or for a signal. It is no type
+/// parameter, so that threads and channels are compiled once.
+fn apart(py: Python<'_>, job: Box<dyn FnOnce() + Send>) -> PyResult<()> {
     let interrupt = &Interrupt::new();
-    let (done, wait) = channel();
+    let (done, wait) = channel::<()>();
     // As much stack as the first thread of a process has on most systems.
     let thread = Builder::new().stack_size(8 << 20).spawn(move || {
-        // Nobody waits for it where the call was interrupted.
-        let _ = done.send(job());
+        job();
+        drop(done);
     });
     thread.map_err(|error| PyRuntimeError::new_err(format!("no thread: {error}")))?;
-    let made = py.detach(move || {
-        loop {
-            match wait.recv_timeout(PERIOD) {
-                Ok(made) => return Some(made),
-                // It has panicked.
-                Err(RecvTimeoutError::Disconnected) => return None,
-                Err(RecvTimeoutError::Timeout) => interrupt.ask(),
-            }
+    py.detach(move || {
+        while wait.recv_timeout(PERIOD) == Err(RecvTimeoutError::Timeout) {
+            interrupt.ask();
             if interrupt.came() {
-                return None;
+                return;
             }
         }
     });
-    let nothing = || PyRuntimeError::new_err("nothing was computed");
-    interrupt.take().map_or_else(|| made.ok_or_else(nothing), Err)
+    interrupt.take().map_or(Ok(()), Err)
 }
 
 /// Let `count` threads, 1 to 256, compute calls of 8192 elements and more; 1, the default, starts

@@ -52,7 +52,14 @@ class _Task:
         self.__name__, self.compute, self.after, self.options = name, compute, after, options
 
     def __call__(self, *arrays: Any) -> Any:
-        return self.compute(*arrays, *self.after, **self.options)
+        return self.compute(*map(_alone, arrays), *self.after, **self.options)
+
+
+def _alone(chunk: Any) -> Any:
+    """The chunk of an argument, which comes in a list for each dimension of its elements."""
+    while isinstance(chunk, list):
+        (chunk,) = chunk
+    return chunk
 
 
 def _lazy(
@@ -77,6 +84,8 @@ def _lazy(
         own = array.ndim - len(core)
         if own < 0 or array.shape[own:] != core:
             raise ValueError(f"{task.__name__}: expected shape (..., {', '.join(map(str, core))}), got {array.shape}.")
+        # One chunk of whole elements is passed on as it is, where Dask would copy it to concatenate it.
+        array = array.rechunk(dict.fromkeys(range(own, array.ndim), -1))
         given += [array, (*range(leading - own, leading), *itertools.islice(number, len(core)))]
     made = {next(number): size for size in result}
     dtype = _dtype([*arrays, *also] if by is None else by)
@@ -85,7 +94,7 @@ def _lazy(
         (*range(leading), *made),
         *given,
         new_axes=made,
-        concatenate=True,
+        concatenate=False,
         token=f"dq8-{task.__name__}",
         dtype=dtype,
         meta=np.empty((0,) * (leading + len(result)), dtype),
@@ -95,18 +104,22 @@ def _lazy(
 def _array(value: Any) -> Any:
     """An array of Dask; of a data frame, with its columns in the order of arrays where their names tell it."""
     if hasattr(value, "to_dask_array"):
-        found = _names.order(list(getattr(value, "columns", [])))
-        return value.to_dask_array() if found is None else value.to_dask_array()[:, found]
+        return _columns(value, _names.order(list(getattr(value, "columns", []))))
     return da.asanyarray(value)
+
+
+def _columns(frame: Any, found: list[int] | None) -> Any:
+    """An array of the columns at these places. They are chosen in the data frame, so that files are read in that order."""
+    if found is not None and found != list(range(len(frame.columns))):
+        frame = frame[[frame.columns[place] for place in found]]
+    return frame.to_dask_array()
 
 
 def _values(mechanism: Mechanism, values: Any, name: str = "values", order: list[str] | None = None) -> Any:
     """Configurations, or rates, of a data frame in the order of the mechanism."""
     if not hasattr(values, "to_dask_array"):
         return values
-    found = _names.places(name, list(values.columns), mechanism.values if order is None else order)
-    array = values.to_dask_array()
-    return array if found is None or found == sorted(found) else array[:, found]
+    return _columns(values, _names.places(name, list(values.columns), mechanism.values if order is None else order))
 
 
 def _function(name: str) -> Callable[..., Any]:

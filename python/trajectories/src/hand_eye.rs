@@ -10,12 +10,13 @@ use crate::threads::Threads;
 use dq8::simd::{Mask, Records};
 use dq8::{Backend, DualQuat, Kernel, Lanes, Level};
 use pyo3::prelude::*;
+use std::borrow::Cow;
 
 /// For each problem a motion, the eight singular values from the largest on, and the median of the
 /// angles that are left.
 const NUMBERS: usize = 17;
 
-/// The number of pairs that are solved between two looks at signals.
+/// The number of pairs between two looks at signals.
 const PAIRS: usize = 4096;
 
 /// The number of times that a problem is solved at most, each time with other signs.
@@ -54,7 +55,7 @@ pub fn hand_eye_pairs<'py>(
             threads.split(PAIRS.div_ceil(pairs) * width, to, &|(at, to)| {
                 let part = given.part(at / width, to.len() / width);
                 match rule {
-                    None => part.solve(to.as_chunks_mut().0, &mut []),
+                    None => part.solve(&threads, to.as_chunks_mut().0, &mut []),
                     Some(rule) => part.reweighted(rule, &threads, to),
                 }
                 true
@@ -88,31 +89,43 @@ impl Given<'_> {
     /// both turn by nearly π, noise decides about the sign, and the wrong sign makes an outlier.
     /// So where A X and X B have opposite signs, the sign of B is changed, and the problem is
     /// solved again.
-    fn solve(&self, to: &mut [[f64; NUMBERS]], residuals: &mut [f64]) {
-        let signed = |all: &[[f64; 8]]| -> Vec<[f64; 8]> {
+    ///
+    /// A single problem may have millions of pairs, so `threads` are asked within problems too. An
+    /// interrupted call leaves numbers without a meaning.
+    fn solve(&self, threads: &Threads, to: &mut [[f64; NUMBERS]], residuals: &mut [f64]) {
+        let signed = |all: &[[f64; 8]]| -> Option<Vec<[f64; 8]>> {
             let sign = |one: &[f64; 8]| if one[3] < 0.0 { -1.0 } else { 1.0 };
-            all.iter().map(|one| one.map(|number| sign(one) * number)).collect()
+            let mut signed = Vec::with_capacity(all.len());
+            for piece in all.chunks(PAIRS) {
+                if threads.interrupted() {
+                    return None;
+                }
+                signed.extend(piece.iter().map(|one| one.map(|number| sign(one) * number)));
+            }
+            Some(signed)
         };
-        let (hands, mut eyes) = (signed(self.hands), signed(self.eyes));
+        let (Some(hands), Some(mut eyes)) = (signed(self.hands), signed(self.eyes)) else {
+            return;
+        };
         let pairs = self.pairs;
         let mut angles = vec![0.0; pairs];
         let mut counted = Vec::new();
         let mut left: Vec<usize> = (0..to.len()).collect();
-        for round in 0..TURNS {
+        for _ in 0..TURNS {
             let own = |all: &[[f64; 8]]| -> Vec<[f64; 8]> {
                 left.iter().flat_map(|at| &all[at * pairs..(at + 1) * pairs]).copied().collect()
             };
             let mut decomposed = vec![Decomposed::default(); left.len()];
             let backend = Backend::best();
-            if round == 0 {
+            if left.len() == to.len() {
                 let given = Given { hands: &hands, eyes: &eyes, ..*self };
-                backend.run(Decompose { given, to: &mut decomposed });
+                backend.run(Decompose { given, threads, to: &mut decomposed });
             } else {
                 let weigh = |at: &usize| self.weights.get(at * pairs..(at + 1) * pairs);
                 let weights: Vec<f64> = left.iter().filter_map(weigh).flatten().copied().collect();
                 let (hands, eyes) = (own(&hands), own(&eyes));
                 let given = Given { hands: &hands, eyes: &eyes, weights: &weights, pairs };
-                backend.run(Decompose { given, to: &mut decomposed });
+                backend.run(Decompose { given, threads, to: &mut decomposed });
             }
             let mut solved = decomposed.iter();
             left.retain(|&problem| {
@@ -120,6 +133,9 @@ impl Given<'_> {
                 let (motion, sizes) = decomposed.solution();
                 let mut turned = false;
                 for (at, angle) in angles.iter_mut().enumerate() {
+                    if is_end(at) && threads.interrupted() {
+                        return false;
+                    }
                     let pair = problem * pairs + at;
                     let [hand, eye] = [hands[pair], eyes[pair]].map(DualQuat::from_array);
                     let (by_hand, by_eye) = (hand * motion, motion * eye);
@@ -169,13 +185,18 @@ impl Given<'_> {
         };
         let mut factors = vec![1.0; self.hands.len()];
         let solve = &mut |active: &[usize], weights: &[f64], residuals: &mut [f64]| {
-            let all = |of: &[[f64; 8]]| -> Vec<[f64; 8]> {
+            let of_active = |of: &[[f64; 8]]| -> Vec<[f64; 8]> {
                 active.iter().flat_map(|at| &of[at * pairs..(at + 1) * pairs]).copied().collect()
             };
-            let (hands, eyes) = (all(self.hands), all(self.eyes));
+            // A single problem, which may be large, is not copied.
+            let (hands, eyes) = if active.len() == least.len() {
+                (Cow::Borrowed(self.hands), Cow::Borrowed(self.eyes))
+            } else {
+                (Cow::Owned(of_active(self.hands)), Cow::Owned(of_active(self.eyes)))
+            };
             let now = Given { hands: &hands, eyes: &eyes, weights, pairs };
             let mut found = vec![[0.0; NUMBERS]; active.len()];
-            now.solve(&mut found, residuals);
+            now.solve(threads, &mut found, residuals);
             for (problem, found) in active.iter().zip(found) {
                 to[problem * width..][..NUMBERS].copy_from_slice(&found);
             }
@@ -185,6 +206,11 @@ impl Given<'_> {
             to[NUMBERS..].copy_from_slice(factors);
         }
     }
+}
+
+/// Whether a piece of [`PAIRS`] pairs ends with pair `at` of a problem.
+fn is_end(at: usize) -> bool {
+    at % PAIRS == PAIRS - 1
 }
 
 /// The squares of the singular values of the equations of a problem, and the right singular
@@ -231,6 +257,8 @@ impl Decomposed {
 /// Decomposes the equations of as many problems as `to` has elements, one in each lane.
 struct Decompose<'s> {
     given: Given<'s>,
+    /// The threads of the call, which end the work early if they are interrupted.
+    threads: &'s Threads,
     to: &'s mut [Decomposed],
 }
 
@@ -242,11 +270,15 @@ impl Kernel for Decompose<'_> {
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         type L<V> = <V as Level>::Double;
-        let Self { given: Given { hands, eyes, weights, pairs }, to } = self;
+        let Self { given: Given { hands, eyes, weights, pairs }, threads, to } = self;
         let (lanes, zero) = (L::<V>::LANES, L::<V>::splat(level, 0.0));
         for (group, to) in to.chunks_mut(lanes).enumerate() {
             let mut triangle = [[zero; 8]; 8];
-            for pair in group * lanes * pairs..(group * lanes + 1) * pairs {
+            for at in 0..pairs {
+                if is_end(at) && threads.interrupted() {
+                    return;
+                }
+                let pair = group * lanes * pairs + at;
                 let [a, b] = [hands, eyes].map(
                     #[inline(always)]
                     |all| {
