@@ -20,8 +20,12 @@ const PASSES: usize = 3;
 /// The number of passes at most, if the robot meets itself.
 const MOST_PASSES: usize = 8;
 
-/// The largest number of parts of a clip: so many lanes are filled.
+/// The number of parts of a clip that are followed at once: so many lanes are filled.
 const PARTS: usize = 16;
+
+/// The number of frames of a part from which on a clip has more of them, so that the work can be
+/// ended from block to block.
+const LONG: usize = 512;
 
 /// The time by which parts of a clip begin early. Seconds.
 const EARLY: f64 = 0.3;
@@ -66,14 +70,45 @@ pub fn retarget(
     humanoid: &Humanoid,
     settings: &Settings,
 ) -> Result<Motion, RetargetError> {
+    retarget_while(person, humanoid, settings, &mut |_| true)
+}
+
+/// Brings the motion of a person on a robot as [`retarget`] does. `go_on` is told after each block
+/// of frames which part of the work is done, from 0 to 1, and ends the work with `false`.
+///
+/// # Errors
+/// The errors of [`retarget`], and [`RetargetError::Stopped`] if `go_on` has returned `false`.
+pub fn retarget_while(
+    person: &Person,
+    humanoid: &Humanoid,
+    settings: &Settings,
+    go_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Motion, RetargetError> {
+    let mut work = Work { go_on, done: 0.0 };
     let targets = Targets::new(person, humanoid, settings)?;
-    let values = targets.solve(humanoid, settings)?;
+    work.has_done(0.25)?;
+    let values = targets.solve_while(humanoid, settings, &mut work)?;
+    work.has_done(0.0)?;
     let report = Report::of(&targets, humanoid, &values)?;
     let [left, right] = [Role::LeftFoot, Role::RightFoot]
         .map(|role| targets.feet.iter().find(|foot| targets.places[foot.goal].role == role));
     let stands = |foot: Option<&Foot>, frame| foot.is_some_and(|foot| foot.stands_in(frame));
     let contacts = (0..targets.frames()).map(|f| [stands(left, f), stands(right, f)]).collect();
     Ok(Motion { values, contacts, step: targets.step, report, told: targets.told })
+}
+
+/// The part of the work that is done, and the function that is told of it.
+struct Work<'w> {
+    go_on: &'w mut dyn FnMut(f64) -> bool,
+    done: f64,
+}
+
+impl Work<'_> {
+    /// Tells that another part of the work is done.
+    fn has_done(&mut self, part: f64) -> Result<(), RetargetError> {
+        self.done = (self.done + part).min(0.9);
+        if (self.go_on)(self.done) { Ok(()) } else { Err(RetargetError::Stopped) }
+    }
 }
 
 impl Targets {
@@ -124,6 +159,15 @@ impl Targets {
         humanoid: &Humanoid,
         settings: &Settings,
     ) -> Result<Vec<f64>, RetargetError> {
+        self.solve_while(humanoid, settings, &mut Work { go_on: &mut |_| true, done: 0.0 })
+    }
+
+    fn solve_while(
+        &self,
+        humanoid: &Humanoid,
+        settings: &Settings,
+        work: &mut Work<'_>,
+    ) -> Result<Vec<f64>, RetargetError> {
         settings.check()?;
         let robot = humanoid.robot();
         let goals: Vec<_> = self.goals.iter().map(Goal::cast).collect();
@@ -143,7 +187,7 @@ impl Targets {
             reach,
             targets: self,
         };
-        search.follow(&poses)?;
+        search.follow(&poses, work)?;
         let mechanism = robot.cast()?;
         let balls = settings.collide.then(|| Balls::new(humanoid, self)).transpose()?;
         let balls = balls.filter(|balls| !balls.is_empty());
@@ -156,7 +200,7 @@ impl Targets {
             if pass >= passes && !meets {
                 break;
             }
-            search.pass(&poses, settings.smooth)?;
+            search.pass(&poses, settings.smooth, work)?;
         }
         search.slow_down();
         Ok(search.values.into_iter().map(f64::from).collect())
@@ -177,12 +221,16 @@ struct Passes<'t> {
 impl Passes<'_> {
     /// Follows the targets. The clip is cut into parts that fill all lanes; each begins some frames
     /// early, so that it is where the part before it is when its own frames begin.
-    fn follow(&mut self, poses: &[DualQuat<f32>]) -> Result<(), RetargetError> {
+    fn follow(
+        &mut self,
+        poses: &[DualQuat<f32>],
+        work: &mut Work<'_>,
+    ) -> Result<(), RetargetError> {
         let (goals, frames) = (self.targets.goals.len(), self.targets.frames());
         let early = ((EARLY / self.targets.step).ceil() as usize).max(1);
-        let parts = (frames / (2 * early)).min(PARTS);
+        let parts = (frames / (2 * early)).min(PARTS.max(frames / LONG));
         if parts < 4 {
-            return self.follow_on(poses, 1..frames, |_| false);
+            return self.follow_on(poses, 1..frames, work, |_| false);
         }
         let cut = |part: usize| part * frames / parts;
         let begin = |part: usize| if part == 0 { 0 } else { cut(part) - early };
@@ -206,7 +254,15 @@ impl Passes<'_> {
         // The first part starts where the first frame was reached in double precision.
         values[..self.columns].copy_from_slice(&self.values[..self.columns]);
         let options = self.targets.tracking().cast();
-        job.sequence(&clips, &wanted, &mut values, &mut reports, &options)?;
+        let mut first = 0;
+        for clips in clips.chunks(PARTS) {
+            let rows = first..first + clips.iter().sum::<usize>();
+            let wanted = &wanted[rows.start * goals..rows.end * goals];
+            let values = &mut values[rows.start * self.columns..rows.end * self.columns];
+            job.sequence(clips, wanted, values, &mut reports[rows.clone()], &options)?;
+            work.has_done(0.25 * rows.len() as f64 / reports.len() as f64)?;
+            first = rows.end;
+        }
 
         let (mut row, mut torn) = (0, Vec::new());
         for (part, clip) in clips.iter().enumerate() {
@@ -232,7 +288,7 @@ impl Passes<'_> {
         }
         for part in torn {
             // Until the parts have met.
-            self.follow_on(poses, cut(part)..frames, |difference| difference < 0.1 * TORN)?;
+            self.follow_on(poses, cut(part)..frames, work, |apart| apart < 0.1 * TORN)?;
         }
         Ok(())
     }
@@ -243,11 +299,15 @@ impl Passes<'_> {
         &mut self,
         poses: &[DualQuat<f32>],
         frames: Range<usize>,
+        work: &mut Work<'_>,
         near: impl Fn(f32) -> bool,
     ) -> Result<(), RetargetError> {
         let (options, goals) = (self.targets.tracking().cast(), self.targets.goals.len());
         let mut now = self.values[(frames.start - 1) * self.columns..][..self.columns].to_vec();
         for frame in frames {
+            if frame.is_multiple_of(LONG) {
+                work.has_done(0.0)?;
+            }
             self.reach.track(&poses[frame * goals..(frame + 1) * goals], &mut now, &options)?;
             let values = &mut self.values[frame * self.columns..][..self.columns];
             if near(apart(&now, values)) {
@@ -264,6 +324,7 @@ impl Passes<'_> {
         &mut self,
         poses: &[DualQuat<f32>],
         frequency: Option<f64>,
+        work: &mut Work<'_>,
     ) -> Result<(), RetargetError> {
         if let Some(frequency) = frequency {
             self.smooth(frequency);
@@ -271,11 +332,16 @@ impl Passes<'_> {
         self.slow_down();
         let options = Options { max_iterations: 1, ..Options::track() };
         let options = Tracking { options, start_weight: 1.0, ..self.targets.tracking() };
-        let frames = self.targets.frames();
-        let mut reports = vec![ik::Report::default(); frames];
-        let clips = vec![1; frames];
-        let job = self.reach.job();
-        job.sequence(&clips, poses, &mut self.values, &mut reports, &options.cast())?;
+        let (frames, goals) = (self.targets.frames(), self.targets.goals.len());
+        let block = frames.min(PARTS * LONG);
+        let (clips, mut reports) = (vec![1; block], vec![ik::Report::default(); block]);
+        let blocks = poses.chunks(block * goals).zip(self.values.chunks_mut(block * self.columns));
+        for (poses, values) in blocks {
+            let count = poses.len() / goals;
+            let reports = &mut reports[..count];
+            self.reach.job().sequence(&clips[..count], poses, values, reports, &options.cast())?;
+            work.has_done(0.1 * count as f64 / frames as f64)?;
+        }
         Ok(())
     }
 

@@ -162,12 +162,22 @@ pub fn whole<T: Send + 'static>(
     py: Python<'_>,
     job: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
-    let interrupt = &Interrupt::new();
+    watched(py, |_| job())
+}
+
+/// Runs a job as [`whole`] does. The job may ask whether it was interrupted, to end soon, and note
+/// which part of it is done.
+pub fn watched<T: Send + 'static>(
+    py: Python<'_>,
+    job: impl FnOnce(&Interrupt) -> T + Send + 'static,
+) -> PyResult<T> {
+    let interrupt = &Arc::new(Interrupt::new());
     let (done, wait) = channel();
+    let own = interrupt.clone();
     // As much stack as the first thread of a process has on most systems.
     let thread = Builder::new().stack_size(8 << 20).spawn(move || {
         // Nobody waits for it where the call was interrupted.
-        let _ = done.send(job());
+        let _ = done.send(job(&own));
     });
     thread.map_err(|error| PyRuntimeError::new_err(format!("no thread: {error}")))?;
     let made = py.detach(move || {

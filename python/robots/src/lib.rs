@@ -5,7 +5,7 @@ mod joints;
 pub mod mechanism;
 pub mod rates;
 pub mod solutions;
-mod urdf;
+pub mod urdf;
 
 use dq8_python_arrays::{
     argument, broadcast, call, columns, error, links, number, output, shape, threads,
