@@ -92,7 +92,7 @@ mod _core {
     #[pymodule_export]
     use dq8_python_retarget::humanoid::Humanoid;
     #[pymodule_export]
-    use dq8_python_retarget::motion::{Stop, retarget_motion, retarget_report};
+    use dq8_python_retarget::motion::{Stop, check_settings, retarget_motion, retarget_report};
     #[pymodule_export]
     use dq8_python_retarget::person::Person;
     #[pymodule_export]

@@ -5,7 +5,6 @@ use crate::feet::Foot;
 use crate::smooth::{lambda, slow_down, smooth};
 use crate::{Humanoid, Person, Report, RetargetError, Role, Settings, Speeds, Targets};
 use dq8::DualQuat;
-use dq8_robot::OwnedMechanism;
 use dq8_robot::ik::{self, Goal, Options, OwnedReach, Tracking};
 use dq8_robot::urdf::{Drive, Robot};
 use std::ops::Range;
@@ -26,6 +25,9 @@ const PARTS: usize = 16;
 /// The number of frames of a part from which on a clip has more of them, so that the work can be
 /// ended from block to block.
 const LONG: usize = 512;
+
+/// The number of frames that are followed at once where a clip has no parts.
+const TOGETHER: usize = 32;
 
 /// The time by which parts of a clip begin early. Seconds.
 const EARLY: f64 = 0.3;
@@ -142,11 +144,8 @@ impl Targets {
     /// # Errors
     /// If there can be no search for the goals.
     pub fn first(&self, humanoid: &Humanoid) -> Result<Vec<f64>, RetargetError> {
-        let mechanism = OwnedMechanism::new(humanoid.robot().joints())?;
-        let reach = OwnedReach::new(mechanism, self.goals.clone())?;
-        let (mut reach, mut values) = (reach.with_posture(self.start.clone())?, self.start.clone());
-        reach.track(&self.poses[..self.goals.len()], &mut values, &self.converging())?;
-        Ok(values)
+        let poses = &self.poses[..self.goals.len()];
+        reach(humanoid, &self.goals, poses, &self.start, &self.start, &self.converging())
     }
 
     /// Finds the values of all frames, `[frame][value]`: frame after frame at first, and then in
@@ -170,14 +169,8 @@ impl Targets {
     ) -> Result<Vec<f64>, RetargetError> {
         settings.check()?;
         let robot = humanoid.robot();
-        let goals: Vec<_> = self.goals.iter().map(Goal::cast).collect();
-        let reach = OwnedReach::<f32>::new(robot.cast()?, goals)?;
-        let reach = reach.with_posture(cast(&self.start))?;
-        let mut poses: Vec<DualQuat<f32>> = self
-            .poses
-            .iter()
-            .map(|pose| DualQuat::from_array(pose.to_array().map(|x| x as f32)))
-            .collect();
+        let reach = problem(humanoid, &self.goals, &self.start)?;
+        let mut poses = single(&self.poses);
         let start = cast(&self.first(humanoid)?);
         let mut search = Passes {
             columns: start.len(),
@@ -251,7 +244,7 @@ impl Passes<'_> {
             values[row * self.columns..][..self.columns].copy_from_slice(start);
             row += clip;
         }
-        // The first part starts where the first frame was reached in double precision.
+        // The first part starts where the first frame was reached.
         values[..self.columns].copy_from_slice(&self.values[..self.columns]);
         let options = self.targets.tracking().cast();
         let mut first = 0;
@@ -303,17 +296,23 @@ impl Passes<'_> {
         near: impl Fn(f32) -> bool,
     ) -> Result<(), RetargetError> {
         let (options, goals) = (self.targets.tracking().cast(), self.targets.goals.len());
-        let mut now = self.values[(frames.start - 1) * self.columns..][..self.columns].to_vec();
-        for frame in frames {
-            if frame.is_multiple_of(LONG) {
-                work.has_done(0.0)?;
+        let (columns, mut reports) = (self.columns, [ik::Report::default(); TOGETHER]);
+        let mut now = vec![0.0; TOGETHER * columns];
+        now[..columns].copy_from_slice(&self.values[(frames.start - 1) * columns..][..columns]);
+        for first in frames.clone().step_by(TOGETHER) {
+            let count = TOGETHER.min(frames.end - first);
+            let (poses, now) = (&poses[first * goals..][..count * goals], &mut now);
+            let (job, reports) = (self.reach.job(), &mut reports[..count]);
+            job.sequence(&[count], poses, &mut now[..count * columns], reports, &options)?;
+            let all = self.values[first * columns..].chunks_exact_mut(columns);
+            for (values, now) in all.zip(now.chunks_exact(columns)).take(count) {
+                if near(apart(now, values)) {
+                    return Ok(());
+                }
+                values.copy_from_slice(now);
             }
-            self.reach.track(&poses[frame * goals..(frame + 1) * goals], &mut now, &options)?;
-            let values = &mut self.values[frame * self.columns..][..self.columns];
-            if near(apart(&now, values)) {
-                break;
-            }
-            values.copy_from_slice(&now);
+            now.copy_within((count - 1) * columns..count * columns, 0);
+            work.has_done(0.0)?;
         }
         Ok(())
     }
@@ -407,6 +406,37 @@ fn blend(values: &mut [f32], others: &[f32], share: f32) {
 fn apart(a: &[f32], b: &[f32]) -> f32 {
     let (a, b) = (&a[BASE..], &b[BASE..]);
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+}
+
+/// Returns values that bring links near their targets, from a start, and near a posture. Lanes hold
+/// one problem here as well: what is compiled for many is there already.
+pub(crate) fn reach(
+    humanoid: &Humanoid,
+    goals: &[Goal<f64>],
+    targets: &[DualQuat<f64>],
+    start: &[f64],
+    posture: &[f64],
+    options: &Tracking<f64>,
+) -> Result<Vec<f64>, RetargetError> {
+    let (mut values, mut reports) = (cast(start), [ik::Report::default()]);
+    let reach = problem(humanoid, goals, posture)?;
+    let (targets, options) = (single(targets), options.cast());
+    reach.job().sequence(&[1], &targets, &mut values, &mut reports, &options)?;
+    Ok(values.into_iter().map(f64::from).collect())
+}
+
+fn problem(
+    humanoid: &Humanoid,
+    goals: &[Goal<f64>],
+    posture: &[f64],
+) -> Result<OwnedReach<f32>, RetargetError> {
+    let goals: Vec<_> = goals.iter().map(Goal::cast).collect();
+    Ok(OwnedReach::new(humanoid.robot().cast()?, goals)?.with_posture(cast(posture))?)
+}
+
+fn single(poses: &[DualQuat<f64>]) -> Vec<DualQuat<f32>> {
+    let single = |pose: &DualQuat<f64>| DualQuat::from_array(pose.to_array().map(|x| x as f32));
+    poses.iter().map(single).collect()
 }
 
 fn cast(numbers: &[f64]) -> Vec<f32> {

@@ -7,6 +7,7 @@ import dataclasses
 import glob
 import hashlib
 import json
+import math
 import os
 import threading
 import warnings
@@ -186,7 +187,8 @@ class Job:
         except Exception as error:  # noqa: BLE001: whatever is wrong with a clip, the others are computed
             return row | {"error": f"{type(error).__name__}: {error}"}
         said = "\n".join([*([person._warning] if person._warning else []), *motion.told, *motion.report.warnings])
-        return row | {"motion": self.motion(path).as_posix(), "frames": len(motion), "fps": motion.fps, "warnings": said} | dict(motion.report)
+        measures = {name: None if math.isnan(number) else number for name, number in motion.report.items()}
+        return row | {"motion": self.motion(path).as_posix(), "frames": len(motion), "fps": motion.fps, "warnings": said} | measures
 
 
 def _shared(job: Job, paths: list[Path], workers: int) -> Iterator[Row]:

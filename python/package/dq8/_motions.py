@@ -166,7 +166,9 @@ def settings(
         Whether the collision shapes of the robot are pushed apart where they meet.
     """
     given = {"fps": fps, "rest": rest, "ankle": ankle, "feet": feet, "smooth": smooth, "speeds": speeds, "collide": collide}
-    return {name: value.item() if isinstance(value, np.generic) else value for name, value in given.items()}
+    wishes = {name: value.item() if isinstance(value, np.generic) else value for name, value in given.items()}
+    _core.check_settings(wishes)
+    return wishes
 
 
 def retarget(person: Person, humanoid: Humanoid, **options: Any) -> Motion:
@@ -190,9 +192,9 @@ def retarget(person: Person, humanoid: Humanoid, **options: Any) -> Motion:
 
 def retargeted(person: Person, humanoid: Humanoid, wishes: dict[str, Any], stop: _core.Stop | None) -> Motion:
     found, contacts, measures, told = _core.retarget_motion(person, humanoid, wishes, stop)
-    base = from_rotation(found[:, :4], check=False)
-    base = _core.mul(_core.from_translation(found[:, 4:7]), base)
-    root = _core.mul(humanoid._offset, base)
+    # Of single floats, so their length is not quite one.
+    base = _core.normalize(from_rotation(found[:, :4], check=False))
+    root = _core.mul(humanoid._offset, _core.mul(_core.from_translation(found[:, 4:7]), base))
     return Motion(humanoid, found[:, 7:], root, contacts, wishes["fps"], Report(*measures), tuple(told))
 
 

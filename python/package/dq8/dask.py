@@ -325,8 +325,8 @@ def skin(points: Any, joints: Any, weights: Any, palette: Any, **options: Any) -
 def archive(files: Any, robot: Any, out: Any, *, partitions: int | None = None, **options: Any) -> Any:
     """Lazy `dq8.retarget.archive`: a ``dask.bag.Bag`` of its rows, a task for each clip or for as many as make so many `partitions`.
 
-    Each task writes the file of its motion into `out`, a folder that all workers have, and skips clips whose files are there:
-    the table of measures is the caller's, ``archive(...).to_dataframe().to_parquet("measures")``.
+    Each task writes the file of its motion into `out`, a folder that all workers have. Nothing is kept of calls before, and the
+    table of measures is the caller's: ``archive(...).to_dataframe().to_parquet("measures")``.
     """
     paths: list[Any]
     keywords = {"format": "npz", "model": None, "table": None, "joints": None, "bodies": None}

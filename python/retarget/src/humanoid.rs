@@ -1,8 +1,6 @@
 //! Humanoids.
 
-use crate::links::link_of;
-use crate::raised;
-use crate::threads::whole;
+use crate::{raised, run};
 use dq8_python_arrays::error::value_error;
 use dq8_python_robots::mechanism::Mechanism;
 use dq8_python_robots::urdf::{bytes_of, decoded};
@@ -32,7 +30,7 @@ impl Humanoid {
         let (py, mut urdf) = (source.py(), bytes_of(source)?);
         let read = |urdf: Vec<u8>| {
             let table = table.clone();
-            whole(py, move || dq8_retarget::Humanoid::from_bytes(&urdf, table.as_deref()))
+            run(py, move |_| dq8_retarget::Humanoid::from_bytes(&urdf, table.as_deref()))
         };
         let mut humanoid = read(urdf.clone())?;
         if let Err(RetargetError::Urdf(error)) = &humanoid
@@ -79,7 +77,8 @@ impl Humanoid {
     #[getter]
     fn roles(&self) -> Vec<(&'static str, &str)> {
         let names = self.humanoid.robot().link_names();
-        let found = |role: Role| Some((role.name(), names[self.humanoid.part(role)?.link].as_str()));
+        let found =
+            |role: Role| Some((role.name(), names[self.humanoid.part(role)?.link].as_str()));
         Role::ALL.into_iter().filter_map(found).collect()
     }
 
@@ -105,11 +104,6 @@ impl Humanoid {
     fn _base(&self) -> usize {
         let joints = self.humanoid.robot().joints();
         joints.iter().position(|joint| joint.kind != JointKind::Fixed).unwrap_or(0)
-    }
-
-    /// The number of a link.
-    fn _link(&self, link: &Bound<'_, PyAny>) -> PyResult<usize> {
-        link_of(self.humanoid.robot().link_names(), "bodies", link)
     }
 
     fn __str__(&self) -> String {

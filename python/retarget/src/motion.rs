@@ -4,9 +4,8 @@ use crate::argument::{Argument, Input};
 use crate::humanoid::Humanoid;
 use crate::interrupt::Interrupt;
 use crate::person::Person;
-use crate::raised;
 use crate::shape::NUMBER;
-use crate::threads::{watched, whole};
+use crate::{raised, run};
 use dq8_python_arrays::error::misshapen;
 use dq8_retarget::{Report, RetargetError, Settings, Speeds, Targets, retarget_while};
 use numpy::{PyArray1, PyArrayMethods};
@@ -71,8 +70,16 @@ impl Wishes {
                 ));
             }
         };
-        Ok(Settings { fps, rest, ankle, feet, smooth, speeds, collide })
+        let settings = Settings { fps, rest, ankle, feet, smooth, speeds, collide };
+        settings.check().map_err(|error| raised(&error))?;
+        Ok(settings)
     }
+}
+
+/// Refuses settings that are out of their ranges.
+#[pyfunction]
+pub fn check_settings(settings: Wishes) -> PyResult<()> {
+    settings.settings().map(drop)
 }
 
 /// The values and contacts of a motion, its measures, and what is to be told.
@@ -93,7 +100,7 @@ pub fn retarget_motion<'py>(
     let settings = settings.settings()?;
     let (person, robot) = (person.person.clone(), humanoid.humanoid.clone());
     let stop = stop.map(|stop| stop.0.clone());
-    let made = watched(py, move |interrupt: &Interrupt| {
+    let made = run(py, move |interrupt: &Interrupt| {
         let stopped = || stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed));
         retarget_while(&person, &robot, &settings, &mut |part| {
             interrupt.note(part);
@@ -124,7 +131,7 @@ pub fn retarget_report<'py>(
     drop(given);
     let (person, robot) = (person.person.clone(), humanoid.humanoid.clone());
     let columns = robot.robot().mechanism().values();
-    let report = whole(py, move || {
+    let report = run(py, move |_| {
         let targets = Targets::new(&person, &robot, &settings)?;
         let expected = targets.frames();
         if values.len() != expected * columns {

@@ -2,9 +2,8 @@
 
 use crate::argument::{Argument, Input};
 use crate::links::{check_names, parents_of};
-use crate::raised;
 use crate::shape::{NUMBER, VECTOR};
-use crate::threads::whole;
+use crate::{raised, run};
 use dq8_python_arrays::error::{misshapen, value_error};
 use dq8_retarget::{BodyModel, RetargetError, Role};
 use pyo3::prelude::*;
@@ -30,7 +29,7 @@ fn made(
     table: Option<String>,
     make: impl FnOnce() -> Made + Send + 'static,
 ) -> PyResult<Person> {
-    let made = whole(py, move || {
+    let made = run(py, move |_| {
         let (person, warning) = make()?;
         let person = match table {
             Some(table) => person.with_table(&table)?,
@@ -43,10 +42,7 @@ fn made(
 }
 
 /// Returns rows of three numbers, and their leading dimensions.
-fn vectors(
-    name: &'static str,
-    value: &Bound<'_, PyAny>,
-) -> PyResult<(Vec<[f64; 3]>, Vec<usize>)> {
+fn vectors(name: &'static str, value: &Bound<'_, PyAny>) -> PyResult<(Vec<[f64; 3]>, Vec<usize>)> {
     let input = Input::<f64>::of(&Argument::new(name, VECTOR, value)?)?.in_full()?;
     Ok((input.records().to_vec(), input.full_leading().to_vec()))
 }
@@ -123,13 +119,13 @@ impl Person {
         fps: f64,
         table: Option<String>,
     ) -> PyResult<Self> {
-        let (template, shapes) = (vectors("v_template", template)?.0, numbers("shapedirs", shapes)?);
+        let (template, shapes) =
+            (vectors("v_template", template)?.0, numbers("shapedirs", shapes)?);
         let (regressor, betas) = (numbers("J_regressor", regressor)?, numbers("betas", betas)?);
         let (turns, places) = (vectors("turns", turns)?.0, vectors("places", places)?.0);
         let time = frame_time(fps)?;
         made(py, table, move || {
-            let model =
-                BodyModel { template: &template, shapes: &shapes, regressor: &regressor };
+            let model = BodyModel { template: &template, shapes: &shapes, regressor: &regressor };
             let person = dq8_retarget::Person::from_body_model;
             Ok((person(title, model, &betas, &turns, &places, time)?, None))
         })
