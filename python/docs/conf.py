@@ -40,7 +40,7 @@ def api() -> str:
         lines += [f".. autoclass:: dq8.{name}", "   :members:", "   :undoc-members:", ""]
     lines += ["Functions", "---------", ""]
     lines += [f".. autofunction:: dq8.{name}" for name in functions]
-    for module in ("dask", "plot"):
+    for module in ("dask", "plot", "retarget"):
         importlib.import_module(f"dq8.{module}")
         lines += ["", f"dq8.{module}", "-" * (4 + len(module)), "", f".. automodule:: dq8.{module}", "   :members:", ""]
     return "\n".join(lines) + "\n"

@@ -2,7 +2,7 @@
 //! `package/dq8`.
 //!
 //! Functions on arrays are in `arrays`, skeletons and meshes in `figures`, mechanisms in `robots`,
-//! trajectories in `trajectories`.
+//! the motions of people on robots in `retarget`, trajectories in `trajectories`.
 
 use dq8::Backend;
 use pyo3::prelude::*;
@@ -89,6 +89,12 @@ mod _core {
     use dq8_python_figures::skin::skin;
     #[pymodule_export]
     use dq8_python_ik::reach_report::ReachReport;
+    #[pymodule_export]
+    use dq8_python_retarget::humanoid::Humanoid;
+    #[pymodule_export]
+    use dq8_python_retarget::motion::{Stop, check_settings, retarget_motion, retarget_report};
+    #[pymodule_export]
+    use dq8_python_retarget::person::Person;
     #[pymodule_export]
     use dq8_python_robots::mechanism::Mechanism;
     #[pymodule_export]

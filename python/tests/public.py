@@ -3,13 +3,42 @@
 By name: what is made before, and the call. Calls that are quick for all data that fit memory are called over and over.
 """
 
+from pathlib import Path
+
 MANY = "many = np.tile(turned, (1_000_000, 1))"
 OTHERS = "many, points = np.tile(turned, (1_000_000, 1)), np.ones((1_000_000, 3))"
 CLIP = "clip = np.tile(turned, (40_000, 60, 1))"
 VALUES = "values = np.zeros((500_000, 1))"
 PATH = "path = dq8.Trajectory(np.arange(1000.0), np.tile(turned, (1000, 1))); at = np.linspace(0, 999, 3_000_000)"
 
+HERE = Path(__file__).parents[2]
+WALK = (
+    f"from dq8 import retarget as rt; robot = rt.Humanoid({str(HERE / 'robot/robots/humanoid.urdf')!r});"
+    f"text = open({str(HERE / 'examples/mocap/walk.bvh')!r}).read(); head, rows = text.split('Frames: ');"
+    "count, time, rows = rows.split('\\n', 2); import tempfile, os; folder = tempfile.TemporaryDirectory();"
+    "path = os.path.join(folder.name, 'walk.bvh');"
+    "write = lambda path, k: open(path, 'w').write(f'{head}Frames: {k * int(count)}\\n{time}\\n' + k * rows);"
+)
+MOVED = WALK + "write(path, 50); motion = rt.retarget(rt.load(path), robot, fps=60)"
+
 CALLS: dict[str, tuple[str, str]] = {
+    "retarget.load": (WALK + "write(path, 2_000)", "rt.load(path)"),
+    "retarget.positions": ("from dq8 import retarget as rt; at = np.random.default_rng(1).normal(size=(300_000, 5, 3))",
+                           "rt.positions('abcde', [-1, 0, 0, 1, 2], at, 60)"),  # fmt: skip
+    "retarget.body_model": (
+        "from dq8 import retarget as rt; at = np.random.default_rng(1).normal(size=(100_000, 22, 3));"
+        "model = {'v_template': at[0], 'shapedirs': at[0][..., None], 'J_regressor': np.eye(22)}",
+        "rt.body_model(model, at, at[:, 0], 60)",
+    ),
+    "retarget.Humanoid": (WALK, "rt.Humanoid(robot.__reduce__()[1][0])"),
+    "retarget.retarget": (WALK + "write(path, 500); person = rt.load(path)", "rt.retarget(person, robot, fps=60)"),
+    "retarget.report": (MOVED, "rt.report(motion, rt.load(path))"),
+    "retarget.save": (MOVED, "rt.save(motion, os.path.join(folder.name, 'walk.npz'))"),
+    "retarget.save of text": (MOVED, "rt.save(motion, os.path.join(folder.name, 'walk.csv'))"),
+    "retarget.archive": (
+        WALK + "paths = [os.path.join(folder.name, f'{i}.bvh') for i in range(20)]; [write(path, 100) for path in paths]",
+        "rt.archive(paths, robot, folder.name, fps=60)",
+    ),
     "PackedClip": (CLIP, "dq8.PackedClip(clip)"),
     "PackedClip.deviation": (
         CLIP + "; packed, legs = dq8.PackedClip(clip), dq8.Hierarchy([-1] + list(range(59)))",
@@ -124,6 +153,9 @@ CALLS: dict[str, tuple[str, str]] = {
     "RigidTransform": (MANY, "dq8.RigidTransform.from_dual_quat(many).inv().as_matrix()"),
     "identity": ("", "dq8.identity(1_000_000)"),
 }
+
+# Settings, what others return, and what others take.
+WITHOUT_OF_RETARGET = ["Motion", "Person", "Report", "settings"]
 
 # Settings of the process, what others return, and what lends memory.
 WITHOUT = ["to_arrow", "from_arrow", "Comparison", "Fit", "Goal", "HandEye", "Hierarchy", "Mechanism", "Outcome", "ReachReport", "Solutions", "Statistics", "backend",

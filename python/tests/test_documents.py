@@ -17,6 +17,7 @@ from calls import CALLS
 import dq8
 import dq8.dask
 import dq8.plot
+import dq8.retarget
 from dq8 import _core
 from dq8._signatures import SIGNATURES
 
@@ -33,7 +34,8 @@ def stubs():
 
 
 SCRIPTS = {"mocap.py": [], "robot.py": [PROJECT.parent / "robot" / "robots" / "arm7.urdf"], "scipy_script.py": [], "mesh.py": [],
-           "all_solutions.py": [PROJECT.parent / "robot" / "robots" / "arm6.urdf"]}
+           "all_solutions.py": [PROJECT.parent / "robot" / "robots" / "arm6.urdf"],
+           "retarget.py": [PROJECT.parent / "robot" / "robots" / "humanoid.urdf", PROJECT.parent / "examples" / "mocap" / "walk.bvh"]}
 
 
 @pytest.mark.parametrize("name", SCRIPTS)
@@ -61,7 +63,8 @@ def test_the_tutorial_runs_and_plots(tmp_path):
 
 def test_examples_in_docstrings_are_true():
     finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner()
-    named = {name: getattr(dq8, name) for name in dq8.__all__} | {"dq8.dask": dq8.dask, "dq8.plot": dq8.plot}
+    named = {name: getattr(dq8, name) for name in dq8.__all__} | {"dq8.dask": dq8.dask, "dq8.plot": dq8.plot, "dq8.retarget": dq8.retarget}
+    named["retarget.positions"] = dq8.retarget.positions
     without = []
     with np.printoptions(legacy=False):
         for name, thing in named.items():
@@ -158,10 +161,10 @@ def test_the_types_have_every_function_with_its_parameters():
         arguments = node.args
         own = [a.arg for a in arguments.posonlyargs + arguments.args + arguments.kwonlyargs]
         assert own == list(inspect.signature(function).parameters), name
-    assert list(declared) == ["Hierarchy", "PackedClip", "Mechanism", "Trajectory", "Spline", "ReachReport"]
+    assert list(declared) == ["Hierarchy", "PackedClip", "Mechanism", "Trajectory", "Spline", "ReachReport", "Person", "Humanoid", "Stop"]
     for name, node in declared.items():
         methods = {node.name for node in node.body if isinstance(node, ast.FunctionDef)}
-        for method in vars(getattr(dq8, name)):
+        for method in vars(getattr(dq8, name, None) or getattr(_core, name)):
             if not method.startswith("__"):
                 assert method in methods, method
 

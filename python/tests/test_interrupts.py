@@ -10,9 +10,10 @@ from pathlib import Path
 
 import pytest
 from processes import environment
-from public import CALLS, WITHOUT, of_table
+from public import CALLS, WITHOUT, WITHOUT_OF_RETARGET, of_table
 
 import dq8
+import dq8.retarget
 from dq8._signatures import SIGNATURES
 
 ALL = {**{name: of_table(name, parameters) for name, (parameters, _) in SIGNATURES.items()}, **CALLS}
@@ -141,6 +142,8 @@ def test_an_interrupt_ends_a_call_of_two_threads(name, children):
 def test_everything_public_is_called():
     called = {name.replace(",", " ").split(" ")[0].split(".")[0] for name in ALL} | set(WITHOUT)
     assert set(dq8.__all__) <= called
+    called = {name.split(" ")[0].split(".")[1] for name in ALL if name.startswith("retarget.")} | set(WITHOUT_OF_RETARGET)
+    assert set(dq8.retarget.__all__) == called
 
 
 def test_what_a_handler_raises_is_raised():

@@ -93,6 +93,8 @@ pub enum RetargetError {
         /// The value.
         value: f64,
     },
+    /// The caller has ended the work.
+    Stopped,
 }
 
 fn list<T: ToString>(names: &[T]) -> String {
@@ -145,6 +147,7 @@ impl fmt::Display for RetargetError {
             Self::Parent { joint, parent } => {
                 write!(f, "joint {joint} names joint {parent} as its parent, which does not stand before it")
             }
+            Self::Stopped => f.write_str("the work was ended before the motion was there"),
             Self::Setting { name, value } => write!(f, "the setting {name} cannot be {value}"),
         }
     }

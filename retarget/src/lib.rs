@@ -24,7 +24,7 @@ pub use body_model::BodyModel;
 pub use dq8_bvh::{Clip, Warning};
 pub use error::RetargetError;
 pub use humanoid::{Humanoid, Part, Source};
-pub use motion::{Motion, retarget};
+pub use motion::{Motion, retarget, retarget_while};
 pub use person::Person;
 pub use report::Report;
 pub use role::Role;

@@ -5,7 +5,6 @@ use crate::feet::Foot;
 use crate::smooth::{lambda, slow_down, smooth};
 use crate::{Humanoid, Person, Report, RetargetError, Role, Settings, Speeds, Targets};
 use dq8::DualQuat;
-use dq8_robot::OwnedMechanism;
 use dq8_robot::ik::{self, Goal, Options, OwnedReach, Tracking};
 use dq8_robot::urdf::{Drive, Robot};
 use std::ops::Range;
@@ -20,8 +19,15 @@ const PASSES: usize = 3;
 /// The number of passes at most, if the robot meets itself.
 const MOST_PASSES: usize = 8;
 
-/// The largest number of parts of a clip: so many lanes are filled.
+/// The number of parts of a clip that are followed at once: so many lanes are filled.
 const PARTS: usize = 16;
+
+/// The number of frames of a part from which on a clip has more of them, so that the work can be
+/// ended from block to block.
+const LONG: usize = 512;
+
+/// The number of frames that are followed at once where a clip has no parts.
+const TOGETHER: usize = 32;
 
 /// The time by which parts of a clip begin early. Seconds.
 const EARLY: f64 = 0.3;
@@ -66,14 +72,45 @@ pub fn retarget(
     humanoid: &Humanoid,
     settings: &Settings,
 ) -> Result<Motion, RetargetError> {
+    retarget_while(person, humanoid, settings, &mut |_| true)
+}
+
+/// Brings the motion of a person on a robot as [`retarget`] does. `go_on` is told after each block
+/// of frames which part of the work is done, from 0 to 1, and ends the work with `false`.
+///
+/// # Errors
+/// The errors of [`retarget`], and [`RetargetError::Stopped`] if `go_on` has returned `false`.
+pub fn retarget_while(
+    person: &Person,
+    humanoid: &Humanoid,
+    settings: &Settings,
+    go_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Motion, RetargetError> {
+    let mut work = Work { go_on, done: 0.0 };
     let targets = Targets::new(person, humanoid, settings)?;
-    let values = targets.solve(humanoid, settings)?;
+    work.has_done(0.25)?;
+    let values = targets.solve_while(humanoid, settings, &mut work)?;
+    work.has_done(0.0)?;
     let report = Report::of(&targets, humanoid, &values)?;
     let [left, right] = [Role::LeftFoot, Role::RightFoot]
         .map(|role| targets.feet.iter().find(|foot| targets.places[foot.goal].role == role));
     let stands = |foot: Option<&Foot>, frame| foot.is_some_and(|foot| foot.stands_in(frame));
     let contacts = (0..targets.frames()).map(|f| [stands(left, f), stands(right, f)]).collect();
     Ok(Motion { values, contacts, step: targets.step, report, told: targets.told })
+}
+
+/// The part of the work that is done, and the function that is told of it.
+struct Work<'w> {
+    go_on: &'w mut dyn FnMut(f64) -> bool,
+    done: f64,
+}
+
+impl Work<'_> {
+    /// Tells that another part of the work is done.
+    fn has_done(&mut self, part: f64) -> Result<(), RetargetError> {
+        self.done = (self.done + part).min(0.9);
+        if (self.go_on)(self.done) { Ok(()) } else { Err(RetargetError::Stopped) }
+    }
 }
 
 impl Targets {
@@ -107,11 +144,8 @@ impl Targets {
     /// # Errors
     /// If there can be no search for the goals.
     pub fn first(&self, humanoid: &Humanoid) -> Result<Vec<f64>, RetargetError> {
-        let mechanism = OwnedMechanism::new(humanoid.robot().joints())?;
-        let reach = OwnedReach::new(mechanism, self.goals.clone())?;
-        let (mut reach, mut values) = (reach.with_posture(self.start.clone())?, self.start.clone());
-        reach.track(&self.poses[..self.goals.len()], &mut values, &self.converging())?;
-        Ok(values)
+        let poses = &self.poses[..self.goals.len()];
+        reach(humanoid, &self.goals, poses, &self.start, &self.start, &self.converging())
     }
 
     /// Finds the values of all frames, `[frame][value]`: frame after frame at first, and then in
@@ -124,16 +158,19 @@ impl Targets {
         humanoid: &Humanoid,
         settings: &Settings,
     ) -> Result<Vec<f64>, RetargetError> {
+        self.solve_while(humanoid, settings, &mut Work { go_on: &mut |_| true, done: 0.0 })
+    }
+
+    fn solve_while(
+        &self,
+        humanoid: &Humanoid,
+        settings: &Settings,
+        work: &mut Work<'_>,
+    ) -> Result<Vec<f64>, RetargetError> {
         settings.check()?;
         let robot = humanoid.robot();
-        let goals: Vec<_> = self.goals.iter().map(Goal::cast).collect();
-        let reach = OwnedReach::<f32>::new(robot.cast()?, goals)?;
-        let reach = reach.with_posture(cast(&self.start))?;
-        let mut poses: Vec<DualQuat<f32>> = self
-            .poses
-            .iter()
-            .map(|pose| DualQuat::from_array(pose.to_array().map(|x| x as f32)))
-            .collect();
+        let reach = problem(humanoid, &self.goals, &self.start)?;
+        let mut poses = single(&self.poses);
         let start = cast(&self.first(humanoid)?);
         let mut search = Passes {
             columns: start.len(),
@@ -143,7 +180,7 @@ impl Targets {
             reach,
             targets: self,
         };
-        search.follow(&poses)?;
+        search.follow(&poses, work)?;
         let mechanism = robot.cast()?;
         let balls = settings.collide.then(|| Balls::new(humanoid, self)).transpose()?;
         let balls = balls.filter(|balls| !balls.is_empty());
@@ -156,7 +193,7 @@ impl Targets {
             if pass >= passes && !meets {
                 break;
             }
-            search.pass(&poses, settings.smooth)?;
+            search.pass(&poses, settings.smooth, work)?;
         }
         search.slow_down();
         Ok(search.values.into_iter().map(f64::from).collect())
@@ -177,12 +214,16 @@ struct Passes<'t> {
 impl Passes<'_> {
     /// Follows the targets. The clip is cut into parts that fill all lanes; each begins some frames
     /// early, so that it is where the part before it is when its own frames begin.
-    fn follow(&mut self, poses: &[DualQuat<f32>]) -> Result<(), RetargetError> {
+    fn follow(
+        &mut self,
+        poses: &[DualQuat<f32>],
+        work: &mut Work<'_>,
+    ) -> Result<(), RetargetError> {
         let (goals, frames) = (self.targets.goals.len(), self.targets.frames());
         let early = ((EARLY / self.targets.step).ceil() as usize).max(1);
-        let parts = (frames / (2 * early)).min(PARTS);
+        let parts = (frames / (2 * early)).min(PARTS.max(frames / LONG));
         if parts < 4 {
-            return self.follow_on(poses, 1..frames, |_| false);
+            return self.follow_on(poses, 1..frames, work, |_| false);
         }
         let cut = |part: usize| part * frames / parts;
         let begin = |part: usize| if part == 0 { 0 } else { cut(part) - early };
@@ -203,10 +244,18 @@ impl Passes<'_> {
             values[row * self.columns..][..self.columns].copy_from_slice(start);
             row += clip;
         }
-        // The first part starts where the first frame was reached in double precision.
+        // The first part starts where the first frame was reached.
         values[..self.columns].copy_from_slice(&self.values[..self.columns]);
         let options = self.targets.tracking().cast();
-        job.sequence(&clips, &wanted, &mut values, &mut reports, &options)?;
+        let mut first = 0;
+        for clips in clips.chunks(PARTS) {
+            let rows = first..first + clips.iter().sum::<usize>();
+            let wanted = &wanted[rows.start * goals..rows.end * goals];
+            let values = &mut values[rows.start * self.columns..rows.end * self.columns];
+            job.sequence(clips, wanted, values, &mut reports[rows.clone()], &options)?;
+            work.has_done(0.25 * rows.len() as f64 / reports.len() as f64)?;
+            first = rows.end;
+        }
 
         let (mut row, mut torn) = (0, Vec::new());
         for (part, clip) in clips.iter().enumerate() {
@@ -232,7 +281,7 @@ impl Passes<'_> {
         }
         for part in torn {
             // Until the parts have met.
-            self.follow_on(poses, cut(part)..frames, |difference| difference < 0.1 * TORN)?;
+            self.follow_on(poses, cut(part)..frames, work, |apart| apart < 0.1 * TORN)?;
         }
         Ok(())
     }
@@ -243,17 +292,27 @@ impl Passes<'_> {
         &mut self,
         poses: &[DualQuat<f32>],
         frames: Range<usize>,
+        work: &mut Work<'_>,
         near: impl Fn(f32) -> bool,
     ) -> Result<(), RetargetError> {
         let (options, goals) = (self.targets.tracking().cast(), self.targets.goals.len());
-        let mut now = self.values[(frames.start - 1) * self.columns..][..self.columns].to_vec();
-        for frame in frames {
-            self.reach.track(&poses[frame * goals..(frame + 1) * goals], &mut now, &options)?;
-            let values = &mut self.values[frame * self.columns..][..self.columns];
-            if near(apart(&now, values)) {
-                break;
+        let (columns, mut reports) = (self.columns, [ik::Report::default(); TOGETHER]);
+        let mut now = vec![0.0; TOGETHER * columns];
+        now[..columns].copy_from_slice(&self.values[(frames.start - 1) * columns..][..columns]);
+        for first in frames.clone().step_by(TOGETHER) {
+            let count = TOGETHER.min(frames.end - first);
+            let (poses, now) = (&poses[first * goals..][..count * goals], &mut now);
+            let (job, reports) = (self.reach.job(), &mut reports[..count]);
+            job.sequence(&[count], poses, &mut now[..count * columns], reports, &options)?;
+            let all = self.values[first * columns..].chunks_exact_mut(columns);
+            for (values, now) in all.zip(now.chunks_exact(columns)).take(count) {
+                if near(apart(now, values)) {
+                    return Ok(());
+                }
+                values.copy_from_slice(now);
             }
-            values.copy_from_slice(&now);
+            now.copy_within((count - 1) * columns..count * columns, 0);
+            work.has_done(0.0)?;
         }
         Ok(())
     }
@@ -264,6 +323,7 @@ impl Passes<'_> {
         &mut self,
         poses: &[DualQuat<f32>],
         frequency: Option<f64>,
+        work: &mut Work<'_>,
     ) -> Result<(), RetargetError> {
         if let Some(frequency) = frequency {
             self.smooth(frequency);
@@ -271,11 +331,16 @@ impl Passes<'_> {
         self.slow_down();
         let options = Options { max_iterations: 1, ..Options::track() };
         let options = Tracking { options, start_weight: 1.0, ..self.targets.tracking() };
-        let frames = self.targets.frames();
-        let mut reports = vec![ik::Report::default(); frames];
-        let clips = vec![1; frames];
-        let job = self.reach.job();
-        job.sequence(&clips, poses, &mut self.values, &mut reports, &options.cast())?;
+        let (frames, goals) = (self.targets.frames(), self.targets.goals.len());
+        let block = frames.min(PARTS * LONG);
+        let (clips, mut reports) = (vec![1; block], vec![ik::Report::default(); block]);
+        let blocks = poses.chunks(block * goals).zip(self.values.chunks_mut(block * self.columns));
+        for (poses, values) in blocks {
+            let count = poses.len() / goals;
+            let reports = &mut reports[..count];
+            self.reach.job().sequence(&clips[..count], poses, values, reports, &options.cast())?;
+            work.has_done(0.1 * count as f64 / frames as f64)?;
+        }
         Ok(())
     }
 
@@ -341,6 +406,37 @@ fn blend(values: &mut [f32], others: &[f32], share: f32) {
 fn apart(a: &[f32], b: &[f32]) -> f32 {
     let (a, b) = (&a[BASE..], &b[BASE..]);
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+}
+
+/// Returns values that bring links near their targets, from a start, and near a posture. Lanes hold
+/// one problem here as well: what is compiled for many is there already.
+pub(crate) fn reach(
+    humanoid: &Humanoid,
+    goals: &[Goal<f64>],
+    targets: &[DualQuat<f64>],
+    start: &[f64],
+    posture: &[f64],
+    options: &Tracking<f64>,
+) -> Result<Vec<f64>, RetargetError> {
+    let (mut values, mut reports) = (cast(start), [ik::Report::default()]);
+    let reach = problem(humanoid, goals, posture)?;
+    let (targets, options) = (single(targets), options.cast());
+    reach.job().sequence(&[1], &targets, &mut values, &mut reports, &options)?;
+    Ok(values.into_iter().map(f64::from).collect())
+}
+
+fn problem(
+    humanoid: &Humanoid,
+    goals: &[Goal<f64>],
+    posture: &[f64],
+) -> Result<OwnedReach<f32>, RetargetError> {
+    let goals: Vec<_> = goals.iter().map(Goal::cast).collect();
+    Ok(OwnedReach::new(humanoid.robot().cast()?, goals)?.with_posture(cast(posture))?)
+}
+
+fn single(poses: &[DualQuat<f64>]) -> Vec<DualQuat<f32>> {
+    let single = |pose: &DualQuat<f64>| DualQuat::from_array(pose.to_array().map(|x| x as f32));
+    poses.iter().map(single).collect()
 }
 
 fn cast(numbers: &[f64]) -> Vec<f32> {

@@ -40,17 +40,19 @@ impl Person {
     /// # Errors
     /// If the clip has no frame, its joints do not form a tree, or a pose is not finite.
     pub fn from_clip(clip: &Clip) -> Result<Self, RetargetError> {
-        let neutral = Clip { values: zero_channels(clip), ..clip.clone() }.models()?;
-        Self {
+        let neutral = Clip { values: zero_channels(clip), ..clip.clone() }.locals();
+        let mut person = Self {
             title: clip.title.clone(),
             names: clip.joints.iter().map(|joint| joint.name.clone()).collect(),
             parents: clip.joints.iter().map(|joint| joint.parent).collect(),
             frame_time: clip.frame_time,
             locals: clip.locals(),
-            neutral: Some(neutral),
+            neutral: None,
             roles: [None; Role::COUNT],
         }
-        .checked()
+        .checked()?;
+        person.neutral = Some(person.in_the_world(neutral)?);
+        Ok(person)
     }
 
     /// Makes a person without a neutral pose: the axes of such a pose may be others than those of

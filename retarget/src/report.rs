@@ -5,6 +5,7 @@ use crate::motion::BASE;
 use crate::{Humanoid, RetargetError, Targets};
 use dq8::DualQuat;
 use dq8::scalar::vector::{norm, sub};
+use dq8::storage::same_length;
 use std::fmt;
 
 /// An overlap that is deeper than this is a hit. Metres.
@@ -59,7 +60,10 @@ impl Report {
         let (goals, links) = (targets.goals.len(), robot.mechanism().links());
         let count = robot.mechanism().values();
         let mut poses = vec![DualQuat::IDENTITY; targets.frames() * links];
-        robot.mechanism().job().poses(motion, &mut poses)?;
+        same_length("motion", motion.len(), targets.frames() * count)?;
+        for (values, poses) in motion.chunks_exact(count).zip(poses.chunks_exact_mut(links)) {
+            robot.mechanism().link_poses(values, poses)?;
+        }
 
         let (mut apart, mut feet) = (Vec::new(), Vec::new());
         for (poses, wanted) in poses.chunks_exact(links).zip(targets.poses.chunks_exact(goals)) {

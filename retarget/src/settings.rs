@@ -60,7 +60,11 @@ impl Settings {
         Self { feet: false, smooth: None, collide: false, ..Self::default() }
     }
 
-    pub(crate) fn check(&self) -> Result<(), RetargetError> {
+    /// Checks the settings.
+    ///
+    /// # Errors
+    /// If a setting is out of its range.
+    pub fn check(&self) -> Result<(), RetargetError> {
         let speed = match self.speeds {
             Speeds::AtMost(speed) => Some(speed),
             Speeds::Free | Speeds::File => None,

@@ -2,13 +2,13 @@
 
 use crate::collision::Sole;
 use crate::feet::{self, Foot};
+use crate::motion::reach;
 use crate::rest::Rest;
 use crate::role::Role;
 use crate::{Humanoid, Person, RetargetError, Settings};
 use dq8::scalar::vector::{add, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
-use dq8_robot::OwnedMechanism;
-use dq8_robot::ik::{Goal, Options, OwnedReach, Tracking};
+use dq8_robot::ik::{Goal, Options, Tracking};
 
 type Vector = [f64; 3];
 
@@ -241,14 +241,11 @@ impl Stance {
             .iter()
             .map(|place| Goal::position(place.link).at(point(&poses, place)))
             .collect();
-        let mechanism = OwnedMechanism::new(humanoid.robot().joints())?;
-        let mut reach = OwnedReach::new(mechanism, goals)?.with_posture(zero.clone())?;
         let targets: Vec<_> =
             wanted.iter().map(|&place| DualQuat::from_translation(place)).collect();
         let options = Options { max_iterations: 200, least_gain: 1e-6, ..Options::track() };
         let options = Tracking { options, posture_weight: 0.05, ..Tracking::default() };
-        let mut values = zero;
-        reach.track(&targets, &mut values, &options)?;
+        let values = reach(humanoid, &goals, &targets, &zero, &zero, &options)?;
         let poses = humanoid.poses(&values)?;
         Ok(Self {
             values,

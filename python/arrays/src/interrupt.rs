@@ -12,7 +12,7 @@ pub(crate) const PERIOD: Duration = Duration::from_millis(50);
 /// Whether a signal's handler has raised an exception. The thread of the call asks, all of its
 /// threads look.
 #[derive(Debug)]
-pub(crate) struct Interrupt {
+pub struct Interrupt {
     began: Instant,
     /// How many periods have been asked for.
     asked: AtomicU64,
@@ -57,12 +57,12 @@ impl Interrupt {
     }
 
     /// Whether one came, as far as is known.
-    pub(crate) fn came(&self) -> bool {
+    pub fn came(&self) -> bool {
         self.came.load(Ordering::Relaxed)
     }
 
     /// Notes which part of the call is done.
-    pub(crate) fn note(&self, part: f64) {
+    pub fn note(&self, part: f64) {
         self.part.store(part.to_bits(), Ordering::Relaxed);
     }
 

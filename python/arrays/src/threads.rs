@@ -167,12 +167,21 @@ pub fn whole<T: Send + 'static>(
     py: Python<'_>,
     job: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
+    watched(py, |_| job())
+}
+
+/// Runs a job as [`whole`] does. The job may ask whether it was interrupted, to end soon, and note
+/// which part of it is done.
+pub fn watched<T: Send + 'static>(
+    py: Python<'_>,
+    job: impl FnOnce(&Interrupt) -> T + Send + 'static,
+) -> PyResult<T> {
     let made = Arc::new(Mutex::new(None));
     let to = Arc::clone(&made);
     apart(
         py,
-        Box::new(move || {
-            let it = job();
+        Box::new(move |interrupt| {
+            let it = job(interrupt);
             *to.lock().unwrap_or_else(PoisonError::into_inner) = Some(it);
         }),
     )?;
@@ -183,12 +192,13 @@ pub fn whole<T: Send + 'static>(
 
 /// Runs a job in a thread of its own and waits for its end or for a signal. It is no type
 /// parameter, so that threads and channels are compiled once.
-fn apart(py: Python<'_>, job: Box<dyn FnOnce() + Send>) -> PyResult<()> {
-    let interrupt = &Interrupt::new();
+fn apart(py: Python<'_>, job: Box<dyn FnOnce(&Interrupt) + Send>) -> PyResult<()> {
+    let interrupt = &Arc::new(Interrupt::new());
     let (done, wait) = channel::<()>();
+    let own = Arc::clone(interrupt);
     // As much stack as the first thread of a process has on most systems.
     let thread = Builder::new().stack_size(8 << 20).spawn(move || {
-        job();
+        job(&own);
         drop(done);
     });
     thread.map_err(|error| PyRuntimeError::new_err(format!("no thread: {error}")))?;

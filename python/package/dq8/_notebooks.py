@@ -19,7 +19,7 @@ def _cells(kind: str, values: Iterable[Any]) -> str:
     return "".join(f"<{kind}>{html.escape(str(value))}</{kind}>" for value in values)
 
 
-def _table(caption: str, head: Iterable[str], rows: list[list[Any]]) -> str:
+def table(caption: str, head: Iterable[str], rows: list[list[Any]]) -> str:
     lines = [f"<tr>{_cells('td', row)}</tr>" for row in rows[:_MOST]]
     if len(rows) > _MOST:
         lines.append(f"<tr><td>and {len(rows) - _MOST} more</td></tr>")
@@ -28,7 +28,7 @@ def _table(caption: str, head: Iterable[str], rows: list[list[Any]]) -> str:
 
 def _mechanism(self: _core.Mechanism) -> str:
     limits = [[f"{low:.4g}", f"{high:.4g}"] for low, high in self.limits]
-    return _table(
+    return table(
         f"Mechanism of {len(self)} links with {len(self.values)} values",
         ["value", "from", "to"],
         [[name, *bounds] for name, bounds in zip(self.values, limits)],
@@ -36,7 +36,7 @@ def _mechanism(self: _core.Mechanism) -> str:
 
 
 def _clip(self: _core.PackedClip) -> str:
-    return _table(repr(self).strip("<>"), ["bytes"], [[len(self.to_bytes())]])
+    return table(repr(self).strip("<>"), ["bytes"], [[len(self.to_bytes())]])
 
 
 def _report(self: _core.ReachReport) -> str:
@@ -45,7 +45,7 @@ def _report(self: _core.ReachReport) -> str:
     rows = [[Outcome(int(one)).name, count, f"{count / total:.1%}"] for one, count in zip(outcomes, counts)]
     worst = [float(np.max(np.asarray(error), initial=0)) for error in (self.angular_error, self.linear_error)]
     caption = f"{total} targets; the largest errors are {worst[0]:.3g} rad and {worst[1]:.3g}"
-    return _table(caption, ["outcome", "targets", "part"], rows)
+    return table(caption, ["outcome", "targets", "part"], rows)
 
 
 for _kind, _shown in ((_core.Mechanism, _mechanism), (_core.PackedClip, _clip), (_core.ReachReport, _report)):

@@ -34,3 +34,11 @@ def progress(callback: Callable[[float], object]) -> Iterator[None]:
     finally:
         _core.tell_progress(before)
     callback(1.0)
+
+
+def tell(part: float) -> None:
+    """Tells the callback that `progress` has set which part of a loop in Python is done."""
+    callback = _core.tell_progress(None)
+    _core.tell_progress(callback)
+    if callback is not None:
+        callback(part)

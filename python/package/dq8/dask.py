@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 
 from . import __all__ as _public
-from . import _comparisons, _core, _fits, _names, _rotations, _trajectories
+from . import _comparisons, _core, _fits, _motion_archives, _names, _rotations, _trajectories
 from ._core import Mechanism
 from ._extras import needed
 from ._signatures import CHECKED, SIGNATURES, Shape
@@ -166,7 +166,7 @@ def _plain(name: str) -> Callable[..., Any]:
 
 globals().update({name: _plain(name) for name in _PLAIN})
 __all__ += [*_PLAIN, "deskew", "dlb", "fit", "from_euler", "from_matrix", "jacobian", "mean", "poses", "reach", "skew", "skin"]
-__all__ += ["solutions", "to_euler", "velocity"]
+__all__ += ["archive", "solutions", "to_euler", "velocity"]
 
 
 def from_matrix(matrices: Any, *, check: bool = True) -> Any:
@@ -333,3 +333,16 @@ def skin(points: Any, joints: Any, weights: Any, palette: Any, **options: Any) -
     count = da.asanyarray(palette).shape[-2]
     task = _Task("skin", _skin, *mesh, **options)
     return _lazy(task, [palette], [(count, 8)], (len(mesh[0]), 3), also=[points, weights])
+
+
+def archive(files: Any, robot: Any, out: Any, *, partitions: int | None = None, **options: Any) -> Any:
+    """Lazy `dq8.retarget.archive`: a ``dask.bag.Bag`` of its rows, a task for each clip or for as many as make so many `partitions`.
+
+    Each task writes the file of its motion into `out`, a folder that all workers have. Nothing is kept of calls before, and the
+    table of measures is the caller's: ``archive(...).to_dataframe().to_parquet("measures")``.
+    """
+    paths: list[Any]
+    keywords = {"format": "npz", "model": None, "table": None, "joints": None, "bodies": None}
+    job, paths = _motion_archives.job_of(files, robot, out, **{**keywords, **options})
+    bag: Any = needed("dask.bag", "dask")
+    return bag.from_sequence(paths, npartitions=partitions, partition_size=None if partitions else 1).map(job)

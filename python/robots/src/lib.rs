@@ -7,7 +7,7 @@ pub mod mechanism;
 pub mod rates;
 pub mod solutions;
 pub mod track;
-mod urdf;
+pub mod urdf;
 
 use dq8_python_arrays::{
     argument, broadcast, call, columns, error, links, number, output, shape, threads,

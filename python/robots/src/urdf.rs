@@ -16,7 +16,7 @@ fn with_mark(text: &str) -> Vec<u8> {
 
 /// The bytes of a file; or those that are given, or of the text that is given, if the first thing
 /// in it is `<`.
-fn bytes_of(source: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
+pub fn bytes_of(source: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
     if let Ok(bytes) = source.cast::<PyBytes>() {
         return Ok(bytes.as_bytes().to_vec());
     }
@@ -37,10 +37,15 @@ pub(crate) fn mechanism_of(source: &Bound<'_, PyAny>) -> PyResult<Mechanism> {
         Err(Failure::Encoding { encoding, bytes }) => (encoding, bytes),
         made => return made.map_err(Failure::raised),
     };
-    let text = PyBytes::new(py, &bytes).call_method1("decode", (&encoding, "replace"));
+    made(py, decoded(py, &bytes, &encoding)?)?.map_err(Failure::raised)
+}
+
+/// Returns the text of bytes in an encoding as UTF-8 behind a byte order mark.
+pub fn decoded(py: Python<'_>, bytes: &[u8], encoding: &str) -> PyResult<Vec<u8>> {
+    let text = PyBytes::new(py, bytes).call_method1("decode", (encoding, "replace"));
     let text =
         text.map_err(|error| value_error(format!("the file declares an {}", error.value(py))));
-    made(py, with_mark(&text?.extract::<String>()?))?.map_err(Failure::raised)
+    Ok(with_mark(&text?.extract::<String>()?))
 }
 
 /// From so many bytes on, other threads of Python run meanwhile.
